@@ -96,9 +96,11 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
       addCurve(piece, area, x_axis, y_axis,
-               penOf(colour, curve.heavy            ? 3.0 * m.line
-                             : page_.closed_outline ? m.line
-                                                    : m.thin_line));
+               penOf(colour,
+                     curve.heavy            ? 3.0 * m.line
+                     : page_.closed_outline ? m.line
+                                            : m.thin_line,
+                     curve.dashed));
       piece = {};
     };
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {

@@ -41,8 +41,9 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen) {
   constexpr double kPointsPerColumn = 0.7;
+  constexpr qsizetype kFewest = 16;  // a stroke of two points may stand in one column, and is wide
   const QTransform& placed = painter.deviceTransform();
-  if (line.isEmpty()) return false;
+  if (line.size() < kFewest) return false;
   // Of its own columns: an angle that wraps has hundreds of short lines.
   const double width =
       std::min(line.back().x(), area.right()) - std::max(line.front().x(), area.left());

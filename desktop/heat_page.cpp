@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace adore::desktop {
@@ -53,9 +56,12 @@ const Place* place_of(const std::string& name) {
   return nullptr;
 }
 
-std::string shown(const StaticColumn& column, const StaticTables& all) {
-  return fmt::format("{:.4g} {}", results::from_si(column.values.front(), *column.unit, all.units),
+std::string shown(const StaticColumn& column, const StaticTables& all, double value) {
+  return fmt::format("{:.4g} {}", results::from_si(value, *column.unit, all.units),
                      results::unit_name(*column.unit, all.units));
+}
+std::string shown(const StaticColumn& column, const StaticTables& all) {
+  return shown(column, all, column.values.front());
 }
 
 void line(ChartCurve& curve, const std::vector<std::pair<double, double>>& points) {
@@ -65,6 +71,26 @@ void line(ChartCurve& curve, const std::vector<std::pair<double, double>>& point
   }
   curve.x.push_back(kGap);
   curve.y.push_back(kGap);
+}
+
+/// From the edge of one node's square to that of another's.
+std::array<std::pair<double, double>, 2> between(const Place& from, const Place& to) {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const double share = kHalf / std::max(std::abs(dx), std::abs(dy));
+  return {{{from.x + share * dx, from.y + share * dy}, {to.x - share * dx, to.y - share * dy}}};
+}
+
+/// A line with a head at its end.
+void arrow(ChartCurve& curve, const std::pair<double, double>& from,
+           const std::pair<double, double>& to) {
+  constexpr double kLength = 0.2, kWidth = 0.08;
+  const double dx = to.first - from.first, dy = to.second - from.second;
+  const double x = dx / std::hypot(dx, dy), y = dy / std::hypot(dx, dy);
+  const std::pair<double, double> foot{to.first - kLength * x, to.second - kLength * y};
+  line(curve, {from, to});
+  line(curve, {{foot.first - kWidth * y, foot.second + kWidth * x},
+               to,
+               {foot.first + kWidth * y, foot.second - kWidth * x}});
 }
 
 }  // namespace
@@ -79,8 +105,10 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPage page;
   page.title = "Thermal network";
   page.note =
-      "Schematic: radius upwards, coolant to the right. Raceways have the temperature of the "
-      "rolling elements; half of the heat of a contact goes into either body.";
+      "Schematic: radius upwards, coolant to the right; arrows point where heat flows. Raceways "
+      "have the temperature of the rolling elements; half of the heat of a contact goes into "
+      "either "
+      "body.";
   page.equal_axes = true;
   page.closed_outline = true;
   page.fitted = true;
@@ -104,10 +132,16 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
     if (value(link.from) == nullptr || value(link.to) == nullptr) continue;
     const Place *a = place_of(link.from), *b = place_of(link.to);
     const StaticColumn* heat = value(link.heat);
-    line(heat != nullptr ? flows : links, {{a->x, a->y}, {b->x, b->y}});
+    const auto ends = between(*a, *b);
+    if (heat == nullptr || heat->values.front() == 0.0)
+      line(links, {ends[0], ends[1]});
+    else if (heat->values.front() > 0.0)
+      arrow(flows, ends[0], ends[1]);
+    else
+      arrow(flows, ends[1], ends[0]);
     if (heat != nullptr)
       page.labels.push_back({0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + 2.0 * kHalf, 1.0,
-                             0.0, shown(*heat, all)});
+                             0.0, shown(*heat, all, std::abs(heat->values.front()))});
   }
   double y = -0.8;
   for (const char* made :

@@ -57,6 +57,11 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
                           std::string(
                               "coefficients above 0.12 are extrapolations: no disc machine "
                               "has measured them, and this law has no limit");
+  if (all.beyond_heating)
+    pages.back().note += (pages.back().note.empty() ? "" : "; ") +
+                         std::string(
+                             "the inlet's heating is held at a tenth: films that rise again "
+                             "behind a dip are extrapolations");
   return pages;
 }
 

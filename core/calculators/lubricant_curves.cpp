@@ -200,6 +200,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
     const Point point(c);
     for (const double u : speeds) {
       const tribology::ContactFilm h = point.film(u, 0.0);
+      constexpr double kFloor = 0.1;  // of the heating, reached without a corner
+      out.beyond_heating = out.beyond_heating || h.thermal < kFloor + 1e-3;
       film.y.push_back(1e6 * h.central);
       lambda.y.push_back(contact.roughness > 0.0 ? h.minimum / contact.roughness : 0.0);
     }

@@ -55,6 +55,8 @@ struct LubricantCurves {
   std::string name;        ///< of the lubricant
   std::string provenance;  ///< weakest word for its numbers
   std::string conditions;  ///< of the contact, a sentence
+  /// Some film stands where the heating of its inlet is held at its floor (thermal_reduction.hpp).
+  bool beyond_heating = false;
   CurveChart traction, viscosity, film, lambda;
 };
 [[nodiscard]] LubricantCurves lubricant_curves(const LubricantContact& contact);

@@ -3,6 +3,7 @@
 #include "contact/hertz.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/roller_shape.hpp"
+#include "scene/no_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,10 @@ void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
 void set_films(BearingContacts& out, const statics::RaceResult& solution) {
   if (!solution.films) return;
   for (std::size_t i = 0; i < 2; ++i)
-    if (solution.films->lambda[i] > 0.0) out.film_parameter[i] = solution.films->lambda[i];
+    if (const double lambda = solution.films->lambda[i]; lambda > 0.0)
+      out.film_parameter[i] = lambda;
+    else if (lambda == 0.0 && solution.films->meniscus <= 0.0)
+      out.film_parameter[i] = scene::kNoFilmLeft;  // no oil reaches the contacts
 }
 
 /// Slices of an instant as a quasi-static solution has them.

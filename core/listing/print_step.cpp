@@ -104,8 +104,13 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
 
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               int interval) {
-  const bool film = is_computed(record, "contact.film");
-  const bool lambda = is_computed(record, "contact.film_parameter");
+  // Films that have collapsed are 0, and the metal heats all the same; lambda 0 is "none known".
+  const bool film =
+      is_computed(record, "contact.film") || is_computed(record, "contact.temperature_rise");
+  const bool lambda = std::any_of(
+      snapshot.elements.begin(), snapshot.elements.end(), [](const scene::ElementSnapshot& one) {
+        return one.race[0].film_parameter > 0.0 || one.race[1].film_parameter > 0.0;
+      });
   const bool rise = is_computed(record, "contact.temperature_rise");
   const bool rollers = record.shape.rollers;
   report.heading(

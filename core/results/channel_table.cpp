@@ -1,5 +1,6 @@
 #include "results/channels.hpp"
 #include "results/motion.hpp"
+#include "scene/no_film.hpp"
 
 #include <fmt/format.h>
 
@@ -168,7 +169,10 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Contact, 1>([](const Source& s) { return s.contact().least_film; }),
      "at the thinnest place; 0 with a hypothetical traction law"},
     {"contact.film_parameter", "film parameter", &unit::kPure, "-", false,
-     each<Per::Contact, 1>([](const Source& s) { return s.contact().film_parameter; }),
+     each<Per::Contact, 1>([](const Source& s) {
+       const double lambda = s.contact().film_parameter;
+       return lambda > scene::kNoFilmLeft ? lambda : 0.0;
+     }),
      "least film over the composite roughness; 0 without film or roughness"},
     {"contact.load_slip", "integral of load times slip", &unit::kPower, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load_slip; }),

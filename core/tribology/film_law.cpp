@@ -1,6 +1,7 @@
 #include "tribology/film_law.hpp"
 
 #include "base/errors.hpp"
+#include "tribology/dry_inlet.hpp"
 #include "tribology/pressure_fits.hpp"
 #include "tribology/thinning_surface.hpp"
 #include "tribology/visco_elastic_surface.hpp"
@@ -64,8 +65,7 @@ FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& 
   const double least = std::max(kLeastShare * std::abs(s.race_speed), kLeastSpeed);
   out.least_speed2 = least * least;
   out.log_heating = std::log(std::max(mu * oil.base_beta(T) / oil.conductivity.at(T), 1e-30));
-  constexpr double kDry = 1e-9;  // meniscus at the contact: no film
-  out.meniscus = std::max(lubrication.meniscus, kDry);
+  out.meniscus = std::max(lubrication.meniscus, kDryMeniscus);
   out.critical = std::max(lubrication.critical_film, kThinnestFilm);
   return out;
 }

@@ -1,5 +1,7 @@
 #include "tribology/traction_law.hpp"
 
+#include "tribology/dry_inlet.hpp"
+
 #include <cmath>
 
 namespace adore::tribology {
@@ -40,9 +42,8 @@ bool TractionLaw::has_film() const noexcept {
 FilmHere<double> TractionLaw::film(const ContactPoint<double>& contact) const {
   return visit([&](const auto& law) -> FilmHere<double> {
     if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
-      return law.film.at(contact);
-    else
-      return {0.0, 0.0, 0.0, 1.0};
+      if (law.film.meniscus > kDryMeniscus) return law.film.at(contact);
+    return {0.0, 0.0, 0.0, 1.0};
   });
 }
 

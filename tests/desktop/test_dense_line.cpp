@@ -125,3 +125,21 @@ TEST_CASE("dense_line: a wave of ten pixels in a long curve keeps every one of i
                  : 0;
   CHECK(peaks == 100);
 }
+
+TEST_CASE("dense_line: a stroke of two points is as wide as its pen, upright as well as level",
+          "[unit][desktop]") {
+  const auto wide = [](const QPolygonF& line, bool upright) {
+    QImage image(QSize(kWidth, kHeight), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    {
+      QPainter painter(&image);
+      draw_line(painter, line, QRectF(0, 0, kWidth, kHeight), QPen(Qt::black, 6.0));
+    }
+    int dark = 0;
+    for (int i = 0; i < (upright ? kWidth : kHeight); ++i)
+      dark += qGray(upright ? image.pixel(i, 100) : image.pixel(150, i)) < 128 ? 1 : 0;
+    return dark;
+  };
+  CHECK(wide(QPolygonF({{150.0, 20.0}, {150.0, 180.0}}), true) == 6);
+  CHECK(wide(QPolygonF({{20.0, 100.0}, {280.0, 100.0}}), false) == 6);
+}

@@ -50,6 +50,8 @@ INTERRUPTED = 130  # the program ends with it on SIGINT, SIGTERM and SIGHUP, and
 
 BALL, ROLLERS = "ball", ["cylindrical", "spherical", "tapered", "spherical-tapered"]
 NO_CAGE = {"nCseg": 0}
+OIL = {"kTrac": 3, "reRaceFilm": 1e-8, "strParam": 10.0}
+COLD = {"reTemp": 223.15, "raceTemp1": 223.15, "raceTemp2": 223.15}
 FREE_INNER = {"kDCR": 1, "kFD12": 0, "kFD22": 0, "kFD32": 0, "kRaceIP2": 1, "raceMass2": 0.3, "raceMIx2": 2e-4, "raceMIy2": 1.4e-4,
               "raceMIz2": 1.4e-4}
 
@@ -114,6 +116,13 @@ SCENES = [
     scene("held balls", BALL, "mode 1: equilibrium at every instant", {"mode": 1}),
     scene("held balls and race", BALL, "mode 2: the race finds its place at every instant", {"mode": 2}),
     scene("tilted races", BALL, "misaligned rings: every ball runs at its own angle", {"appMis12": 3e-3, "appMis22": 2e-3}),
+    # Films of MIL-L-7808 (kTrac 3).
+    scene("oil without rolling", BALL, "both races turn alike: no entrainment, no film", {**OIL, "rpm1": 10000.0, "rpm2": 10000.0}, 0),
+    scene("cold oil, counter-rotation", BALL, "-50 C, elements that hardly orbit: thick films on both sides",
+          {**OIL, **COLD, "rpm1": -10000.0, "rpm2": 10000.0}, 0.05),
+    scene("film collapses", BALL, "a shaft that stops within a turn: films fall below the critical one in mid-run",
+          {**OIL, "reRaceFilm": 2e-7, "kVarSpeed": 1, "raceAngAcc2": -5e5, "startTime2": 0.0, "endTime2": 2e-3}, 0),
+    scene("oil at rest", BALL, "a stopped bearing: slip, rolling and film are nothing", {**OIL, "rpm2": 0.0}, 0),
     scene("English units", "ball-english", "another system of units, the same bearing", {}),
     scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
     # Over one turn all methods agree: heat to 0.7 %, without orders 1 and 2 and cvode-bdf to 0.02 %, and a load changed by 1e-8 changes it

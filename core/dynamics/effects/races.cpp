@@ -8,6 +8,7 @@
 #include "dynamics/hertz_limit.hpp"
 #include "dynamics/rigid_body.hpp"
 #include "dynamics/user_points.hpp"
+#include "scene/no_film.hpp"
 #include "scene/user_laws.hpp"
 #include "tribology/contact_flash.hpp"
 #include "tribology/film_law.hpp"
@@ -361,13 +362,14 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     if (!in_contact_) continue;
     std::vector<RaceContactSnapshot> of_rollers;
     if (rollers_) of_rollers = roller_race_report((*rollers_)[j], e);
+    const bool in_oil = rollers_ ? (*rollers_)[j].traction && (*rollers_)[j].law.has_film()
+                                 : contacts_[j].traction && contacts_[j].law.has_film();
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? std::move(of_rollers[i]) : detail(e, j, i);
-      if (contact.film > 0.0) {
-        constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
+      if (in_oil && contact.load > 0.0) {
         if (roughness_[j] > 0.0)
-          contact.film_parameter = std::max(contact.least_film / roughness_[j], kNoFilm);
+          contact.film_parameter = std::max(contact.least_film / roughness_[j], scene::kNoFilmLeft);
         const double area =
             (rollers_ ? 4.0 : std::numbers::pi) * contact.half_major * contact.half_minor;
         contact.temperature_rise = tribology::contact_flash(

@@ -103,6 +103,10 @@ TEST_CASE("the charts of a lubricant have a curve each for four pressures and th
   CHECK(all.film.curves.size() == 3);
   CHECK(all.lambda.curves.size() == 3);
   CHECK(all.name.find("23699") != std::string::npos);
+  CHECK_FALSE(all.beyond_heating);
+  LubricantContact cold = c;
+  cold.temperature = 223.15;
+  CHECK(calculators::lubricant_curves(cold).beyond_heating);
   for (const auto* chart : {&all.traction, &all.viscosity, &all.film, &all.lambda})
     for (const calculators::NamedCurve& curve : chart->curves) {
       CHECK(curve.x.size() == curve.y.size());

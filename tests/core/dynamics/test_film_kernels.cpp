@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 /// Contacts in oil by the race kernels: every instruction set, every rule, all lubricants.
@@ -16,8 +17,10 @@ namespace {
 
 constexpr std::size_t kBalls = 11;  // no whole number of vectors
 
+constexpr int kAllCodes[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+
 test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direct,
-                        bool single = false, double spread = 1.0) {
+                        bool single = false, double spread = 1.0, double temperature = 360.0) {
   test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls, rule, spread);
   bearing::Lubrication lubrication;
   lubrication.code = code;
@@ -27,7 +30,7 @@ test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direc
   tribology::FilmSurface surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
-  surface.wall_temperature = 360.0;
+  surface.wall_temperature = temperature;
   surface.race_speed = 60.0;
   surface.width_over_pressure = 1e-13;
   surface.single = single;
@@ -129,6 +132,142 @@ TEST_CASE("films by floats: every instruction set has the heat and forces of dou
           CHECK(miss > 0.0);   // it is another calculation
         }
     }
+}
+
+// What holds of any traction, for every lubricant, by the kernels of balls with doubles and floats.
+TEST_CASE("films of balls: nothing without slip or load, odd in slip, bounded, less when hot",
+          "[physics][film][slow]") {
+  const tribology::EllipseRule rule = tribology::make_run_rule(tribology::kFilmNodes);
+  for (const int code : kAllCodes)
+    for (const bool single : {false, true})
+      for (const InstructionSet set : {InstructionSet::Baseline, InstructionSet::Avx512}) {
+        if (!dynamics::instruction_set_available(set)) continue;
+        CAPTURE(code, single, set);
+        constexpr std::size_t kAlong = 2, kHeat = 7;
+        test::ThrustScene scene = oiled(code, rule, false, single);
+        const test::Outputs forward = by(set, scene, 1);
+        const auto turn = [&](double factor) {
+          for (const std::size_t speed : {4, 5, 6, 7, 8, 9})
+            for (double& value : scene.ball[speed]) value *= factor;
+          scene.race[1].speed *= factor;
+        };
+        turn(-1.0);
+        const test::Outputs back = by(set, scene, 1);
+        const double limit = tribology::lubricant(code).limiting_ratio;
+        double most = 0.0;
+        for (std::size_t i = 0; i < scene.n; ++i) {
+          CHECK(back.value[kHeat][i] == Approx(forward.value[kHeat][i]).epsilon(1e-6));
+          CHECK(back.value[kAlong][i] == Approx(-forward.value[kAlong][i]).epsilon(1e-6));
+          most = std::max(most, std::abs(forward.value[kAlong][i]));
+          const double load = std::hypot(forward.value[0][i], forward.value[1][i]);
+          if (limit > 0.0) CHECK(std::abs(forward.value[kAlong][i]) <= limit * load * (1.0 + 1e-6));
+        }
+        CHECK(most > 0.0);
+        // Stopped: no traction, no heat, and numbers.
+        turn(0.0);
+        const test::Outputs still = by(set, scene, 1);
+        for (std::size_t i = 0; i < scene.n; ++i) {
+          CHECK(still.value[kAlong][i] == 0.0);
+          CHECK(still.value[kHeat][i] == 0.0);
+          for (const auto& value : still.value) CHECK(std::isfinite(value[i]));
+        }
+        // Open contacts.
+        test::ThrustScene open = oiled(code, rule, false, single);
+        for (std::size_t i = 0; i < open.n; ++i) {  // in the middle of the groove's play
+          open.ball[0][i] = open.race[1].centre.x();
+          open.ball[1][i] = open.model[1].groove.centre_radius[1];
+        }
+        REQUIRE(
+            dynamics::race_contact_state(open.model[1], open.arrays(), 0, open.race[1]).approach <=
+            0.0);
+        const test::Outputs apart = by(set, open, 1);
+        for (const auto& value : apart.value)
+          for (const double one : value) CHECK(one == 0.0);
+        // Hotter walls, full films: less heat of the same slow motion, which does not heat them.
+        const auto heat_at = [&](double temperature) {
+          scene = oiled(code, rule, false, single, 1.0, temperature);
+          turn(0.002);
+          const test::Outputs out = by(set, scene, 1);
+          double sum = 0.0;
+          for (const double one : out.value[kHeat]) sum += one;
+          return sum;
+        };
+        CHECK(heat_at(330.0) > heat_at(360.0));
+        CHECK(heat_at(360.0) > heat_at(390.0));
+      }
+}
+
+// The same of the law that rollers take slice by slice, in doubles.
+TEST_CASE(
+    "films of slices: nothing without slip or load, bounded, less when hot, thicker when fast",
+    "[physics][film]") {
+  for (const int code : kAllCodes) {
+    CAPTURE(code);
+    const tribology::Lubricant& oil = tribology::lubricant(code);
+    const auto law_at = [&](double temperature) {
+      bearing::Lubrication lubrication;
+      lubrication.code = code;
+      lubrication.critical_film = 1e-9;
+      lubrication.meniscus = 10.0;
+      tribology::FilmSurface surface;
+      surface.line = true;
+      surface.radius = 0.005;
+      surface.modulus = 2.26e11;
+      surface.wall_temperature = temperature;
+      surface.race_speed = 20.0;
+      surface.width_over_pressure = 1e-13;
+      return tribology::film_law(bearing::TractionCurve{}, oil, lubrication, surface);
+    };
+    const auto contact_of = [](double load, double speed) {
+      tribology::ContactPoint<double> at;
+      at.load = load;  // [N/m]
+      at.half_minor = std::sqrt(8.0 * load * 0.005 / (std::numbers::pi * 2.26e11));
+      at.peak_pressure = load > 0.0 ? 2.0 * load / (std::numbers::pi * at.half_minor) : 0.0;
+      at.entrainment = speed;
+      at.curvature = 200.0;
+      return at;
+    };
+    const auto traction = [](const tribology::TractionLaw& law,
+                             const tribology::ContactPoint<double>& at, double slip) {
+      return law.visit([&](const auto& one) {
+        if constexpr (tribology::kHasFilm<std::decay_t<decltype(one)>>)
+          return one.at(at).strip(at.peak_pressure)(slip);
+        else
+          return 0.0;
+      });
+    };
+    const tribology::TractionLaw law = law_at(360.0);
+    for (const double load : {0.0, 1.0, 1e4, 3e5, 3e6})  // to 4 GPa
+      for (const double speed : {0.0, 1e-9, 0.1, 10.0, -10.0, 300.0}) {
+        CAPTURE(load, speed);
+        const auto at = contact_of(load, speed);
+        CHECK(traction(law, at, 0.0) < 1e-9);  // times a direction that is none: exactly 0
+        double last = 0.0;
+        for (const double slip : {1e-9, 1e-3, 0.1, 1.0, 30.0}) {
+          const double kappa = traction(law, at, slip);
+          CHECK(std::isfinite(kappa));
+          CHECK(kappa >= 0.0);
+          if (oil.limiting_ratio > 0.0) CHECK(kappa <= oil.limiting_ratio * (1.0 + 1e-6));
+          if (slip <= 1e-3) CHECK(kappa >= last);
+          last = kappa;
+        }
+        const auto film = law.film(at);
+        CHECK(std::isfinite(film.thickness));
+        CHECK(film.thickness >= 0.0);
+      }
+    const auto at = contact_of(3e5, 10.0);
+    // Before slip heats the film: SAE 30 beyond its peak shears less when colder. Visco-elastic
+    // films at the least slip are springs, softer where they are thicker.
+    const double slip = oil.model == tribology::LubricantModel::ViscoElastic ? 0.1 : 1e-3;
+    CHECK(traction(law_at(330.0), at, slip) > traction(law, at, slip));
+    CHECK(traction(law, at, slip) > traction(law_at(390.0), at, slip));
+    double thin = 0.0;
+    for (const double speed : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+      const auto film = law.film(contact_of(3e5, speed));
+      CHECK(film.thickness / film.factor > thin);  // isothermal and flooded
+      thin = film.thickness / film.factor;
+    }
+  }
 }
 
 TEST_CASE("films by floats: balls that turn back have the opposite traction and the same heat",

@@ -3,11 +3,15 @@
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
+#include "results/h5_reader.hpp"
+#include "results/sol_file.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 /// Ball bearings that run in oil: record 10 acts on their motion.
 using namespace adore;
@@ -55,6 +59,43 @@ TEST_CASE("balls run in oil: the energy ledger closes, films are printed", "[val
     CHECK(ran.outcome.status == facade::RunStatus::Done);
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-4 * ran.outcome.energy_scale);
   }
+}
+
+TEST_CASE("where no oil reaches the contacts every output says no film, as the equilibrium does",
+          "[validation][film]") {
+  const testing::TemporaryFolder folder;
+  for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
+    for (const char* code : {"3", "12", "19"}) {
+      CAPTURE(type, code);
+      Deck deck = oiled(code, {{"strParam", "0.0"}, {"maxStps", "4"}, {"kPrtFreq", "2"}}, type);
+      const std::filesystem::path out = folder / (std::string(type) + code);
+      const Ran ran = run_deck(deck, out);
+      const results::H5Reader file(out / "RESULTS.h5");
+      for (const char* channel : {"contact.film", "contact.least_film", "contact.film_parameter"})
+        for (const double value : file.read(channel)) CHECK(value == 0.0);
+      // Metal rubs and is hot all the same.
+      const std::vector<double> rise = file.read("contact.temperature_rise");
+      CHECK(*std::max_element(rise.begin(), rise.end()) > 0.0);
+      CHECK_THAT(ran.print, Catch::Contains("Least film of the contacts"));
+      CHECK_THAT(ran.print, !Catch::Contains("hypothetical traction)"));
+      constexpr std::size_t kFilm = 25;  // of SOL1
+      for (const results::SolStep& step : results::read_sol(out / "SOL1").steps)
+        for (const std::size_t race : {0, 1}) CHECK(step.values.at(kFilm + race) == 0.0);
+      deck.set("mode", "-1");
+      deck.complete();
+      facade::DeckRequest request;
+      request.text = deck::write_deck(deck);
+      const facade::Prepared still = facade::prepare(request);
+      REQUIRE(still.race_result().films);
+      for (const auto& race : still.race_result().films->race)
+        for (const auto& one : race) {
+          CHECK(one.film.central == 0.0);
+          CHECK(one.film.minimum == 0.0);
+        }
+      // Life knows it: the worst film factor, not the 1 of a film that nobody knows.
+      for (const std::size_t part : {0, 1})
+        CHECK(still.life.state.factors.film_parameter[part] < 1e-6);
+    }
 }
 
 TEST_CASE("a user routine for traction is refused by name", "[unit][film]") {

@@ -1,5 +1,6 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "results/h5_reader.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -206,6 +207,65 @@ TEST_CASE("mode 1 of the ball example in oil has the heat and the cage speed of 
   for (const int code : {3, 6, 13}) {
     const Means free = means_of("ball", in_oil(code), 3, 0, 1.0);
     check("ball", in_oil(code), 3, free);
+  }
+}
+
+// Mode 0 holds the inner race where frictionless balls would carry the load; moving balls push
+// back by 5 % less there. Mode 2 goes where they carry it, and its heat is that of that place.
+TEST_CASE("mode 2 in oil has the heat of mode 0 that is held where the balls carry the load",
+          "[physics][facade][constrained][film][slow]") {
+  const testing::TemporaryFolder folder;
+  const auto run = [&](int mode, const char* name, Sets more) {
+    more.insert(more.end(), {{"kPltFreq", "10"}});
+    deck::Deck deck = deck_of("ball", in_oil(3), mode, 1.0);
+    deck.set_all(more);
+    std::filesystem::create_directories(folder / name);
+    return means_of(deck, folder / name, 1.0);
+  };
+  const Means balanced = run(2, "mode2", {}), held = run(0, "mode0", {});
+  const results::H5Reader file(folder / "mode2" / "RESULTS.h5");
+  const auto inner = [&](const char* channel) {  // of all steps
+    std::vector<double> both = file.read(channel), out;
+    for (std::size_t k = 1; k < both.size(); k += 2) out.push_back(both[k]);
+    return out;
+  };
+  const auto settled = [](const std::vector<double>& all) {  // mean from a third of the run on
+    double sum = 0.0;
+    const std::size_t from = all.size() / 3;
+    for (std::size_t k = from; k < all.size(); ++k) sum += all[k];
+    return sum / static_cast<double>(all.size() - from);
+  };
+  std::vector<double> z = inner("race.radial_position");
+  const std::vector<double> at = inner("race.orbital_position");
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] *= std::cos(at[k]);
+  const Means there =
+      run(0, "there",
+          {{"kFS1", "1"},
+           {"kFS3", "1"},
+           {"appDispX", fmt::format("{:.9e}", settled(inner("race.axial_position")))},
+           {"appDispZ", fmt::format("{:.9e}", settled(z))}});
+  INFO("heat of the races: mode 2 " << balanced.race[0] << " " << balanced.race[1] << ", mode 0 "
+                                    << held.race[0] << " " << held.race[1] << ", mode 0 there "
+                                    << there.race[0] << " " << there.race[1] << " J; all "
+                                    << balanced.total << " " << held.total << " " << there.total);
+  for (const int j : {0, 1}) {
+    CHECK(there.race[j] == Approx(balanced.race[j]).epsilon(0.03));
+    CHECK(std::abs(there.race[j] - balanced.race[j]) <
+          0.5 * std::abs(held.race[j] - balanced.race[j]));
+  }
+  CHECK(there.total == Approx(balanced.total).epsilon(0.02));
+  // The asked load, without a cage that presses on the race: all of it but the rate of friction
+  // over the pace of the balance, 5e-5 at any tolerance (1e-9 without friction).
+  (void)run(2, "alone", {{"nCseg", "0"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}});
+  const results::H5Reader alone(folder / "alone" / "RESULTS.h5");
+  const std::vector<double> x = alone.read("race.applied_force_x"),
+                            y = alone.read("race.applied_force_y"),
+                            z_force = alone.read("race.applied_force_z");
+  const std::size_t steps = x.size() / 2;
+  for (std::size_t k = steps / 3; k < steps; ++k) {
+    const std::size_t at_inner = 2 * k + 1;
+    CHECK(std::hypot(x[at_inner] - 1500.0, y[at_inner], z_force[at_inner] - 500.0) <
+          1e-4 * std::hypot(1500.0, 500.0));
   }
 }
 
