@@ -207,7 +207,7 @@ void Sketch::frame(QPointF centre, double angle, double length, const QColor& co
                 y_end = around(centre, length, angle - 0.5 * std::numbers::pi);
   arrow(origin, z_end, colour, 2.4);
   arrow(origin, y_end, colour, 2.4);
-  constexpr double kLeast = 34.0;  // pixels: names of shorter axes lie over those of the others
+  constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
   if (length * scale_ < kLeast) return;
   const int size = std::clamp(static_cast<int>(length * scale_ * 0.16), 11, 16);
   label(around(centre, length * 1.14, angle), "z", colour, size, true);
