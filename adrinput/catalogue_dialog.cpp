@@ -3,12 +3,14 @@
 #include "base/errors.hpp"
 #include "deck/catalogue.hpp"
 
+#include <QAbstractItemView>
 #include <QBoxLayout>
 #include <QCompleter>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTimer>
 
 namespace adore::adrinput {
 
@@ -62,6 +64,10 @@ void CatalogueDialog::look(const QString& designation) {
       lines << QString::fromStdString(line);
     story_->setText(lines.join("\n\n"));
     take_->setEnabled(true);
+    // The list opens after this; one that holds but what is typed would hide the story.
+    QTimer::singleShot(0, this, [list = name_->completer()] {
+      if (list->completionCount() <= 1) list->popup()->hide();
+    });
   } catch (const InputError& error) {
     const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
     QString text = QString::fromStdString(issue.remedy);

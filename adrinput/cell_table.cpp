@@ -48,11 +48,12 @@ class CellDelegate : public QStyledItemDelegate {
     const bool selected = option.state.testFlag(QStyle::State_Selected);
     const QRect rect = option.rect.adjusted(5, 4, -2, -4);
     painter->save();
-    painter->setFont(option.font);
+    painter->setFont(cell.font);
     const QColor chosen = table_->palette().color(QPalette::HighlightedText);
-    painter->setPen(selected ? chosen : theme.text);
+    const QColor plain = cell.palette.color(QPalette::Text);  // pale where it is not used
+    painter->setPen(selected ? chosen : plain);
     painter->drawText(rect, Qt::AlignLeft | Qt::AlignTop, text);
-    painter->setPen(selected ? chosen : theme.accent);
+    painter->setPen(selected ? chosen : plain == theme.muted ? plain : theme.accent);
     painter->drawText(rect, Qt::AlignLeft | Qt::AlignBottom, other);
     painter->restore();
   }

@@ -6,6 +6,7 @@
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/lubricant_panel.hpp"
+#include "adrinput/notice_bar.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
@@ -15,6 +16,7 @@
 #include "adrinput/time_scale.hpp"
 #include "base/excerpt.hpp"
 #include "deck/lookup.hpp"
+#include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/menu_keys.hpp"
@@ -50,7 +52,7 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kDrawingWidth = 300;  // of the drawing beside the form
-constexpr int kListWidth = 140;     // of the records, at least
+constexpr int kListWidth = 144;     // of the records, at least
 constexpr int kNarrow = 1100;       // a window whose form needs the room of list and drawing
 constexpr int kFormWidth = 390;     // of a record's page, which scrolls where it needs more
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
@@ -143,7 +145,10 @@ void DeckWindow::makeCentre() {
   connect(run_, &RunPanel::newFolderWanted, this, &DeckWindow::runInNewFolder);
   connect(run_, &RunPanel::continueWanted, this, &DeckWindow::continueRun);
   connect(run_, &RunPanel::sweepWanted, this, &DeckWindow::askForSweep);
-  connect(run_, &RunPanel::finished, this, [this] { document_.forget_rehearsal(); });
+  connect(run_, &RunPanel::finished, this, [this] {
+    start_check_->forget();  // it may have looked at files that the run has replaced
+    document_.forget_rehearsal();
+  });
   accuracy_ = new AccuracyPanel(this);
   connect(accuracy_, &AccuracyPanel::wanted, this, &DeckWindow::studyAccuracy);
   connect(accuracy_, &AccuracyPanel::applyWanted, this, &DeckWindow::applyAccuracy);
@@ -206,6 +211,7 @@ void DeckWindow::makeCentre() {
 }
 
 void DeckWindow::goTo(const Cell& cell) {
+  search_notice_->hide();  // of what was looked for before
   if (document_.instances(cell.record) == 0) return goToOptionOf(cell);
   showRecord(cell.record);
   page_->focusCell(cell);
@@ -273,6 +279,7 @@ QWidget* DeckWindow::makeButtons() {
 void DeckWindow::showRecord(const std::string& record) {
   if (record == current_ && page_ != nullptr) return page_->sync(true);
   document_.end_step();
+  search_notice_->hide();
   current_ = record;
   if (scroll_->widget() != nullptr) scroll_->takeWidget()->deleteLater();
   page_ = new RecordPage(document_, record);
@@ -576,6 +583,8 @@ void DeckWindow::switchTheme() {
   using desktop::ThemeKind;
   desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
                                                                         : ThemeKind::Dark);
+  for (auto* chart : findChildren<desktop::ChartView*>())
+    chart->chartScene().setTheme(desktop::current_theme());
   const std::string record = std::exchange(current_, {});
   showRecord(record);
   refresh();

@@ -66,7 +66,7 @@ class WrappedText : public QStyledItemDelegate {
   }
 
  private:
-  static constexpr int kMargin = 5, kSign = 16, kTall = 10'000;
+  static constexpr int kMargin = 4, kSign = 16, kTall = 10'000;
   static QRect text_place(const QRect& row, const QStyleOptionViewItem& option) {
     const int left = option.icon.isNull() ? kMargin : 3 * kMargin + kSign;
     return row.adjusted(left, 0, -kMargin, 0);
@@ -162,7 +162,7 @@ RecordList::RecordList(Document& document, QWidget* parent)
   stack_->addWidget(records_);
   stack_->addWidget(found_);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 8, 0, 0);
+  layout->setContentsMargins(4, 8, 0, 0);
   layout->addWidget(query_);
   layout->addWidget(state_);
   layout->addWidget(stack_, 1);
@@ -230,6 +230,7 @@ void RecordList::sync() {
     item->setData(Qt::AccessibleTextRole, item->text() + ", " + state_text(state));
     item->setData(kRecordRole, QString::fromStdString(id));
   }
+  describeFound();
 }
 
 void RecordList::setCurrent(const std::string& record) {
@@ -253,22 +254,35 @@ void RecordList::search(const QString& query) {
   stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : found_);
   if (query.trimmed().isEmpty()) return;
   for (const Found& found : search_variables(query.toStdString())) {
-    const deck::RecordSpec& record = *page_record(found.cell.record);
-    const deck::VariableSpec& variable = *variable_of(found.cell);
-    const bool here = document_.instances(found.cell.record) > 0;
-    QString text = QString("%1 · record %2\n%3")
-                       .arg(text_of(variable.name), record_number(record), text_of(variable.help));
-    if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
-    auto* item = new QListWidgetItem(text, found_);
+    auto* item = new QListWidgetItem(found_);
     item->setData(kRecordRole, QString::fromStdString(found.cell.record));
     item->setData(kVariableRole, static_cast<int>(found.cell.variable));
-    if (!here) item->setForeground(desktop::current_theme().muted);
   }
+  describeFound();
   if (found_->count() == 0) {
     auto* item = new QListWidgetItem(tr("No variable says that."), found_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     found_->setCurrentRow(0);
+  }
+}
+
+/// What was found, and pale where the deck does not have it now.
+void RecordList::describeFound() {
+  for (int row = 0; row < found_->count(); ++row) {
+    QListWidgetItem* item = found_->item(row);
+    Cell cell;
+    cell.record = item->data(kRecordRole).toString().toStdString();
+    if (cell.record.empty()) continue;
+    cell.variable = static_cast<std::size_t>(item->data(kVariableRole).toInt());
+    const deck::RecordSpec& record = *page_record(cell.record);
+    const deck::VariableSpec& variable = *variable_of(cell);
+    const bool here = document_.instances(cell.record) > 0;
+    QString text = QString("%1 · record %2\n%3")
+                       .arg(text_of(variable.name), record_number(record), text_of(variable.help));
+    if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
+    if (item->text() != text) item->setText(text);
+    item->setForeground(here ? QBrush() : QBrush(desktop::current_theme().muted));
   }
 }
 

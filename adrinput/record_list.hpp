@@ -35,6 +35,7 @@ class RecordList : public QWidget {
  private:
   void search(const QString& query);
   void chooseFound(int row);
+  void describeFound();
   void syncState();
 
   Document& document_;

@@ -210,7 +210,14 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit->setWordWrap(true);
   if (row.line != nullptr && !deck::usual_units(variable.unit).empty())
     side->addWidget(row.choice = makeUnitChoice(variable));
-  side->addWidget(row.unit, 1000);
+  // Beside a field; below a table, which may be as wide as the page.
+  auto* whole = new QVBoxLayout;
+  whole->setSpacing(2);
+  whole->addLayout(side);
+  if (row.table != nullptr)
+    whole->addWidget(row.unit);
+  else
+    side->addWidget(row.unit, 1000);
   row.other = new QLabel(this);
   row.other->setTextFormat(Qt::PlainText);
   row.other->setObjectName("other-" + text_of(variable.name));
@@ -222,7 +229,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.problem->setObjectName("problem-" + text_of(variable.name));
   const int at = grid->rowCount();
   grid->addWidget(name, at, 0, row.table != nullptr ? Qt::AlignTop : Qt::AlignVCenter);
-  grid->addLayout(side, at, 1);
+  grid->addLayout(whole, at, 1);
   grid->addWidget(row.other, at + 1, 1);
   grid->addWidget(row.problem, at + 2, 1);
   grid->addWidget(make_text(help, theme.muted, this), at + 3, 1);

@@ -12,6 +12,7 @@
 #include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -271,9 +272,16 @@ void RunPanel::show(const facade::Progress& progress) {
     return showNote();
   }
   plots_->setEnabled(!plotFiles().isEmpty());  // a viewer follows a run that goes on
-  headline_ = from(fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
-                               progress.step, progress.revolutions, progress.time,
-                               progress.end_time, duration_text(progress.remaining)));
+  // Beside the bar stands what will end the run.
+  const std::string left = duration_text(progress.remaining);
+  headline_ =
+      from(progress.last_step > 0
+               ? fmt::format("Step {} of {}, {:.3f} revolutions, {:.4g} s. Remaining: {}.",
+                             progress.step, progress.last_step, progress.revolutions, progress.time,
+                             left)
+               : fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
+                             progress.step, progress.revolutions, progress.time, progress.end_time,
+                             left));
   showNote();
 }
 
@@ -301,7 +309,8 @@ void RunPanel::show(const RunEnd& end) {
   showNote();
   enableButtons();
   if (end.results_exist) askToReplace();
-  if (end.outcome && end.outcome->status == facade::RunStatus::Done) {
+  if ((end.outcome && end.outcome->status == facade::RunStatus::Done) ||
+      (end.sweep && end.sweep->exit_code == 0)) {
     if (plots_at_end_->isChecked() && !plotFiles().isEmpty()) openPlots();
     if (animation_at_end_->isChecked() && !fileNamed("SOL8").isEmpty()) openAnimation();
   }
@@ -347,8 +356,13 @@ QStringList RunPanel::plotFiles() const {
 
 void RunPanel::view(const QString& program, const QStringList& files) {
   try {
-    if (desktop::hand_over(program, files)) return;  // the project has its window already
-    launch(program, files);
+    const QString project = desktop::folder_of(file_);  // new folders of runs are part of it
+    QStringList arguments;
+    for (const QString& file : files)  // the window may have been started elsewhere
+      arguments << (file.startsWith("--") ? file
+                                          : QDir::cleanPath(QFileInfo(file).absoluteFilePath()));
+    if (desktop::hand_over(program, project, arguments)) return;  // it has its window already
+    launch(program, QStringList{"--project", project} + arguments);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }

@@ -15,6 +15,12 @@ void StartCheck::ask(Document::Candidate candidate) {
   background_.stop();
 }
 
+void StartCheck::forget() {
+  asked_.reset();
+  next_.reset();
+  background_.stop();
+}
+
 void StartCheck::start(Document::Candidate candidate) {
   asked_ = candidate;
   auto answer = std::make_shared<std::optional<std::vector<Issue>>>();
@@ -32,9 +38,10 @@ void StartCheck::start(Document::Candidate candidate) {
         }
       },
       [this, candidate, answer] {
+        const bool awaited = asked_.has_value();
         asked_.reset();
         if (next_) return start(*std::exchange(next_, std::nullopt));
-        if (*answer && found) found(candidate, std::move(**answer));
+        if (awaited && *answer && found) found(candidate, std::move(**answer));
       });
 }
 

@@ -22,12 +22,14 @@ class StartCheck : public QObject {
 
   /// An earlier question that is open is given up.
   void ask(Document::Candidate candidate);
+  /// What is being found out no longer counts: files have changed since it was asked.
+  void forget();
   [[nodiscard]] bool busy() const { return background_.busy(); }
 
  private:
   void start(Document::Candidate candidate);
 
-  std::optional<Document::Candidate> asked_;  ///< what is being found out
+  std::optional<Document::Candidate> asked_;  ///< what is being found out; none: nobody waits
   std::optional<Document::Candidate> next_;
   Background background_;
 };

@@ -1,5 +1,6 @@
 #include "adrplot/accuracy_page.hpp"
 
+#include "adrplot/plot_document.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "results/growing_file.hpp"
@@ -94,7 +95,7 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
     out.push_back(page_of(points_of(*finals), title, error));
   out.push_back(
       page_of(points_of(study["screening"]), out.empty() ? title : "Screening: " + title, error));
-  for (desktop::ChartPage& page : out) page.subtitle = path.parent_path().filename().string();
+  for (desktop::ChartPage& page : out) page.subtitle = run_folder(path).filename().string();
   return out;
 }
 

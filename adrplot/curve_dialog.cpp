@@ -66,10 +66,8 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
     const PlotDocument& file = *files_[f];
     auto* root = new QTreeWidgetItem(
         tree_,
-        {QString::fromStdString(
-            (std::filesystem::absolute(file.path).parent_path().filename() / file.path.filename())
-                .string() +
-            " — " + file.subject)});
+        {QString::fromStdString((run_folder(file.path).filename() / file.path.filename()).string() +
+                                " — " + file.subject)});
     root->setToolTip(0, QString::fromStdString(file.path.string()));
     root->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
   }

@@ -85,6 +85,18 @@ KnownValues KnownColumns::values(const std::string& id) const {
     const std::string land = id.substr(0, std::string("cage.land1").size());
     if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
       nothing(fmt::format("This cage has no guide land {}.", land.back()));
+    else if (id.ends_with("_angle"))  // a cage in the middle is nowhere nearest
+      for (std::size_t i = 0; i < out.values.size() && out.values[i] == 0.0; ++i)
+        out.values[i] = kNone;
+  } else if (is("pocket.position.")) {
+    // Where a roller that lies along a wall is nearest to it is a matter of rounding.
+    drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero);
+    constexpr double kMiddle = 1e-9;  // along a roller: rounding
+    for (double& v : out.values)
+      if (std::abs(v) < kMiddle) v = 0.0;
+    if (std::none_of(out.values.begin(), out.values.end(),
+                     [](double v) { return std::isfinite(v); }))
+      nothing("The roller never touched the pocket there.");
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
     if (always_zero("flange.gap" + where))

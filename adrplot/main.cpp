@@ -31,10 +31,30 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
 }
 
 int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
-         const results::SolRange& range, adrplot::Abscissa abscissa, bool follow) {
+         const results::SolRange& range, adrplot::Abscissa abscissa, bool follow,
+         const std::string& project) {
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Window);
-  if (!desktop::ask_for_disclaimer("AdrPlot")) return 0;
+  const QString folder = !project.empty() ? QString::fromStdString(project)
+                         : !files.empty() ? desktop::folder_of(files.front())
+                                          : QString();
+  // Whoever is the second one for a project leaves it to the first.
+  const auto left_to_another = [&] {
+    QStringList names;
+    if (follow) names << "--follow";
+    for (const auto& file : files)
+      names << QString::fromStdString(std::filesystem::absolute(file).string());
+    return !project.empty() && !files.empty() && desktop::hand_over("adrplot", folder, names);
+  };
+  if (left_to_another() || !desktop::ask_for_disclaimer("AdrPlot")) return 0;
   adrplot::PlotWindow window;
+  std::optional<desktop::OneWindow> one;
+  if (!files.empty())
+    one.emplace("adrplot", folder, nullptr, [&window](QStringList names) {
+      const bool grows = names.removeAll("--follow") > 0;
+      window.showFiles(names);
+      if (grows) window.follow(true);
+    });
+  if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
   window.setAbscissa(abscissa);
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
@@ -45,14 +65,6 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
       window.openFile(file, range);
   }
   if (follow) window.follow(true);
-  std::optional<desktop::OneWindow> one;
-  if (!files.empty())
-    one.emplace("adrplot", desktop::folder_of(files.front()), nullptr,
-                [&window](QStringList names) {
-                  const bool grows = names.removeAll("--follow") > 0;
-                  window.showFiles(names);
-                  if (grows) window.follow(true);
-                });
   if (files.empty()) QTimer::singleShot(0, &window, &adrplot::PlotWindow::askForFile);
   return QApplication::exec();
 }
@@ -68,12 +80,14 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
-  std::string size = "1280x800", abscissa = "rev";
+  std::string size = "1280x800", abscissa = "rev", project;
   cli.add_option("FILE", files,
                  "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; a study's "
                  "folder, RUNS.csv "
                  "or STUDY.h5; in a window, folders of runs too")
       ->type_name("FILE");
+  cli.add_option("--project", project, "folder whose files come into this one window")
+      ->type_name("DIR");
   auto* folder =
       cli.add_option("--render", options.folder,
                      "write the pages as PNG into this folder instead of opening a window")
@@ -106,6 +120,6 @@ int main(int argc, char** argv) {
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
     if (!options.folder.empty()) return render(argc, argv, files, options);
-    return show(argc, argv, files, options.range, options.view.abscissa, follow);
+    return show(argc, argv, files, options.range, options.view.abscissa, follow, project);
   });
 }

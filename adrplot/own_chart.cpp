@@ -21,7 +21,7 @@ struct Taken {
 };
 
 std::string run_of(const PlotDocument& file) {
-  const std::string folder = std::filesystem::absolute(file.path).parent_path().filename().string();
+  const std::string folder = run_folder(file.path).filename().string();
   return (folder.empty() ? "" : folder + "/") + file.path.filename().string();
 }
 
@@ -64,11 +64,9 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
 }
 
 bool of_one_run(const std::vector<CurvePick>& picks) {
-  const auto folder = [](const CurvePick& pick) {
-    return std::filesystem::absolute(pick.file->path).parent_path();
-  };
-  return std::all_of(picks.begin(), picks.end(),
-                     [&](const CurvePick& pick) { return folder(pick) == folder(picks.front()); });
+  return std::all_of(picks.begin(), picks.end(), [&](const CurvePick& pick) {
+    return run_folder(pick.file->path) == run_folder(picks.front().file->path);
+  });
 }
 
 std::vector<double> all_places(const std::vector<Taken>& curves) {
@@ -190,7 +188,9 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
       page.x_title == "Time" && page.x_unit == "s" ? options.domain : Domain::History;
   page.x = all_places(curves);
   if (less) {
-    page.note = "Less " + curves.front().name + ".";
+    // One difference has no legend that would name it.
+    page.note =
+        (curves.size() == 2 ? curves.back().name + ", less " : "Less ") + curves.front().name + ".";
     curves = differences(curves);
   }
   if (domain != options.domain)

@@ -166,4 +166,8 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
   return out;
 }
 
+std::filesystem::path run_folder(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).lexically_normal().parent_path();
+}
+
 }  // namespace adore::adrplot

@@ -27,6 +27,9 @@ struct PlotDocument {
   std::function<std::filesystem::path(long run)> files_of_run;
 };
 
+/// The folder of a file, the same for every way of writing it: it tells runs apart.
+[[nodiscard]] std::filesystem::path run_folder(const std::filesystem::path& file);
+
 /// Numbers of a file that are held at a time [values]; of longer ones those of a few pages, and the
 /// file is read again for others.
 inline constexpr std::size_t kMostValues = 9'000'000;

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QProgressDialog>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTimer>
@@ -43,9 +44,20 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   cursors_ = new QLabel(this);
   cursors_->setObjectName("cursors");
   cursors_->setMargin(8);
+  cursors_->setWordWrap(true);
   cursors_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  cursors_->hide();
-  column->addWidget(cursors_);
+  cursors_area_ = new QScrollArea(this);  // a waterfall has many lines
+  cursors_area_->setWidget(cursors_);
+  cursors_area_->setWidgetResizable(true);
+  cursors_area_->setFrameShape(QFrame::NoFrame);
+  cursors_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  cursors_area_->hide();
+  column->addWidget(cursors_area_);
+  readout_ = new QLabel(this);
+  readout_->setObjectName("readout");
+  readout_->setWordWrap(true);
+  readout_->setMinimumWidth(1);
+  statusBar()->addWidget(readout_, 1);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(tree_);
   splitter->addWidget(side);
@@ -60,7 +72,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(growth_, &QTimer::timeout, this, &PlotWindow::lookForGrowth);
   connect(view_, &desktop::ChartView::cursorsChanged, this, [this] {
     cursors_->setText(view_->cursorReport());
-    cursors_->setVisible(!cursors_->text().isEmpty());
+    fitCursors();
   });
 
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -71,7 +83,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   connect(view_, &desktop::ChartView::readoutChanged, this,
-          [this](const QString& text) { statusBar()->showMessage(text); });
+          [this](const QString& text) { readout_->setText(text); });
   showCurrent();
 }
 
@@ -151,6 +163,40 @@ void PlotWindow::showCurrent() {
   }
   note_->setVisible(!note_->text().isEmpty());
   view_->showPage(std::move(chart));
+  fitReadout();
+}
+
+/// Room for the values of all panels, before they are asked for: a line that grew while the mouse
+/// moves would move the chart under it.
+void PlotWindow::fitReadout() {
+  const QFontMetrics metrics(readout_->font());
+  constexpr int kGrip = 40, kMostHeight = 1000;
+  // Other places have longer numbers.
+  const int width = std::max(100, static_cast<int>(0.95 * (this->width() - kGrip)));
+  int height = metrics.lineSpacing();
+  const desktop::ChartScene& scene = view_->chartScene();
+  if (!scene.plotAreas().empty())
+    for (const double part : {0.0, 0.5, 1.0}) {
+      const QRectF& area = scene.plotAreas().front();
+      const QPointF place(area.left() + part * area.width(), area.center().y());
+      const QRect room(0, 0, width, kMostHeight);
+      height = std::max(
+          height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
+    }
+  readout_->setFixedHeight(height + 2);
+}
+
+/// What the cursors tell, in a third of the window at most.
+void PlotWindow::fitCursors() {
+  const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
+  cursors_area_->setFixedHeight(std::clamp(needed, 0, height() / 3));
+  cursors_area_->setVisible(!cursors_->text().isEmpty());
+}
+
+void PlotWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  fitReadout();
+  fitCursors();
 }
 
 void PlotWindow::previousPage() {

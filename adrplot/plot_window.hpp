@@ -13,6 +13,7 @@ class QComboBox;
 class QLabel;
 class QMenu;
 class QProgressDialog;
+class QScrollArea;
 class QTimer;
 class QToolBar;
 class QTreeWidget;
@@ -78,6 +79,7 @@ class PlotWindow : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Document : PlotDocument {
@@ -97,6 +99,8 @@ class PlotWindow : public QMainWindow {
   void makeChoices(QToolBar* bar);
   void fillTree();
   void showCurrent();
+  void fitReadout();
+  void fitCursors();
   void askForRange(const QString& path);
   [[nodiscard]] Document* document();
   /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
@@ -112,6 +116,8 @@ class PlotWindow : public QMainWindow {
   QTreeWidget* tree_;
   QLabel* note_;
   QLabel* cursors_;
+  QScrollArea* cursors_area_;
+  QLabel* readout_;  ///< values under the mouse
   QTimer* growth_ = nullptr;
   std::unique_ptr<QProgressDialog> reading_;
   bool log_x_ = false, log_y_ = false;

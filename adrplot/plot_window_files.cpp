@@ -75,7 +75,7 @@ void PlotWindow::fillTree() {
   const int file = current_, page = page_;
   std::set<std::filesystem::path> folders;
   for (const auto& doc : documents_)
-    if (doc->on_disk) folders.insert(doc->path.parent_path());
+    if (doc->on_disk) folders.insert(run_folder(doc->path));
   {
     const QSignalBlocker quiet(tree_);
     tree_->clear();
@@ -83,9 +83,7 @@ void PlotWindow::fillTree() {
       const Document& doc = *documents_[static_cast<std::size_t>(d)];
       QString name = QString::fromStdString(doc.path.filename().string());
       if (folders.size() > 1 && doc.on_disk)  // runs told apart
-        name = QString::fromStdString(
-                   std::filesystem::absolute(doc.path).parent_path().filename().string()) +
-               "/" + name;
+        name = QString::fromStdString(run_folder(doc.path).filename().string()) + "/" + name;
       auto* root = new QTreeWidgetItem(tree_, {name + " — " + QString::fromStdString(doc.subject)});
       root->setToolTip(0, QString::fromStdString(doc.path.string()));
       // The name of a file shows its first page.

@@ -43,7 +43,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
     const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
                         return other.filename() == path.filename();
                       }) > 1;
-    const std::string folder = fs::absolute(path).parent_path().filename().string();
+    const std::string folder = run_folder(path).filename().string();
     fs::path name = path.filename();
     if (name.empty()) name = path.parent_path().filename();  // "clearance.study/"
     const std::string stem = (twin ? folder + "-" : "") + name.string();

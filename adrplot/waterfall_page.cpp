@@ -84,8 +84,8 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
     desktop::ChartCurve curve{desktop::pretty_quantity(fall.time[i], "s", 3), {}, {}};
     if (!steady)
       curve.name += fmt::format(", {:.4g} rpm", 60.0 * speed_at(times, turns, fall.time[i]));
-    for (const double a : fall.amplitude[i])
-      curve.y.push_back(a + kDistance * largest * static_cast<double>(i));
+    curve.lift = kDistance * largest * static_cast<double>(i);
+    for (const double a : fall.amplitude[i]) curve.y.push_back(a + curve.lift);
     panel.curves.push_back(std::move(curve));
   }
   panel.one_colour = true;

@@ -56,11 +56,13 @@ void draw_trails(const Scene& s) {
   }
 }
 
-/// Forces of both races on every element, the largest of the run as long as an element's radius.
+/// Forces of both races on every element, the largest of the run as long as an element's radius
+/// where the outer race is as thick: its arrows end below the elements' numbers.
 void draw_all_loads(const Scene& s) {
   if (!s.animation.contacts || !(s.animation.contacts->largest_load > 0.0)) return;
   const auto& contacts = s.animation.contacts->frames.at(s.index);
   const double radius = s.geometry().element_radius;
+  const double longest = longest_load_arrow(s, radius, outer_rim(s.geometry()));
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const QPointF centre = element_centre(s, k);
     const double distance = std::hypot(centre.x(), centre.y());
@@ -69,7 +71,7 @@ void draw_all_loads(const Scene& s) {
       const double part = contacts[k].load[j] / s.animation.contacts->largest_load;
       if (!(part > 0.0)) continue;
       const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
-      const QPointF tip = centre + radius * outward, tail = tip + part * radius * outward;
+      const QPointF tip = centre + radius * outward, tail = tip + part * longest * outward;
       s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
                      s.sketch.theme().curves[0], 2.6);
     }

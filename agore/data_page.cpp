@@ -91,8 +91,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     }
     case View::Flange: {
       const std::size_t r = options.flange_race;
-      page.title = fmt::format("Flanges of element {}, {} race", options.element,
-                               r == 0 ? "outer" : "inner");
+      page.title =
+          fmt::format("{} flanges, element {}", r == 0 ? "Outer" : "Inner", options.element);
       for (const auto& [what, title] :
            {std::pair<const char*, const char*>{"force", "Load"}, {"gap", "Gap"}})
         for (std::size_t side = 0; side < 2; ++side)

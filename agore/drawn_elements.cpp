@@ -15,6 +15,12 @@ std::array<double, 3> mark_from_outside(const results::Sol8Element& element, dou
           -y * std::sin(angle) + z * std::cos(angle)};
 }
 
+double longest_load_arrow(const Scene& s, double wanted, double edge) {
+  const double radius = s.geometry().element_radius;
+  const double room = edge - s.pitch_radius() - radius;
+  return std::min(wanted, std::max(room, 0.3 * radius));  // shorter ones would show no loads
+}
+
 QPointF element_centre(const Scene& s, std::size_t k) {
   const auto& element = s.frame.elements[k];
   const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };

@@ -12,8 +12,8 @@ namespace adore::agore {
 
 namespace {
 
-/// Forces of the two races on element k as arrows on its surface, as long as its diameter for the
-/// largest load of the file, with load and slip in the key.
+/// Forces of the two races on element k as arrows on its surface, for the largest load of the file
+/// as long as its diameter or as the picture has room, with load and slip in the key.
 void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
   const ContactFrames& all = *s.animation.contacts;
   const ContactFrame& contact = all.frames.at(s.index).at(k);
@@ -21,12 +21,15 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
   if (!(distance > 0.0)) return;
   const QPointF outward = centre / distance;
   const double radius = s.geometry().element_radius;
+  constexpr double kMargin = 22.0;  // pixels round the rings that are the picture's
+  const double longest =
+      longest_load_arrow(s, 2.0 * radius, outer_rim(s.geometry()) + kMargin / s.sketch.scale());
   const std::array<const char*, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const double side = j == 0 ? 1.0 : -1.0;  // the outer race presses from outside
     const QColor colour = s.sketch.theme().curves[j];
     if (contact.load[j] > 0.0 && all.largest_load > 0.0) {
-      const double length = 2.0 * radius * contact.load[j] / all.largest_load;
+      const double length = longest * contact.load[j] / all.largest_load;
       const QPointF tip = centre + side * radius * outward;
       const QPointF tail = tip + side * length * outward;
       s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);

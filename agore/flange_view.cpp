@@ -96,7 +96,7 @@ void flange_view(const Scene& s) {
                "roller {} at the {} race  ·  gaps × {}  ·  skew {:.3f}°, to scale  ·  seen from "
                "outside, +x to the right",
                k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
-               skew * 180.0 / kPi)));
+               std::round(1e3 * skew * 180.0 / kPi) / 1e3 + 0.0)));  // no -0.000
 }
 
 }  // namespace adore::agore

@@ -10,6 +10,7 @@
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
+#include <QFileInfo>
 #include <QProgressDialog>
 #include <QTimer>
 #include <fmt/core.h>
@@ -26,7 +27,7 @@ const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
 struct Request {
   std::filesystem::path file, folder;
   std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none";
-  std::string beside;
+  std::string beside, project;
   int frame = 0, every = 0, rate = 25;
   agore::RenderOptions options;
 };
@@ -73,8 +74,21 @@ void show_file(agore::AgoreWindow& window, const QString& name) {
 
 int show(int& argc, char** argv, const Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Window);
-  if (!desktop::ask_for_disclaimer("AGORE")) return 0;
+  const QString folder = request.project.empty() ? desktop::folder_of(request.file)
+                                                 : QString::fromStdString(request.project);
+  // Whoever is the second one for a project leaves it to the first.
+  const auto left_to_another = [&] {
+    return !request.project.empty() && !request.file.empty() &&
+           desktop::hand_over("agore", folder,
+                              {QFileInfo(QString::fromStdString(request.file)).absoluteFilePath()});
+  };
+  if (left_to_another() || !desktop::ask_for_disclaimer("AGORE")) return 0;
   agore::AgoreWindow window;
+  std::optional<desktop::OneWindow> one;
+  if (!request.file.empty())
+    one.emplace("agore", folder, nullptr,
+                [&window](const QStringList& names) { show_file(window, names.front()); });
+  if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
   const desktop::WindowMemory memory(window, "agore");
   window.show();
   if (request.file.empty())
@@ -84,10 +98,6 @@ int show(int& argc, char** argv, const Request& request) {
     for (const agore::SideView& side : request.options.view.beside)
       window.setBeside(side.view, true);
   }
-  std::optional<desktop::OneWindow> one;
-  if (!request.file.empty())
-    one.emplace("agore", desktop::folder_of(request.file), nullptr,
-                [&window](const QStringList& names) { show_file(window, names.front()); });
   return QApplication::exec();
 }
 
@@ -101,6 +111,8 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   Request request;
   cli.add_option("SOL8", request.file, "animation file, or RESULTS.h5")->type_name("FILE");
+  cli.add_option("--project", request.project, "folder whose files come into this one window")
+      ->type_name("DIR");
   auto* folder = cli.add_option("--render", request.folder,
                                 "write pictures into this folder instead of opening a window")
                      ->type_name("DIR");

@@ -189,9 +189,9 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   const QString origin = QString::fromStdString(run + speed_text(animation_) + "   ·   " +
                                                 animation_.file.path.filename().string() +
                                                 "   ·   " + animation_.source);
-  painter.drawText(QPointF(area.left() + kMargin, area.top() + 50),
-                   QFontMetricsF(painter.font())
-                       .elidedText(origin, Qt::ElideRight, area.width() - 2.0 * kMargin));
+  painter.drawText(
+      QPointF(area.left() + kMargin, area.top() + 50),
+      desktop::fitted_line(origin, QFontMetricsF(painter.font()), area.width() - 2.0 * kMargin));
   const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
   for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
     painter.setPen(QPen(t.grid, 1.0));

@@ -92,7 +92,8 @@ void pocket_view(const Scene& s) {
   }
   const double direction =
       s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
-  const double top = high + 0.3 * g.element_radius;
+  constexpr double kHalfHead = 15.0;  // pixels of the arrow
+  const double top = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
                  s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
   // A small picture has no room for it below the view's title.

@@ -207,6 +207,8 @@ void Sketch::frame(QPointF centre, double angle, double length, const QColor& co
                 y_end = around(centre, length, angle - 0.5 * std::numbers::pi);
   arrow(origin, z_end, colour, 2.4);
   arrow(origin, y_end, colour, 2.4);
+  constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
+  if (length * scale_ < kLeast) return;
   const int size = std::clamp(static_cast<int>(length * scale_ * 0.16), 11, 16);
   label(around(centre, length * 1.14, angle), "z", colour, size, true);
   label(around(centre, length * 1.14, angle - 0.5 * std::numbers::pi), "y", colour, size, true);
@@ -217,8 +219,9 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   const double length = std::hypot(along.x(), along.y());
   if (length < 1.0) return;
   const QPointF u = along / length;
-  const double head = std::min(length, 5.0 + 3.2 * width);
-  painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+  // A short arrow keeps half of its shaft, which is thinner than its head.
+  const double head = std::min(0.5 * length, 5.0 + 3.2 * width);
+  painter_.setPen(QPen(colour, std::min(width, 0.4 * head), Qt::SolidLine, Qt::FlatCap));
   painter_.drawLine(from, to - u * head * 0.8);
   desktop::arrow_head(painter_, to, u, head, colour);
 }

@@ -52,6 +52,10 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 [[nodiscard]] std::array<double, 3> mark_from_outside(const results::Sol8Element& element,
                                                       double angle);
 
+/// Length of the arrow of the file's largest race load: `wanted`, or what lies between the elements
+/// and the circle of radius `edge`, where the words of a picture begin.
+[[nodiscard]] double longest_load_arrow(const Scene& scene, double wanted, double edge);
+
 /// Element centre (y, z) as drawn: its pocket's centre plus the exaggerated way out of it, or its
 /// own place when there is no cage.
 [[nodiscard]] QPointF element_centre(const Scene& scene, std::size_t k);

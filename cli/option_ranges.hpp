@@ -26,6 +26,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--every", 1, 1e9, ""},
     OptionRange{"--frame", 1, 1e9, "frames are counted from 1"},
     OptionRange{"--fps", 1, 240, ""},
+    OptionRange{"--slow", 1e-12, 1e6, "simulated seconds per second"},
     OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
     OptionRange{"--tols", 1e-14, 0.01, "coarser ones follow no motion"},
     OptionRange{"--turns", 0.01, 1e6, "of the shaft"},

@@ -121,6 +121,14 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->type_name("FILE");
   command->add_option("--fps", request->frames_per_second, "pictures per second of the film")
       ->capture_default_str();
+  CLI::Option* slow =
+      command
+          ->add_option("--slow", request->slow,
+                       "simulated seconds per second of the film, such as 0.001, with the frames "
+                       "at their own times (a picture for each frame unless given)")
+          ->type_name("NUMBER")
+          ->needs(movie)
+          ->excludes(every);
   frame->excludes(every)->excludes(movie);
   command->add_option("--out", request->out, "folder of the pictures")
       ->type_name("DIR")
@@ -142,6 +150,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
     if (frame->count() > 0) check_range("--frame", request->frame);
     check_range("--every", request->every);
     check_range("--fps", request->frames_per_second);
+    if (slow->count() > 0) check_range("--slow", request->slow);
     check_range("--element", request->element);
     draw(*request);
   });

@@ -30,6 +30,7 @@ struct AnimateRequest {
   std::string beside;
   double yaw = 32.0, elevation = 18.0;
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
+  double slow = 0.0;  ///< simulated seconds per second of the film; 0: a picture for each frame
   bool dark = false, contacts = false, trails = false;
 };
 

@@ -41,10 +41,11 @@ class PlainLines {
 };
 
 nlohmann::ordered_json json_of(const facade::Progress& p) {
-  return {{"fraction", p.fraction},   {"revolutions", p.revolutions},
-          {"time", p.time},           {"end_time", p.end_time},
-          {"step", p.step},           {"elapsed", p.elapsed},
-          {"remaining", p.remaining}, {"speed_up", p.speed_up}};
+  return {{"fraction", p.fraction}, {"revolutions", p.revolutions},
+          {"time", p.time},         {"end_time", p.end_time},
+          {"step", p.step},         {"last_step", p.last_step},
+          {"elapsed", p.elapsed},   {"remaining", p.remaining},
+          {"speed_up", p.speed_up}};
 }
 
 }  // namespace
@@ -57,9 +58,13 @@ std::string progress_line(const facade::Progress& p, std::size_t width) {
                     fmt::format("{}  {}/{}", share, p.step, p.runs), share},
                    width);
   const std::string turns = fmt::format("{}  {:.3f} rev", share, p.revolutions);
+  // What will end the run: its time or its most steps.
+  const std::string goal =
+      p.last_step > 0
+          ? fmt::format("{}  t = {:.4e} s  step {} of {}", turns, p.time, p.step, p.last_step)
+          : fmt::format("{}  t = {:.4e} of {:.4e} s  step {}", turns, p.time, p.end_time, p.step);
   return fitting(
-      {fmt::format("{}  t = {:.4e} of {:.4e} s  step {}  {:.3g}x real time  ETA {}", turns, p.time,
-                   p.end_time, p.step, p.speed_up, left),
+      {fmt::format("{}  {:.3g}x real time  ETA {}", goal, p.speed_up, left),
        fmt::format("{}  t = {:.4e} s  step {}  ETA {}", turns, p.time, p.step, left),
        fmt::format("{}  step {}  ETA {}", turns, p.step, left),
        fmt::format("{}  ETA {}", turns, left), fmt::format("{}  ETA {}", share, left), share},

@@ -18,6 +18,10 @@ struct ChartCurve {
   /// Extremes between the values, drawn as a pale area; empty: not known. As long as y.
   std::vector<double> low = {}, high = {};
   bool hidden = false;  ///< by its entry in the legend
+  /// What y holds beside the values, so that lines stand above each other.
+  double lift = 0.0;
+  /// A value as readouts and tables tell it.
+  [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
 
 struct ChartPanel {

@@ -30,16 +30,17 @@ ChartScene::Metrics ChartScene::metrics() const {
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
 }
 
-/// The page's note as lines of the page's width, two at most.
+/// The page's note as lines of the page's width, three at most.
 QStringList ChartScene::noteLines(qreal right) const {
   if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kFont = 13, kLeft = 24;
+  constexpr int kFont = 13, kLeft = 24, kMost = 3;
   const QFontMetricsF metrics(ui_font(kFont));
   const qreal width = size_.width() - kLeft - right;
   QStringList lines{QString()};
   for (const QString& word : text_of(page_.note).split(' ')) {
     const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
-    if (lines.size() == 1 && !lines.back().isEmpty() && metrics.horizontalAdvance(longer) > width)
+    if (lines.size() < kMost && !lines.back().isEmpty() &&
+        metrics.horizontalAdvance(longer) > width)
       lines << word;
     else
       lines.back() = longer;
@@ -193,14 +194,17 @@ QString ChartScene::readout(QPointF position) const {
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
   const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
   QString text = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
-  for (const ChartPanel& panel : page_.panels)
+  for (const ChartPanel& panel : page_.panels) {
+    QStringList values;
     for (const auto& curve : panel.curves) {
       if (i >= curve.y.size() || curve.hidden) continue;
-      const QString name = text_of(curve.name.empty()         ? panel.title
-                                   : page_.panels.size() == 1 ? curve.name
-                                                              : panel.title + ", " + curve.name);
-      text += "  " + name + " " + text_of(pretty_quantity(curve.y[i], panel.unit, 5));
+      const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, 5));
+      values << (curve.name.empty() ? value : text_of(curve.name) + " " + value);
     }
+    if (values.isEmpty()) continue;
+    const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
+    text += "   " + (titled ? text_of(panel.title) + " " : QString()) + values.join(", ");
+  }
   return text;
 }
 
@@ -246,8 +250,8 @@ void ChartScene::addHeading(const Metrics& m) {
   const auto line = [&](const QString& text, const QFont& font, const QColor& colour, qreal y) {
     if (text.isEmpty()) return;
     const qreal left = style_ == ChartStyle::Compact ? 12 : 24;
-    auto* item = addSimpleText(
-        QFontMetricsF(font).elidedText(text, Qt::ElideRight, size_.width() - left - m.right), font);
+    auto* item =
+        addSimpleText(fitted_line(text, QFontMetricsF(font), size_.width() - left - m.right), font);
     item->setBrush(colour);
     item->setPos(left, y);
   };
@@ -315,7 +319,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const QFontMetricsF title_metrics(ui_font(m.text_font));
   const bool names_above = index == 0 && !page_.marks.empty();
   if (!names_above &&
-      title_metrics.horizontalAdvance(text_of(panel.title)) > area.height() + m.gap &&
+      title_metrics.horizontalAdvance(text_of(panel.title)) > title_room(area, m.gap) &&
       area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
     auto* title = addSimpleText(y_title, ui_font(m.text_font));
     title->setBrush(theme_->text);
@@ -350,6 +354,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   if (!any)
     addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
+  else if (panel.log && std::all_of(panel.curves.begin(), panel.curves.end(), nothing_above_0))
+    addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
   if (!y_axis.offset_text.empty()) {
     auto* base =
         addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));
@@ -497,7 +503,7 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   }
   // A title longer than its panel may use the gaps above and below; then its unit gets a line of
   // its own, which is never shortened.
-  const qreal room = area.height() + m.gap;
+  const qreal room = title_room(area, m.gap);
   const auto write = [&](const QString& text, qreal left) {
     auto* title = add(text, title_font, theme_->text, {});
     title->setRotation(-90);
@@ -577,8 +583,12 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const M
   const QFontMetricsF metrics(font);
   // What has no room shares it: first the lines get short, then long names are shortened alike.
   const auto count = static_cast<qreal>(panel.curves.size());
+  const auto name_of = [&](const ChartCurve& curve) {
+    return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
+                                               : text_of(curve.name);
+  };
   qreal names = 0.0;
-  for (const auto& curve : panel.curves) names += metrics.horizontalAdvance(text_of(curve.name));
+  for (const auto& curve : panel.curves) names += metrics.horizontalAdvance(name_of(curve));
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
   const bool narrow = names + count * (24.0 + 16.0) > room;
   const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
@@ -588,11 +598,11 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const M
   qreal x = area.right();
   for (std::size_t i = panel.curves.size(); i-- > 0;) {
     const ChartCurve& curve = panel.curves[i];
-    const QString name = metrics.elidedText(text_of(curve.name), Qt::ElideMiddle, most);
+    const QString name = metrics.elidedText(name_of(curve), Qt::ElideMiddle, most);
     x -= metrics.horizontalAdvance(name);
     auto* label = addSimpleText(name, font);
     label->setBrush(curve.hidden ? theme_->muted : theme_->text);
-    label->setToolTip(text_of(curve.name));
+    label->setToolTip(name_of(curve));
     label->setPos(x, area.top() - metrics.height() - 3);
     const qreal middle = area.top() - 0.5 * metrics.height() - 3;
     QPen pen(curve.hidden ? theme_->frame : theme_->curves[i % theme_->curves.size()], 2.4);
@@ -612,7 +622,20 @@ void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, cons
                    [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
   const QFont font = ui_font(m.tick_font);
   const QFontMetricsF metrics(font);
-  qreal free_from = area.left();
+  // Lines too close for a name each have theirs in one text, in their order.
+  struct Names {
+    QString text;
+    qreal left = 0.0, right = 0.0;
+    bool one = true;
+  };
+  std::vector<Names> names;
+  const auto place = [&](Names& group) {
+    group.text = metrics.elidedText(group.text, Qt::ElideRight, area.width());
+    const qreal width = metrics.horizontalAdvance(group.text);
+    group.left = std::clamp(group.left, area.left(), area.right() - width);
+    group.right = group.left + width;
+  };
+  constexpr qreal kApart = 8.0;
   for (const auto& mark : marks) {
     const double shown = x_axis_.shown(mark.x);
     if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
@@ -621,15 +644,34 @@ void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, cons
     addLine(QLineF(x, area.top(), x, area.bottom()), QPen(theme_->muted, 1, Qt::DashLine));
     if (!label) continue;
     const QString text = text_of(mark.label);
-    const qreal width = metrics.horizontalAdvance(text);
-    const qreal left = std::clamp(x - 0.5 * width, area.left(), area.right() - width);
-    if (left < free_from) continue;  // the line stays; its name would cover the last one
-    free_from = left + width + 8.0;
-    auto* item = addSimpleText(text, font);
+    names.push_back({text, x - 0.5 * metrics.horizontalAdvance(text)});
+    place(names.back());
+    while (names.size() > 1 && names.back().left < names[names.size() - 2].right + kApart) {
+      Names& before = names[names.size() - 2];
+      before.text += ", " + names.back().text;
+      before.one = false;
+      names.pop_back();
+      place(names.back());
+    }
+  }
+  for (Names& group : names) {
+    // Several names that meet the legend end before it: they would cover the curves below it.
+    const qreal until = free_until - kApart - group.left;
+    if (!group.one && group.left + metrics.horizontalAdvance(group.text) > free_until - kApart &&
+        free_until < area.right() && until > 0.5 * (group.right - group.left)) {
+      group.text = metrics.elidedText(group.text, Qt::ElideRight, until);
+      group.right = group.left + metrics.horizontalAdvance(group.text) - 1.0;
+    }
+    auto* item = addSimpleText(group.text, font);
     item->setBrush(theme_->muted);
-    const bool beside = free_until >= area.right() || left + width + 8.0 < free_until;
-    item->setPos(left + (beside ? 0.0 : -0.5 * width - 3.0),
-                 area.top() + (beside ? -metrics.height() - 3.0 : 2.0));
+    const bool above = free_until >= area.right() || group.right + kApart < free_until;
+    const qreal aside = above || !group.one ? 0.0 : -0.5 * (group.right - group.left) - 3.0;
+    item->setPos(group.left + aside, area.top() + (above ? -metrics.height() - 3.0 : 2.0));
+    if (above || group.one) continue;
+    QColor paper = theme_->surface;  // its own lines pass there
+    paper.setAlpha(215);
+    item->setZValue(1.0);
+    addRect(item->sceneBoundingRect(), Qt::NoPen, paper);
   }
 }
 

@@ -26,6 +26,13 @@ inline QString with_unit_and_base(const QString& title, const AxisScale& axis) {
   return axis.offset_text.empty() ? text : text + " from " + text_of(axis.offset_text);
 }
 
+/// Has a curve values, and none that a logarithmic axis could show?
+inline bool nothing_above_0(const ChartCurve& curve) {
+  return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) &&
+         std::none_of(curve.y.begin(), curve.y.end(),
+                      [](double value) { return value > 0.0 && is_drawable(value); });
+}
+
 struct Extent {
   double low = std::numeric_limits<double>::infinity(),
          high = -std::numeric_limits<double>::infinity();
@@ -42,5 +49,11 @@ struct ChartScene::Metrics {
   int title_font, text_font, tick_font;
   qreal line, thin_line;
 };
+
+/// Length of a title beside its panel: into the gaps above and below, not up to the next title.
+inline qreal title_room(const QRectF& area, qreal gap) {
+  constexpr qreal kApart = 12.0;
+  return area.height() + gap - kApart;
+}
 
 }  // namespace adore::desktop

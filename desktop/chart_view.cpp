@@ -161,12 +161,14 @@ QString ChartView::cursorReport() const {
                      ":";
       const auto value = [&](double x) {
         const std::size_t i = nearest_index(page.x, x);
-        return i < curve.y.size() ? curve.y[i] : kNone;
+        return i < curve.y.size() ? curve.value(i) : kNone;
       };
       if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit));
       if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit));
       if (a && b) {
-        const CurveStatistics s = statistics_between(page.x, curve.y, cursors_[0], cursors_[1]);
+        std::vector<double> values = curve.y;
+        for (double& v : values) v -= curve.lift;
+        const CurveStatistics s = statistics_between(page.x, values, cursors_[0], cursors_[1]);
         line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
         if (s.count > 0)
           line += tr("  min %1  max %2  mean %3  RMS %4")

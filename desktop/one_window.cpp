@@ -50,12 +50,12 @@ QString folder_of(const std::filesystem::path& file) {
   return QFileInfo(QString::fromStdString(file.string())).absolutePath();
 }
 
-bool hand_over(const QString& program, const QStringList& files) {
-  const auto file = std::find_if(files.begin(), files.end(),
-                                 [](const QString& name) { return !name.startsWith("--"); });
-  if (file == files.end()) return false;
+bool hand_over(const QString& program, const QString& folder, const QStringList& files) {
+  const bool any = std::any_of(files.begin(), files.end(),
+                               [](const QString& name) { return !name.startsWith("--"); });
+  if (!any) return false;
   QLocalSocket socket;
-  socket.connectToServer(server_name(program, QFileInfo(*file).absolutePath()));
+  socket.connectToServer(server_name(program, folder));
   if (!socket.waitForConnected(kPatience)) return false;
   socket.write(files.join('\n').toUtf8());
   const bool written = socket.waitForBytesWritten(kPatience);

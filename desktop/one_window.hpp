@@ -32,8 +32,8 @@ class OneWindow : public QObject {
 /// The folder of a file as an absolute path.
 QString folder_of(const std::filesystem::path& file);
 
-/// Gives files of one folder to the window that shows the folder, and options ("--follow") with
+/// Gives files to the window that shows the project in `folder`, and options ("--follow") with
 /// them. False when there is none.
-bool hand_over(const QString& program, const QStringList& files);
+bool hand_over(const QString& program, const QString& folder, const QStringList& files);
 
 }  // namespace adore::desktop

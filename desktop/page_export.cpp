@@ -38,6 +38,7 @@ std::string page_csv(const ChartPage& page) {
   struct Column {
     std::string head;
     const std::vector<double>* values;
+    double lift = 0.0;
   };
   std::vector<Column> columns;
   if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});
@@ -46,7 +47,7 @@ std::string page_csv(const ChartPage& page) {
       const std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
       if (page.equal_axes)
         columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
-      columns.push_back({with_unit(name, panel.unit), &curve.y});
+      columns.push_back({with_unit(name, panel.unit), &curve.y, curve.lift});
       if (curve.low.empty()) continue;
       columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
       columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});
@@ -64,7 +65,7 @@ std::string page_csv(const ChartPage& page) {
       if (!first) out += ',';
       first = false;
       if (i < column.values->size() && std::isfinite((*column.values)[i]))
-        fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i]);
+        fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i] - column.lift);
     }
     out += '\n';
   }

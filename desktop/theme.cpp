@@ -109,4 +109,11 @@ QFont ui_font(int pixel_size, bool bold) {
   return font;
 }
 
+QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width) {
+  if (metrics.horizontalAdvance(text) <= width) return text;
+  QString closer = text;
+  closer.replace("   ·   ", " · ");
+  return metrics.elidedText(closer, Qt::ElideRight, width);
+}
+
 }  // namespace adore::desktop

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QFontMetricsF>
 
 #include <array>
 
@@ -34,5 +35,9 @@ ThemeKind desktop_preference();
 
 /// The shipped font, by pixel size, so that a picture looks the same on every machine.
 QFont ui_font(int pixel_size, bool bold = false);
+
+/// A line whose parts stand apart by "   ·   ", as wide as there is room: closer together, and with
+/// dots at its end where that is not enough.
+QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width);
 
 }  // namespace adore::desktop

@@ -77,6 +77,7 @@ void animate(const AnimateRequest& request) {
   render.view.yaw = request.yaw;
   render.view.elevation = request.elevation;
   render.view.dark = request.dark;
+  render.slow = request.slow;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);
   const std::filesystem::path folder(request.out);

@@ -57,6 +57,13 @@ std::string whoami() {
                      fmt::gmtime(now));
 }
 
+[[noreturn]] void refuse_folder(const fs::path& folder, int error, std::string_view elsewhere) {
+  throw InputError(
+      fmt::format("{}: nothing can be written into this folder ({}); make it writable, free some "
+                  "disk space, or {}",
+                  folder.string(), std::generic_category().message(error), elsewhere));
+}
+
 /// The names of the default files, this run's, and those that the earlier run says it wrote.
 std::set<std::string> candidates(const Outputs& outputs) {
   std::set<std::string> out(outputs.names.begin(), outputs.names.end());
@@ -110,11 +117,7 @@ bool matches(const std::string& name, const std::string& pattern) {
 FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : path_(folder / kName) {
   for (;;) {
     const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-      throw InputError(fmt::format(
-          "{}: nothing can be written into this folder ({}); make it writable, free some disk "
-          "space, or {}",
-          folder.string(), std::generic_category().message(errno), elsewhere));
+    if (descriptor < 0) refuse_folder(folder, errno, elsewhere);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       if (error == EINTR) {
@@ -160,6 +163,11 @@ FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
   ::unlink(path_.c_str());
   ::close(descriptor_);
+}
+
+void check_writable(const fs::path& folder, std::string_view elsewhere) {
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    refuse_folder(folder, errno, elsewhere);
 }
 
 ResultsExist::ResultsExist(const fs::path& folder, const std::vector<std::string>& names)

@@ -29,6 +29,11 @@ class FolderLock {
   int descriptor_ = -1;  ///< -1: the file system knows no locks
 };
 
+/// Refuses a folder that this process may not write into, as FolderLock would, and leaves nothing
+/// there. @throws InputError
+void check_writable(const std::filesystem::path& folder,
+                    std::string_view elsewhere = "choose another folder with --out");
+
 /// The folder holds results that a new run would replace, and nobody has allowed it.
 class ResultsExist : public InputError {
  public:

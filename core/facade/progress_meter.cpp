@@ -28,11 +28,17 @@ ProgressMeter::ProgressMeter(const ProgressSink& sink, const StartPoint& start, 
       done_before_(fraction(start.time, start.step)),
       turns_(std::move(turns)) {}
 
+double ProgressMeter::by_time(double time) const {
+  return span_.end > origin_ ? (time - origin_) / (span_.end - origin_) : 1.0;
+}
+
+double ProgressMeter::by_steps(long step) const {
+  return static_cast<double>(step - first_step_) /
+         static_cast<double>(std::max(1L, span_.max_steps));
+}
+
 double ProgressMeter::fraction(double time, long step) const {
-  const double by_time = span_.end > origin_ ? (time - origin_) / (span_.end - origin_) : 1.0;
-  const double by_steps =
-      static_cast<double>(step - first_step_) / static_cast<double>(std::max(1L, span_.max_steps));
-  return std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
+  return std::clamp(std::max(by_time(time), by_steps(step)), 0.0, 0.9999);
 }
 
 void ProgressMeter::send(double time, long step, bool done) {
@@ -44,6 +50,7 @@ void ProgressMeter::send(double time, long step, bool done) {
   p.time = time;
   p.end_time = span_.end;
   p.step = step;
+  if (by_steps(step) > by_time(time)) p.last_step = first_step_ + span_.max_steps;
   p.elapsed = elapsed;
   const double here = p.fraction - done_before_;
   p.remaining = here > 0.0 ? elapsed * (1.0 - p.fraction) / here : 0.0;

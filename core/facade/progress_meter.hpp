@@ -26,7 +26,10 @@ class ProgressMeter {
  private:
   [[nodiscard]] double elapsed() const;
   void send(double time, long step, bool done);
-  /// How much of the whole run is done then.
+  /// How much of the whole run is done then, by its end in time and by its most steps.
+  [[nodiscard]] double by_time(double time) const;
+  [[nodiscard]] double by_steps(long step) const;
+  /// By what ends the run.
   [[nodiscard]] double fraction(double time, long step) const;
 
   const ProgressSink& sink_;

@@ -2,6 +2,7 @@
 
 #include "base/interrupted.hpp"
 #include "deck/unit_text.hpp"
+#include "facade/output_folder.hpp"
 #include "facade/ready_run.hpp"
 
 #include <exception>
@@ -19,12 +20,14 @@ void begin_run(LoadedDeck input) {
   RunRequest request;
   request.overwrite = true;  // whoever starts the run is asked
   const bool named = !input.path.empty();
-  const fs::path folder = named ? input.path.parent_path() : fs::path(kNowhere);
+  fs::path folder = named ? input.path.parent_path() : fs::path(kNowhere);
+  if (folder.empty()) folder = ".";
+  if (named) check_writable(folder);
   if (!named) input.path = "new deck";
   Prepared prepared = prepare(std::move(input));
   if (!prepared.control.dynamic) return;
   if (!named) prepared.control.start = setup::StartState::Statics;
-  const ReadyRun ready(request, prepared, folder.empty() ? fs::path(".") : folder);
+  const ReadyRun ready(request, prepared, folder);
 }
 
 std::vector<Issue> sentence(const std::string& message) {

@@ -7,9 +7,9 @@
 namespace adore::facade {
 
 /// What `adore run` says against a deck before its first step, whatever finds it: the checks of the
-/// model, the equilibrium, the method and its steps, the start state, and outputs that are no files
-/// of ours. Earlier results are not looked at: who starts the run is asked. Writes nothing. Takes
-/// as long as a run takes until its first step.
+/// model, a folder that cannot be written into, the equilibrium, the method and its steps, the
+/// start state, and outputs that are no files of ours. Earlier results are not looked at: who
+/// starts the run is asked. Writes nothing. Takes as long as a run takes until its first step.
 /// @param input a deck without errors. Without a path it has no folder: files are not looked at
 /// @return errors; empty: the run begins
 /// @throws Interrupted when input.stop ended it

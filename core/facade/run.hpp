@@ -33,6 +33,8 @@ struct Progress {
   double time = 0.0;         ///< simulated [s]
   double end_time = 0.0;     ///< [s]
   long step = 0;
+  long last_step = 0;      ///< the step that ends the run when it comes before end_time at the pace
+                           ///< of the run so far; 0: the time ends it
   double elapsed = 0.0;    ///< computing time so far [s]
   double remaining = 0.0;  ///< estimate [s]
   double speed_up = 0.0;   ///< simulated over computing time

@@ -12,11 +12,14 @@
 #include "adrinput/start_check.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "deck/templates.hpp"
+#include "desktop/theme.hpp"
 #include "facade/run.hpp"
 #include "support/qt_app.hpp"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
+#include <QCompleter>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -217,6 +220,35 @@ TEST_CASE("what a deck's options leave unused looks unused, with the reason",
   CHECK_FALSE(said->isVisibleTo(window.page()));
 }
 
+TEST_CASE("deviations of elements that are not there are pale, with other units beside them too",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.checkNow();
+  const QColor text = desktop::current_theme().text;
+  for (const bool others : {false, true}) {
+    INFO("other units: " << others);
+    window.showRecord("5G.1D.2");
+    window.page()->setOtherUnits(others);
+    auto* table = window.page()->findChild<CellTable*>();
+    REQUIRE(table != nullptr);
+    table->setCurrentCell(0, 0);
+    const QImage image = table->viewport()->grab().toImage();
+    const auto dark = [&](int row, int column) {
+      const QRect rect = table->visualItemRect(table->item(row, column)).adjusted(3, 3, -3, -3);
+      int count = 0;
+      for (int y = rect.top(); y < rect.bottom(); ++y)
+        for (int x = rect.left(); x < rect.right(); ++x) count += image.pixelColor(x, y) == text;
+      return count;
+    };
+    CHECK(dark(1, 1) > 0);   // of 12 elements the last
+    CHECK(dark(1, 2) == 0);  // there is no 13th
+    CHECK(dark(3, 3) == 0);
+  }
+}
+
 TEST_CASE("search goes to the option that would show a field, and can set it",
           "[gui][adrinput][daily]") {
   test::use_qt();
@@ -232,6 +264,24 @@ TEST_CASE("search goes to the option that would show a field, and can set it",
   press(window, "set-option");
   CHECK(window.currentRecord() == "7.1");
   CHECK(window.document().deck().integer("nCseg") == 1);
+  // What was found knows that it is there now.
+  auto* query = window.findChild<QLineEdit*>("search");
+  auto* list = window.findChild<QListWidget*>("found");
+  query->setText("reDiaVar12");
+  REQUIRE(list->count() > 0);
+  CHECK(list->item(0)->text().contains("Not in this deck"));
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.checkNow();
+  CHECK_FALSE(list->item(0)->text().contains("Not in this deck"));
+  window.document().edit(cell("kReGeoImp"), "0");
+  query->clear();
+  // What was said of one search goes with the next one.
+  for (const char* found : {"bReDia", "kTherm"}) {
+    window.goTo(cell("kBaseTemp"));
+    CHECK(notice->isVisibleTo(&window));
+    window.goTo(cell(found));
+    CHECK_FALSE(notice->isVisibleTo(&window));
+  }
   // The way that is named leads there; nearly every record has one.
   int ways = 0, none = 0;
   for (const deck::RecordSpec& spec : deck::schema()) {
@@ -283,6 +333,14 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   CHECK_FALSE(take->isEnabled());
   QTest::keyClicks(name, "62055");
   CHECK_FALSE(take->isEnabled());
+  // The list of what goes on like that goes when it has no more to say: it lies over the story.
+  const auto* list = name->completer()->popup();
+  name->clear();
+  QTest::keyClicks(name, "NU2");
+  CHECK(list->isVisible());
+  QTest::keyClicks(name, "09");
+  QTest::qWait(50);
+  CHECK_FALSE(list->isVisible());
   name->setText("NU209");
   CHECK(take->isEnabled());
   CHECK(dialog->story().contains("ISO 15"));
@@ -445,6 +503,26 @@ TEST_CASE("a deck that comes back while another one is asked about gets its answ
   REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000));
   REQUIRE(answers.size() == 1);
   CHECK(answers.front() == first);
+}
+
+TEST_CASE("what is found out when a run ends is asked anew, the old answer does not count",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  Document document;
+  const Document::Candidate asked = document.candidate();
+  StartCheck check;
+  int answers = 0;
+  check.found = [&](const Document::Candidate&, const std::vector<Issue>&) { ++answers; };
+  const auto wait = [&] { REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000)); };
+  check.ask(asked);
+  check.forget();
+  wait();
+  CHECK(answers == 0);
+  check.ask(asked);
+  check.forget();
+  check.ask(asked);  // the same deck beside other files
+  wait();
+  CHECK(answers == 1);
 }
 
 TEST_CASE("an answer in the background does not keep an edit from being checked",

@@ -3,6 +3,7 @@
 #include "adrinput/driver.hpp"
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
+#include "desktop/chart_view.hpp"
 #include "desktop/theme.hpp"
 #include "support/qt_app.hpp"
 
@@ -11,6 +12,7 @@
 #include <QDockWidget>
 #include <QImage>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
@@ -185,7 +187,25 @@ TEST_CASE("the drawing in dark and light, hidden and shown", "[gui][adrinput][dr
   window.switchTheme();
   const QImage dark = picture_of(panel.picture());
   CHECK(dark.pixelColor(4, 40).lightness() < 80);
+  // What a search found keeps its contrast, too.
+  auto* query = window.findChild<QLineEdit*>("search");
+  REQUIRE(query != nullptr);
+  query->setText("breLen");
+  auto* found = window.findChild<QListWidget*>("found");
+  REQUIRE(found != nullptr);
+  REQUIRE(found->count() > 0);
+  const auto pale = [&] { return found->item(0)->foreground().color(); };
+  CHECK(pale() == desktop::current_theme().muted);
   window.switchTheme();
+  CHECK(pale() == desktop::current_theme().muted);
+  window.switchTheme();
+  const auto charts = window.findChildren<desktop::ChartView*>();
+  CHECK(charts.size() >= 2);  // of the solution and of the lubricant
+  for (desktop::ChartView* chart : charts)
+    CHECK(chart->chartScene().backgroundBrush().color() == desktop::current_theme().surface);
+  window.switchTheme();
+  for (desktop::ChartView* chart : charts)
+    CHECK(chart->chartScene().backgroundBrush().color() == desktop::current_theme().surface);
   auto* dock = window.findChild<QDockWidget*>("drawing-dock");
   REQUIRE(dock != nullptr);
   CHECK(dock->isVisible());

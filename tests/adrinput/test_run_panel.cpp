@@ -83,7 +83,9 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   REQUIRE(launches.size() == 2);
   CHECK(launches[0].first == "adrplot");
   CHECK(launches[0].second.contains(folder.filePath("SOL1")));
-  CHECK(launches[1] == std::pair(QString("agore"), QStringList{folder.filePath("SOL8")}));
+  const QStringList project{"--project", folder.path()};
+  CHECK(launches[0].second.mid(0, 2) == project);
+  CHECK(launches[1] == std::pair(QString("agore"), project + QStringList{folder.filePath("SOL8")}));
   press(window, "listing");
   auto* listing = window.findChild<QDialog*>("listing-window");
   REQUIRE(listing != nullptr);
@@ -100,6 +102,54 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(deck::read_deck(folder.filePath("DATA.txt").toStdString()).deck.real("appLoadX") == 1501);
   press(window, "open-plots");
   CHECK(launches.size() == 1);
+}
+
+TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path().toStdString());
+  {
+    DeckWindow window;
+    Launches launches;
+    watch_launches(window, launches);
+    window.show();
+    shorten(window.document(), "5");
+    window.document().save("DATA.txt");
+    run_to_end(window);
+    REQUIRE(launches.size() == 2);
+    for (const auto& [program, arguments] : launches) {
+      INFO(program.toStdString() << ": " << arguments.join(" ").toStdString());
+      CHECK(arguments.value(1) == folder.path());
+      for (const QString& file : arguments.mid(2)) CHECK(file.startsWith(folder.path() + "/SOL"));
+    }
+  }
+  fs::current_path(before);
+}
+
+TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  window.show();
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  for (const auto& [steps, time, said] :
+       {std::tuple{"1000000", "1e12", " of 1000000, "}, {"100000000", "1e6", " of 8.549 s"}}) {
+    shorten(window.document(), steps);
+    window.document().edit(cell("fTime"), time);
+    window.runDeck();
+    if (auto* box = window.findChild<QMessageBox*>("replace-results")) box->close();
+    // Nothing is known of the pace before the first step.
+    REQUIRE(QTest::qWaitFor(
+        [&] { return note(window).startsWith("Step ") && !note(window).startsWith("Step 0,"); },
+        60000));
+    INFO(note(window).toStdString());
+    CHECK(note(window).contains(said));
+    press(window, "cancel");
+    REQUIRE((!window.runPanel().busy() || spy.wait(60000)));
+  }
 }
 
 TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[gui][adrinput]") {
@@ -158,7 +208,8 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   run_to_end(window);
   CHECK(note(window).startsWith("Done: Quasi-static"));
   REQUIRE(launches.size() == 1);
-  CHECK(launches[0] == std::pair(QString("adrplot"), QStringList{folder.filePath("RUN.json")}));
+  CHECK(launches[0] == std::pair(QString("adrplot"), QStringList{"--project", folder.path(),
+                                                                 folder.filePath("RUN.json")}));
   CHECK_FALSE(window.findChild<QPushButton*>("open-animation")->isEnabled());
 
   window.document().edit(cell("mode"), "0");

@@ -1,9 +1,12 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
+#include "adrinput/record_page.hpp"
+#include "deck/templates.hpp"
 #include "support/qt_app.hpp"
 #include "support/reachable.hpp"
 
 #include <QDockWidget>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabWidget>
@@ -17,6 +20,41 @@ TEST_CASE("adrinput: the letters of its menus choose one entry each", "[gui][adr
   test::use_qt();
   DeckWindow window;
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("adrinput: no page of an example scrolls sideways on a screen of 1280x800",
+          "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1264, 770);  // with its frame
+  window.show();
+  const auto* form = window.findChild<QScrollArea*>("form");
+  for (const deck::TemplateInfo& info : deck::templates()) {
+    window.newDeck(QString::fromStdString(std::string(info.name)));
+    for (const std::string& record : window.document().pages()) {
+      INFO(info.name << ", record " << record);
+      window.showRecord(record);
+      CHECK(window.page()->minimumSizeHint().width() <= form->viewport()->width());
+    }
+  }
+}
+
+TEST_CASE("adrinput: titles of records are not cut in a narrow list", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(944, 500);  // a screen of 1920x1080 at scale factor 2
+  window.show();
+  QTest::qWait(50);
+  auto* list = window.findChild<QListWidget*>("records");
+  REQUIRE(list->count() > 10);
+  constexpr int kSignAndMargins = 32;
+  for (int row = 0; row < list->count(); ++row) {
+    const QRect place = list->visualItemRect(list->item(row));
+    for (const QString& word : list->item(row)->text().split(' ')) {
+      INFO(word.toStdString());
+      CHECK(list->fontMetrics().horizontalAdvance(word) <= place.width() - kSignAndMargins);
+    }
+  }
 }
 
 TEST_CASE("adrinput: all of a page can be reached at 700x450", "[gui][adrinput]") {

@@ -567,6 +567,40 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   CHECK(take_message(window).contains("cannot write"));
 }
 
+TEST_CASE("plot_window: the values of all panels under the mouse are read whole, at any size",
+          "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power})
+    window.addFile(test::synthetic_sol(kind));
+  window.show();
+  auto* label = window.findChild<QLabel*>("readout");
+  REQUIRE(label != nullptr);
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  for (const QSize size : {QSize(1264, 770), QSize(700, 450)}) {
+    window.resize(size);
+    for (int file = 0; file < window.fileCount(); ++file)
+      for (int page = 0; page < tree->topLevelItem(file)->childCount(); ++page) {
+        tree->setCurrentItem(tree->topLevelItem(file)->child(page));
+        QCoreApplication::processEvents();
+        auto& scene = window.view().chartScene();
+        if (scene.plotAreas().empty() || scene.page().equal_axes) continue;
+        const QRectF& area = scene.plotAreas().back();
+        for (const double part : {0.1, 0.37, 0.8}) {
+          const QPointF place(area.left() + part * area.width(), area.center().y());
+          emit window.view().readoutChanged(scene.readout(place));
+          INFO(window.windowTitle().toStdString() << ": " << label->text().toStdString());
+          CHECK_FALSE(label->text().isEmpty());
+          const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 1000),
+                                                                 Qt::TextWordWrap, label->text());
+          CHECK(needed.height() <= label->height());
+          CHECK(needed.width() <= label->width());
+          CHECK(window.rect().contains(QRect(label->mapTo(&window, QPoint()), label->size())));
+        }
+      }
+  }
+}
+
 TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") {
   test::use_qt();
   PlotWindow window;

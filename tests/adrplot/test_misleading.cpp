@@ -8,6 +8,7 @@
 #include <QPen>
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <string>
 
 /// What a file stores and nothing computed is not drawn as a result.
@@ -53,6 +54,55 @@ TEST_CASE("pages: rounding of spin over roll is not drawn as a signal", "[unit][
   look(true);
   set(file, "contact.spin_to_roll.", 2e-4);
   look(false);
+}
+
+TEST_CASE("pages: a roller has a place on a wall of its pocket while it touches that wall",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  file.header.bearing_type = 2;
+  file.header.pocket_type = 0;
+  const auto columns = results::sol_columns(file.header);
+  const auto column = [&](const std::string& id) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].id == id) return c;
+    FAIL("no column " << id);
+    return std::size_t{0};
+  };
+  const std::size_t force = column("pocket.force.1.1"), place = column("pocket.position.1.1");
+  for (std::size_t i = 0; i < file.steps.size(); ++i) {
+    auto& values = file.steps[i].values;
+    if (values.size() < columns.size()) values.resize(columns.size());
+    values[force] = i % 10 == 3 ? 5.0 : 0.0;
+    values[place] = i % 2 == 0 ? -4e-3 : 4e-3;  // by rounding, but for the touches
+    if (i % 10 == 3) values[place] = 1e-3;
+  }
+  const auto page = page_with(file, "Pocket 1 ");
+  const auto& curve = page.panels.at(2).curves.at(0);
+  REQUIRE(page.panels[2].title == "Contact position");
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    if (i % 10 == 3)
+      CHECK(curve.y[i] == Approx(1e-3));
+    else
+      CHECK(std::isnan(curve.y[i]));
+  }
+  for (auto& step : file.steps) step.values[place] = -3e-12;
+  const auto middle = page_with(file, "Pocket 1 ");
+  for (const double y : middle.panels.at(2).curves.at(0).y) CHECK((std::isnan(y) || y == 0.0));
+  set(file, "pocket.force.", 0.0);
+  CHECK(page_with(file, "Pocket 1 ").panels.at(2).message.find("never touched") !=
+        std::string::npos);
+}
+
+TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  set(file, "cage.land1_gap", 1e-4);
+  set(file, "cage.land1_angle", 3.0);
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "cage.land1_angle") file.steps[0].values[c] = 0.0;
+  const auto page = page_with(file, "land 1");
+  CHECK(std::isnan(page.panels.at(2).curves.at(0).y.at(0)));
+  CHECK(std::isfinite(page.panels.at(2).curves.at(0).y.at(1)));
 }
 
 TEST_CASE("pages: rounding of a force fills no axis beside its large components",

@@ -4,7 +4,9 @@
 #include "adrplot/run_beside.hpp"
 #include "base/errors.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/chart_view.hpp"
+#include "desktop/page_export.hpp"
 #include "results/results_h5.hpp"
 #include "results/sol_writer.hpp"
 #include "support/qt_app.hpp"
@@ -63,6 +65,9 @@ TEST_CASE("own charts: curves of two runs over one abscissa, and their differenc
   REQUIRE(less.panels[0].curves.size() == 1);
   for (std::size_t i = 0; i < less.x.size(); ++i)
     CHECK(less.panels[0].curves[0].y[i] == Approx(100.0 + less.x[i]).epsilon(1e-9));
+  // It is said what is taken from what: there is no legend.
+  CHECK(less.note.find("second/SOL7") < less.note.find(", less "));
+  CHECK(less.note.find("first/SOL7") > less.note.find(", less "));
   // Units that differ have panels of their own, and no difference.
   const std::vector<CurvePick> mixed{{&first, 1, 0, 0}, {&first, 2, 0, 0}};
   CHECK(combine_curves(mixed, Combine::Overlay, {}).panels.size() == 2);
@@ -121,6 +126,55 @@ TEST_CASE("own charts: curves of any file have spectra, differences theirs, and 
   CHECK(fall.panels[0].curves.size() > 10);
   CHECK(amplitude(fall, 0, 1200.0) == Approx(5.0).epsilon(5e-3));
   CHECK(fall.note.find("spectra of") != std::string::npos);
+}
+
+TEST_CASE(
+    "own charts: curves of tables keep their abscissa, have no spectra and mix with no others",
+    "[unit]") {
+  // A sweep over speed beside a run in time.
+  QTemporaryDir folder;
+  const std::filesystem::path table = folder.filePath("SWEEP.csv").toStdString();
+  const auto sweep = [&](double scale) {
+    std::string text = "rpm2 [rpm],exit,largest_load_N,life_gz_hours,message\n";
+    for (int i = 0; i < 5; ++i)
+      text += fmt::format("{},0,{},{},\"\"\n", 1000 * (i + 1), scale * (100.0 + 10.0 * i),
+                          500.0 / (i + 1));
+    test::write_text(table, text);
+    return open_document(table);
+  };
+  const PlotDocument slow = sweep(1.0), fast = sweep(3.0);
+  PageOptions options;
+  const auto page_of = [&](const char* panel) {
+    for (std::size_t n = 0; n < slow.pages.size(); ++n) {
+      const auto page = slow.build(static_cast<int>(n + 1), options);
+      for (std::size_t p = 0; p < page.panels.size(); ++p)
+        if (page.panels[p].title.find(panel) != std::string::npos)
+          return std::pair{static_cast<int>(n + 1), p};
+    }
+    FAIL("no panel of " << panel);
+    return std::pair{0, std::size_t{0}};
+  };
+  const auto [number, panel] = page_of("load");
+  const std::vector<CurvePick> picks{{&slow, number, panel, 0}, {&fast, number, panel, 0}};
+  const std::vector<double> speeds{1000, 2000, 3000, 4000, 5000};
+  const auto both = combine_curves(picks, Combine::Overlay, options);
+  CHECK(both.x == speeds);
+  CHECK(both.x_title.find("rpm2") != std::string::npos);
+  const auto less = combine_curves(picks, Combine::Difference, options);
+  REQUIRE(less.panels.size() == 1);
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    CHECK(less.panels[0].curves[0].y.at(i) ==
+          Approx(2.0 * (100.0 + 10.0 * static_cast<double>(i))));
+  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    options.domain = domain;
+    const auto page = combine_curves(picks, Combine::Overlay, options);
+    CHECK(page.x == speeds);  // the curves themselves, and why
+    CHECK(page.note.find("Spectra are of curves over time") != std::string::npos);
+  }
+  const PlotDocument history = run(1.0, 301, "first");
+  options.domain = Domain::History;
+  CHECK_THROWS_WITH(combine_curves({picks[0], {&history, 1, 0, 0}}, Combine::Overlay, options),
+                    Catch::Contains("choose curves of one abscissa"));
 }
 
 TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no frequency is marked",
@@ -199,6 +253,14 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   CHECK(window.view().chartScene().page().panels.empty());
 }
 
+TEST_CASE("the folder of a run is the same for every way of writing it", "[unit]") {
+  const auto here = std::filesystem::current_path();
+  for (const auto& file : {std::filesystem::path("SOL1"), std::filesystem::path("./SOL1"),
+                           std::filesystem::path("x/../SOL1"), here / "." / "SOL1"})
+    CHECK(run_folder(file) == here);
+  CHECK(run_folder("./run-001/SOL1") == here / "run-001");
+}
+
 TEST_CASE("plot_window: a folder opens all its plot files, two folders are told apart", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
@@ -244,6 +306,33 @@ TEST_CASE("plot_window: any history has a spectrum and a waterfall", "[gui]") {
   CHECK(scene.page().panels[0].curves.size() > 10);
   CHECK(scene.page().note.find("Contact load") != std::string::npos);
   CHECK(scene.page().title.find(": waterfall") != std::string::npos);
+  // Lines stand above each other; what is read off them are amplitudes.
+  const desktop::ChartPanel& lines = scene.page().panels[0];
+  const desktop::ChartCurve& last = lines.curves.back();
+  CHECK(last.lift > 10.0);
+  for (std::size_t k = 0; k < last.y.size(); k += 7) CHECK(last.value(k) < last.lift);
+  const std::string table = desktop::page_csv(scene.page());
+  const std::string row = table.substr(table.rfind('\n', table.size() - 2) + 1);
+  CHECK(std::stod(row.substr(row.rfind(',') + 1)) ==
+        Approx(last.value(last.y.size() - 1)).margin(1e-9));
+  const QRectF& area = scene.plotAreas().front();
+  const QString told = scene.readout({area.left() + 0.5 * area.width(), area.center().y()});
+  INFO(told.toStdString());
+  const std::size_t at =
+      desktop::nearest_index(scene.page().x, scene.abscissaAt(area.left() + 0.5 * area.width()));
+  CHECK(told.endsWith(
+      QString::fromStdString(desktop::pretty_quantity(last.value(at), lines.unit, 5))));
+  // The cursors tell of every line without pushing the window over the screen.
+  window.resize(1264, 770);
+  window.show();
+  window.view().setCursor(0, 100.0);
+  window.view().setCursor(1, 500.0);
+  QCoreApplication::processEvents();
+  auto* cursors = window.findChild<QLabel*>("cursors");
+  CHECK(cursors->text().count('\n') > 10);
+  CHECK(window.height() <= 770);
+  CHECK(window.minimumSizeHint().height() <= 770);
+  window.view().clearCursors();
   // The first view ends where nothing can be seen any more, and hides nothing that can.
   const double end = scene.page().view_high;
   CHECK(end < 0.8 * scene.page().x.back());

@@ -1,4 +1,5 @@
 #include "desktop/launch.hpp"
+#include "desktop/one_window.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -94,6 +95,57 @@ TEST_CASE("agore --render draws every view of a real run", "[gui][apps]") {
     INFO(view << ": " << ended.output.toStdString());
     REQUIRE(ended.code == 0);
     check_pictures(pictures.path(), 1, {800, 640});
+  }
+}
+
+TEST_CASE("adore animate --slow draws the film of agore --render --slow", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir folder;
+  const QString file = run_folder() + "/SOL8";
+  const auto pictures = [&](const QString& name) {
+    return QDir(folder.filePath(name)).entryList({"*.png"}, QDir::Files, QDir::Name);
+  };
+  const Ended slow = start("adore", {"animate", file, "--out", folder.path(), "--movie", "slow",
+                                     "--slow", "1e-4", "--fps", "2"});
+  INFO(slow.output.toStdString());
+  REQUIRE(slow.code == 0);
+  REQUIRE(start("agore", {file, "--render", folder.path(), "--movie", "window", "--slow", "1e-4",
+                          "--fps", "2"})
+              .code == 0);
+  REQUIRE(pictures("slow").size() > 3);
+  CHECK(pictures("slow") == pictures("window"));
+  for (const QString& name : pictures("slow")) {
+    CHECK(name.contains("picture"));  // of the film, not of the file
+    CHECK(QImage(folder.filePath("slow/" + name)) == QImage(folder.filePath("window/" + name)));
+  }
+  const Ended alone = start("adore", {"animate", file, "--out", folder.path(), "--slow", "1e-4"});
+  CHECK(alone.code == 2);
+  CHECK(alone.output.contains("--movie"));
+}
+
+TEST_CASE("a second viewer of a project hands its files over and ends", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir project;
+  REQUIRE(QDir(project.path()).mkpath("run-001"));
+  for (const auto& [program, name] : {std::pair{"adrplot", "SOL1"}, {"agore", "SOL8"}}) {
+    const QString file = project.filePath(QString("run-001/") + name);
+    REQUIRE(QFile::copy(run_folder() + "/" + name, file));
+    QStringList shown;
+    const adore::desktop::OneWindow first(program, project.path(), nullptr,
+                                          [&](const QStringList& names) { shown = names; });
+    REQUIRE(first.listens());
+    QProcess second;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    second.setProcessEnvironment(environment);
+    second.start(QString::fromStdString(adore::test::program(program).string()),
+                 {"--project", project.path(), file});
+    REQUIRE(second.waitForStarted());
+    CHECK(QTest::qWaitFor([&] { return second.state() == QProcess::NotRunning; }, 60000));
+    CHECK(second.exitCode() == 0);
+    CHECK(QTest::qWaitFor([&] { return shown == QStringList{file}; }, 5000));
+    second.kill();
+    second.waitForFinished(5000);
   }
 }
 

@@ -35,6 +35,7 @@ TEST_CASE("numbers of options out of range are refused with their range", "[cli]
   refused(run_adore("plot none" + to + " --every -1"), "--every is -1");
   refused(run_adore("animate none --frame 0"), "--frame is 0");
   refused(run_adore("animate none --fps 0"), "--fps is 0");
+  refused(run_adore("animate none --movie film.gif --slow 0"), "--slow is 0");
 }
 
 TEST_CASE("inputs of calculators beyond their range are refused, never read beyond", "[cli]") {

@@ -6,6 +6,7 @@
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
+#include "desktop/text_faults.hpp"
 #include "desktop/window_place.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
@@ -13,10 +14,12 @@
 #include <QChart>
 #include <QFile>
 #include <QFontInfo>
+#include <QGraphicsItem>
 #include <QImage>
 #include <QImageReader>
 #include <QLabel>
 #include <QLineSeries>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QValueAxis>
@@ -189,6 +192,103 @@ TEST_CASE("chart_scene: zooming follows the abscissa and keeps inside the data",
   const QPointF middle(scene.positionOf(0.75), scene.plotAreas()[0].center().y());
   CHECK(scene.readout(middle).contains("outer −"));
   CHECK(scene.readout({1, 1}).isEmpty());
+}
+
+TEST_CASE("chart_scene: a logarithmic axis says which curves it cannot show", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x = {0.0, 1.0, 2.0};
+  page.panels = {
+      {"Spin/roll", "", {{"outer", {0.1, 0.2, 0.3}, {}}, {"inner", {-0.1, -0.2, -0.1}, {}}}},
+      {"Angle", "deg", {{"outer", {-3.0, -2.0, -1.0}, {}}}}};
+  ChartScene scene;
+  const auto words = [&](bool log) {
+    for (ChartPanel& panel : page.panels) panel.log = log;
+    scene.setPage(page);
+    QString text;
+    for (auto* item : scene.items()) {
+      if (auto* simple = dynamic_cast<QGraphicsSimpleTextItem*>(item)) text += simple->text() + "|";
+      if (auto* rich = dynamic_cast<QGraphicsTextItem*>(item)) text += rich->toPlainText() + "|";
+    }
+    return text;
+  };
+  CHECK(words(true).contains("inner (not above 0)|"));
+  CHECK_FALSE(words(true).contains("outer (not above 0)"));
+  CHECK(words(true).count("No value is above 0") == 1);
+  CHECK_FALSE(words(false).contains("above 0"));
+}
+
+TEST_CASE("chart_scene: titles of neighbouring panels do not run into each other", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "Applied forces";
+  page.subtitle = "7208   ·   inner race   ·   SOL4   ·   page 2 of 9   ·   all digits";
+  page.x_title = "Time", page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0};
+  ChartScene scene;
+  for (const int count : {2, 3, 4})
+    for (const int height : {300, 400, 450, 500, 600, 800}) {
+      if (height < 100 * count) continue;
+      page.panels.clear();
+      for (int p = 0; p < count; ++p)
+        page.panels.push_back(
+            {std::string(1, static_cast<char>('X' + p)) + " component", "N", {{"", page.x, {}}}});
+      scene.setPageSize(QSizeF(700, height));
+      scene.setPage(page);
+      std::vector<QRectF> titles;
+      for (auto* item : scene.items())
+        if (item->rotation() != 0.0 && dynamic_cast<QGraphicsSimpleTextItem*>(item) != nullptr)
+          titles.push_back(item->sceneBoundingRect());
+      INFO(count << " panels, " << height << " high");
+      for (std::size_t a = 0; a < titles.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+          const bool beside = titles[a].right() <= titles[b].left() + 3.0 ||
+                              titles[b].right() <= titles[a].left() + 3.0;
+          CHECK((beside || !titles[a].adjusted(0, -8, 0, 8).intersects(titles[b])));
+        }
+      CHECK(text_faults(scene).empty());
+    }
+}
+
+TEST_CASE("a line too long for its place is drawn closer before it is cut", "[gui][desktop]") {
+  test::use_qt();
+  const QFontMetricsF metrics(ui_font(13));
+  const QString text = "a file   ·   page 2 of 9   ·   all digits";
+  CHECK(fitted_line(text, metrics, 2000.0) == text);
+  const qreal close = metrics.horizontalAdvance("a file · page 2 of 9 · all digits");
+  CHECK(fitted_line(text, metrics, close + 1.0) == "a file · page 2 of 9 · all digits");
+  CHECK(fitted_line(text, metrics, close - 20.0).endsWith(QChar(0x2026)));
+}
+
+TEST_CASE("chart_scene: every marked frequency has its name, however close the lines are",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  for (int i = 0; i <= 100; ++i) page.x.push_back(10.0 * i);
+  page.panels = {{"Load", "N", {{"outer race", page.x, {}}, {"inner race", page.x, {}}}}};
+  page.marks = {{67.0, "FTF"},  {70.0, "whirl"}, {167.0, "shaft"},
+                {383.0, "BSF"}, {816.0, "BPFO"}, {990.0, "BPFI"}};
+  ChartScene scene;
+  for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450), QSizeF(300, 240)})
+    for (const double last : {1000.0, 1000.0 / 3.0}) {
+      scene.setPageSize(size);
+      scene.setPage(page);
+      scene.setView(0.0, last);
+      QStringList words;
+      for (auto* item : scene.items())
+        if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item)) {
+          words << text->text();
+          CHECK(scene.sceneRect().contains(text->sceneBoundingRect()));
+        }
+      INFO(size.width() << ", " << last << ": " << words.join("|").toStdString());
+      for (const ChartMark& mark : page.marks) {
+        if (size.width() < 500) continue;  // there names are shortened, not laid over each other
+        const QRegularExpression name("\\b" + QString::fromStdString(mark.label) + "\\b");
+        CHECK(words.filter(name).isEmpty() == (mark.x > last));
+      }
+      CHECK(text_faults(scene).empty());
+    }
 }
 
 TEST_CASE("chart_scene: a page without panels shows its sentence, in both themes", "[gui]") {

@@ -84,23 +84,27 @@ TEST_CASE("files go to the window that shows their folder, and to no other", "[g
   const QTemporaryDir project, other;
   QStringList shown;
   const QStringList files{project.filePath("SOL1"), project.filePath("SOL2")};
-  CHECK_FALSE(desktop::hand_over("adrplot", files));
+  CHECK_FALSE(desktop::hand_over("adrplot", project.path(), files));
   {
     const desktop::OneWindow window("adrplot", project.path(), nullptr,
                                     [&](const QStringList& names) { shown = names; });
     REQUIRE(window.listens());
     const desktop::OneWindow second("adrplot", project.path(), nullptr, [](const QStringList&) {});
     CHECK_FALSE(second.listens());
-    CHECK(desktop::hand_over("adrplot", files));
+    CHECK(desktop::hand_over("adrplot", project.path(), files));
     CHECK(QTest::qWaitFor([&] { return shown == files; }, 5000));
     const QStringList of_a_run = QStringList{"--follow"} + files;  // which goes on
-    CHECK(desktop::hand_over("adrplot", of_a_run));
+    CHECK(desktop::hand_over("adrplot", project.path(), of_a_run));
     CHECK(QTest::qWaitFor([&] { return shown == of_a_run; }, 5000));
-    CHECK_FALSE(desktop::hand_over("adrplot", {"--follow"}));
-    CHECK_FALSE(desktop::hand_over("adrplot", {other.filePath("SOL1")}));
-    CHECK_FALSE(desktop::hand_over("agore", files));
+    // A run in a folder of its own belongs to the project that it was started from.
+    const QStringList of_folder{project.filePath("run-001/SOL1")};
+    CHECK(desktop::hand_over("adrplot", project.path(), of_folder));
+    CHECK(QTest::qWaitFor([&] { return shown == of_folder; }, 5000));
+    CHECK_FALSE(desktop::hand_over("adrplot", project.path(), {"--follow"}));
+    CHECK_FALSE(desktop::hand_over("adrplot", other.path(), {other.filePath("SOL1")}));
+    CHECK_FALSE(desktop::hand_over("agore", project.path(), files));
   }
-  CHECK_FALSE(desktop::hand_over("adrplot", files));
+  CHECK_FALSE(desktop::hand_over("adrplot", project.path(), files));
 }
 
 TEST_CASE("selected text stands out from its background in both themes", "[gui][desktop]") {

@@ -117,6 +117,9 @@ void bind_run(py::module_& module) {
       .def_readonly("revolutions", &Progress::revolutions, "Turns of the shaft.")
       .def_readonly("time", &Progress::time, "Simulated time [s].")
       .def_readonly("end_time", &Progress::end_time, "End of the run [s].")
+      .def_readonly("last_step", &Progress::last_step,
+                    "The step that ends the run when it comes before end_time at the pace of the "
+                    "run so far; 0: the time ends it.")
       .def_readonly("step", &Progress::step, "Counted steps; of a sweep, the runs that are done.")
       .def_readonly("elapsed", &Progress::elapsed, "Computing time so far [s].")
       .def_readonly("remaining", &Progress::remaining, "Estimate [s].")

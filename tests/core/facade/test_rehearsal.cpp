@@ -1,11 +1,13 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "facade/output_folder.hpp"
 #include "facade/rehearsal.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <exception>
 #include <tuple>
+#include <unistd.h>
 
 /// Whether a run begins is known before it is started, and in its own words.
 using namespace adore;
@@ -113,6 +115,60 @@ TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][reh
   const std::vector<Issue> said = rehearsed(deck, {}, {});
   REQUIRE(said.size() == 1);
   CHECK(said[0].record == "9.6");
+}
+
+TEST_CASE("a folder that cannot be written into is told before the run, in the lock's words",
+          "[unit][rehearsal]") {
+  // The superuser writes anywhere: then as somebody else.
+  const bool super = ::geteuid() == 0;
+  constexpr uid_t kNobody = 65534;
+  std::string name = "/tmp/adore-read-only-XXXXXX";
+  REQUIRE(::mkdtemp(name.data()) != nullptr);
+  const fs::path folder = name;
+  const deck::Deck deck = deck::new_deck("ball");
+  const auto found = [&](fs::perms permissions) {
+    fs::permissions(folder, permissions);
+    if (super) REQUIRE(::seteuid(kNobody) == 0);
+    const std::vector<Issue> said = rehearsed(deck, folder / "DATA.txt", {});
+    std::string lock;
+    try {
+      const facade::FolderLock held(folder);
+    } catch (const InputError& error) {
+      lock = error.what();
+    }
+    if (super) REQUIRE(::seteuid(0) == 0);
+    CHECK(said.empty() == lock.empty());
+    for (const Issue& issue : said) CHECK_THAT(lock, Catch::Contains(issue.message));
+    return said.size();
+  };
+  constexpr fs::perms kRead = fs::perms::owner_read | fs::perms::owner_exec |
+                              fs::perms::group_read | fs::perms::group_exec |
+                              fs::perms::others_read | fs::perms::others_exec;
+  CHECK(found(kRead) == 1);
+  CHECK(found(fs::perms::all) == 0);
+  CHECK(fs::is_empty(folder));
+  fs::remove(folder);
+}
+
+TEST_CASE("a run says what will end it: its most steps, or its time", "[unit][rehearsal]") {
+  const testing::TemporaryFolder folder;
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.overwrite = true;
+  for (const bool steps_end : {true, false}) {
+    INFO("steps end it: " << steps_end);
+    deck::Deck deck = deck::new_deck("ball");
+    const Sets sets{{"maxStps", steps_end ? "300" : "1000000"},
+                    {"nStps", "1"},
+                    {"kAGraf", "0"},
+                    {"fTime", steps_end ? "1e9" : "20"}};
+    deck.set_all(sets);
+    deck::write_deck(deck, request.deck);
+    facade::Progress last;
+    (void)facade::run(request, [&](const facade::Progress& p) { last = p; });
+    CHECK(last.last_step == (steps_end ? 300 : 0));
+    CHECK(last.step > 10);
+  }
 }
 
 TEST_CASE("a method that cannot do what the deck asks is refused by its variable",

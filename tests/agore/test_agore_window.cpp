@@ -1,0 +1,274 @@
+#include "agore/agore_window.hpp"
+#include "agore/short_run.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+using namespace adore::agore;
+using test::pixels_of;
+using test::short_run;
+
+namespace {
+
+QString take_message(QWidget& window) {
+  auto* box = window.findChild<QMessageBox*>("message");
+  if (!box) return {};
+  const QString text = box->text();
+  box->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return text;
+}
+
+void click(AgoreWindow& window, const char* button) {
+  window.findChild<QPushButton*>(button)->click();
+}
+
+QAction* menu_action(AgoreWindow& window, const QString& text) {
+  for (auto* action : window.findChildren<QAction*>())
+    if (action->text().remove('&') == text) return action;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("agore_window: play, frame and pause move through the frames", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  CHECK_FALSE(window.findChild<QPushButton*>("play")->isEnabled());
+  window.setAnimation(prepare(test::synthetic_sol8(short_run())));
+  REQUIRE(window.frameCount() == 120);
+  click(window, "frame");
+  click(window, "frame");
+  CHECK(window.currentFrame() == 2);
+  click(window, "frameBack");
+  CHECK(window.currentFrame() == 1);
+  window.setFrame(0);
+  click(window, "frameBack");
+  CHECK(window.currentFrame() == 0);
+
+  window.findChild<QComboBox*>("speed")->setCurrentText("100");
+  click(window, "play");
+  CHECK(window.playing());
+  CHECK(QTest::qWaitFor([&] { return window.currentFrame() > 3; }, 20000));
+  click(window, "pause");
+  CHECK_FALSE(window.playing());
+  const auto stopped = window.currentFrame();
+  QTest::qWait(80);
+  CHECK(window.currentFrame() == stopped);
+
+  click(window, "playBack");
+  CHECK(QTest::qWaitFor([&] { return !window.playing(); }, 20000));
+  CHECK(window.currentFrame() == 0);
+  window.findChild<QComboBox*>("speed")->setCurrentText("1000");
+  click(window, "play");
+  CHECK(QTest::qWaitFor([&] { return !window.playing(); }, 20000));
+  CHECK(window.currentFrame() == 119);
+}
+
+TEST_CASE("agore_window: the format chosen for a film is what its name says", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
+  menu_action(window, "Save Film...")->trigger();
+  auto* dialog = window.findChild<QFileDialog*>("film");
+  REQUIRE(dialog != nullptr);
+  CHECK(dialog->defaultSuffix() == "gif");
+  for (const QString& filter : dialog->nameFilters()) {
+    emit dialog->filterSelected(filter);
+    const QString name = dialog->selectedFiles().value(0);
+    INFO(filter.toStdString() << ": " << name.toStdString());
+    for (const char* suffix : {"gif", "avi", "mp4"})
+      CHECK(name.endsWith(QString("bearing.") + suffix) == filter.contains(QString("*.") + suffix));
+  }
+  dialog->close();
+}
+
+TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(101))));
+  auto* canvas = window.findChild<PictureWidget*>();
+  const QRectF bar = MotionPicture::timeBar(canvas->rect());
+  const auto& t = desktop::current_theme();
+  const auto filled = [&] {
+    const QImage image =
+        window.picture()->image(canvas->size(), window.currentFrame(), window.options());
+    return pixels_of(image, bar.toRect().adjusted(8, 4, -8, -4), t.accent);
+  };
+  CHECK(window.picture()->progress(50) == Approx(0.5));
+  const int at_start = filled();
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPointF(bar.left() + 0.5 * bar.width(), bar.center().y()).toPoint());
+  CHECK(std::abs(static_cast<int>(window.currentFrame()) - 50) <= 1);
+  const int at_middle = filled();
+  window.setFrame(100);
+  CHECK(at_middle > at_start);
+  CHECK(filled() > 1.8 * at_middle);
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPoint(300, 300));  // beside the bar nothing happens
+  CHECK(window.currentFrame() == 100);
+}
+
+TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
+  menu_action(window, "Cage Motion")->trigger();
+  CHECK(window.options().view == View::Cage);
+  CHECK(window.windowTitle().contains("Cage motion"));
+  menu_action(window, "Pocket Interaction...")->trigger();
+  auto* question = window.findChild<QInputDialog*>("number");
+  REQUIRE(question);
+  CHECK(question->intMaximum() == 12);
+  question->setIntValue(7);
+  question->accept();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK(window.options().view == View::Pocket);
+  CHECK(window.options().element == 7);
+  menu_action(window, "RE Motion...")->trigger();
+  question = window.findChild<QInputDialog*>("number");
+  REQUIRE(question);
+  CHECK(question->intValue() == 7);
+  question->reject();
+  menu_action(window, "Outer")->trigger();
+  CHECK(window.options().view == View::OuterRace);
+  menu_action(window, "Inner Race...")->trigger();
+  CHECK(take_message(window).contains("no flanges"));  // balls
+  CHECK(window.options().view == View::OuterRace);
+  menu_action(window, "Axial Section...")->trigger();
+  CHECK(take_message(window).contains("RESULTS.h5"));
+  menu_action(window, "Contact Load")->trigger();
+  CHECK(window.options().colour == ColourBy::Load);
+  menu_action(window, "About AGORE")->trigger();
+  CHECK(take_message(window).contains("0.1"));
+  menu_action(window, "× 10")->trigger();
+  CHECK(window.options().exaggeration == 10.0);
+}
+
+TEST_CASE(
+    "agore_window: files are opened, thinned to the steps asked for, and refused with a reason",
+    "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  const std::string text = test::sol8_text(test::synthetic_sol8(short_run(40)));
+  test::write_text(base / "SOL8", text);
+  test::write_text(base / "cut", text.substr(0, text.size() - 300));
+  test::write_text(base / "other", "nothing of ours\n");
+  AgoreWindow window;
+  CHECK(window.openFile(base / "SOL8", 15));  // the whole run, and it says what is left out
+  CHECK(window.frameCount() == 14);
+  const Animation thinned = open_motion(base / "SOL8", 15);
+  CHECK(thinned.frame(13).step == open_motion(base / "SOL8").frame(39).step);
+  CHECK(thinned.source.find("every 3. of 40") != std::string::npos);
+  CHECK(window.openFile(base / "SOL8"));
+  CHECK(window.frameCount() == 40);
+  CHECK_FALSE(window.openFile(base / "other"));
+  CHECK(take_message(window).contains("other"));
+  CHECK(window.frameCount() == 40);  // the old one stays
+  CHECK(window.openFile(base / "cut"));
+  CHECK(window.frameCount() == 39);
+  CHECK(take_message(window).contains("incomplete"));
+}
+
+TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(20))));
+  AgoreWindow window;
+  const auto drop = [&](const QStringList& names) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& name : names) urls << QUrl::fromLocalFile(folder.filePath(name));
+    data.setUrls(urls);
+    QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    CHECK(enter.isAccepted());
+    QDropEvent event({9.0, 9.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    CHECK(event.isAccepted());
+  };
+  drop({"SOL8", "SOL9"});
+  CHECK(take_message(window).contains("single SOL8"));
+  CHECK(window.frameCount() == 0);
+  drop({"nowhere"});
+  CHECK(take_message(window).contains("nowhere"));
+  drop({"SOL8"});
+  CHECK(take_message(window).isEmpty());
+  CHECK(window.frameCount() == 20);
+  QMimeData text;
+  text.setText("SOL8");
+  QDragEnterEvent enter({9, 9}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+  enter.ignore();
+  QCoreApplication::sendEvent(&window, &enter);
+  CHECK_FALSE(enter.isAccepted());
+}
+
+TEST_CASE("agore_window: slow motion follows the simulated time, and repeats when asked", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  auto file = test::synthetic_sol8(short_run(60));
+  const double span = file.frames.back().time;  // 18 ms
+  window.setAnimation(prepare(std::move(file)));
+  window.resize(900, 600);
+  window.show();
+  window.setSlowMotion(span / 0.4);  // the whole run in 0.4 s
+  window.playForward();
+  QTest::qWait(200);
+  for (int i = 0; i < 100 && window.currentFrame() <= 5; ++i) QTest::qWait(50);  // a busy machine
+  CHECK(window.currentFrame() > 5);
+  for (int i = 0; i < 100 && window.playing(); ++i) QTest::qWait(50);
+  CHECK_FALSE(window.playing());
+  CHECK(window.currentFrame() == 59);
+  window.setLoop(true);
+  window.playForward();
+  QTest::qWait(900);
+  CHECK(window.playing());
+  window.pause();
+}
+
+TEST_CASE("agore_window: a click on the curve goes to that moment, the wheel zooms the picture",
+          "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(61))));
+  window.resize(1100, 700);
+  window.show();
+  QCoreApplication::processEvents();
+  auto* canvas = window.findChild<PictureWidget*>();
+  canvas->grab();  // painted once: the curves have their place
+  const QRectF data = MotionPicture::dataArea(canvas->rect());
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPointF(data.center().x(), data.center().y()).toPoint());
+  const auto time = window.picture()->timeAt(canvas->rect(), data.center().toPoint());
+  REQUIRE(time);
+  CHECK(window.currentFrame() == window.picture()->frameAt(*time));
+  CHECK(window.currentFrame() > 15);
+  CHECK(window.currentFrame() < 45);
+  const QPointF middle = MotionPicture::pictureAreas(canvas->rect(), 1).front().center();
+  QWheelEvent wheel(middle, canvas->mapToGlobal(middle), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(canvas, &wheel);
+  CHECK(window.options().zoom == Approx(1.5625));
+  QTest::mouseDClick(canvas, Qt::LeftButton, {}, middle.toPoint());
+  CHECK(window.options().zoom == 1.0);
+}

@@ -1,0 +1,262 @@
+#include "agore/motion_picture.hpp"
+#include "agore/pocket_outline.hpp"
+#include "agore/render.hpp"
+#include "agore/short_run.hpp"
+#include "agore/view_layout.hpp"
+#include "agore/view_options.hpp"
+#include "agore/view_scene.hpp"
+#include "base/errors.hpp"
+#include "core/results/synthetic.hpp"
+#include "results/results_h5.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <QPainter>
+#include <catch2/catch.hpp>
+
+#include <ctime>
+#include <numbers>
+
+using namespace adore;
+using namespace adore::agore;
+using test::pixels_of;
+using test::short_run;
+
+namespace {
+
+const QRect kPicture(0, 60, 780, 620);
+
+}  // namespace
+
+TEST_CASE("views: bearing picture shows the frames, the arrow, the dashed circle and the asterisks",
+          "[gui]") {
+  test::use_qt();
+  MotionPicture picture(prepare(test::synthetic_sol8()));
+  const ViewOptions options;
+  const auto& t = theme_of(options);
+  const QImage start = picture.image({1280, 800}, 0, options),
+               later = picture.image({1280, 800}, 1200, options);
+  for (const QColor& colour : {t.red, t.green, t.blue, t.light_blue})
+    CHECK(pixels_of(later, kPicture, colour) > 60);
+  CHECK(start != later);
+  // No land force in the first frame: the arrow is missing there, and it is long.
+  CHECK(pixels_of(later, kPicture, t.red) > pixels_of(start, kPicture, t.red) + 250);
+  CHECK(picture.image({1280, 800}, 1200, options) ==
+        later);  // a picture depends on its frame alone
+}
+
+TEST_CASE("views: an arrow appears exactly where the land contact is", "[gui]") {
+  test::use_qt();
+  auto file = test::synthetic_sol8(short_run(3));
+  for (auto& frame : file.frames) {
+    frame.cage.angles[0] = 0.0;
+    frame.cage.position = {0, 0, 0};
+    for (auto& e : frame.elements) e.pocket_force = 0.0;
+    frame.land_force = {10.0, 0.0};
+    frame.land_angle = {-0.5 * std::numbers::pi, 0.0};  // azimuth -90 degrees: +y, to the right
+  }
+  MotionPicture picture(prepare(file));
+  ViewOptions options;
+  options.view = View::Cage;
+  const QImage image = picture.image({1280, 800}, 1, options);
+  const auto& red = theme_of(options).red;
+  CHECK(pixels_of(image, QRect(520, 380, 110, 40), red) > 100);  // right of the middle
+  CHECK(pixels_of(image, QRect(200, 380, 110, 40), red) < 20);   // not left of it
+}
+
+TEST_CASE("views: a round picture leaves the corner to its key, and no more than that", "[gui]") {
+  test::use_qt();
+  const Animation animation = prepare(test::synthetic_sol8());
+  ViewOptions options;
+  for (const View view : {View::Bearing, View::Element, View::OuterRace, View::InnerRace}) {
+    options.view = view;
+    const QRectF narrow(0, 0, 700, 684), wide(0, 0, 1500, 600);
+    INFO(view_title(view));
+    CHECK(picture_middle(animation, options, narrow).y() < narrow.center().y());
+    CHECK(picture_middle(animation, options, narrow).y() > 0.43 * narrow.height());
+    CHECK(picture_middle(animation, options, wide) == wide.center());
+  }
+}
+
+TEST_CASE("views: arrows of race loads stay clear of the numbers and of the words above", "[gui]") {
+  test::use_qt();
+  Animation animation = prepare(test::synthetic_sol8(short_run(3)));
+  ContactFrames contacts{"N", "m/s", {}, 200.0};
+  contacts.frames.assign(3, std::vector<ContactFrame>(12, {{200.0, 200.0}, {1, 2}}));
+  animation.contacts = contacts;
+  MotionPicture picture(animation);
+  ViewOptions options;
+  options.contacts = true;
+  const QColor blue = theme_of(options).curves[0];
+  for (const QSize size : {QSize(1280, 800), QSize(700, 450)}) {
+    INFO(size.width() << " x " << size.height());
+    const QRect words(0, 0, size.width() / 2, 56);
+    options.view = View::Element;  // element 1 is at the top
+    const QImage element = picture.image(size, 0, options);
+    CHECK(pixels_of(element, words, blue) == 0);
+    CHECK(pixels_of(element, QRect(0, 56, size.width() / 2, size.height() / 2), blue) > 40);
+    // The numbers stand in a margin of 26 pixels round the rings.
+    options.view = View::Bearing;
+    const QImage bearing = picture.image(size, 0, options);
+    const QRectF area = MotionPicture::pictureAreas(QRectF(QPointF(0, 0), size), 1).front();
+    const QPointF middle = picture_middle(animation, options, area);
+    const double radius =
+        0.5 * std::min(area.width(), area.height() - key_foot(animation, options, area.size()));
+    const QRect number(QPointF(middle.x() - 12, middle.y() - radius).toPoint(), QSize(24, 20));
+    CHECK(pixels_of(bearing, number, blue) == 0);
+    CHECK(pixels_of(bearing, number.translated(0, 26), blue) > (size.width() > 1000 ? 10 : 2));
+  }
+}
+
+TEST_CASE("views: each view has its data curves", "[gui]") {
+  test::use_qt();
+  const Animation a = prepare(test::synthetic_sol8(short_run()));
+  const auto panels = [&](View view) {
+    ViewOptions options;
+    options.view = view;
+    options.element = 3;
+    const auto page = data_page(a, options);
+    for (const auto& panel : page.panels)
+      for (const auto& curve : panel.curves) CHECK(curve.y.size() == a.frames());
+    return page.panels.size();
+  };
+  CHECK(panels(View::Bearing) == 1);
+  CHECK(panels(View::Cage) == 2);
+  CHECK(panels(View::Pocket) == 1);
+  CHECK(panels(View::Element) == 2);
+  CHECK(panels(View::OuterRace) == 3);
+  ViewOptions wrong;
+  wrong.element = 13;
+  QImage image(100, 100, QImage::Format_RGB32);
+  QPainter painter(&image);
+  CHECK_THROWS_AS(paint_picture(painter, {0, 0, 100, 100}, a, 0, wrong), InputError);
+}
+
+TEST_CASE("views: a frame is drawn within a twenty-fifth of a second of processor time", "[gui]") {
+  test::use_qt();
+  MotionPicture picture(prepare(test::synthetic_sol8()));
+  QImage image = picture.image({1280, 800}, 0, {});
+  constexpr int kFrames = 20;
+  const std::clock_t start = std::clock();
+  for (int i = 0; i < kFrames; ++i)
+    image = picture.image({1280, 800}, static_cast<std::size_t>(50 * i), {});
+  const double per_frame =
+      1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kFrames;
+  INFO("one frame takes " << per_frame << " ms");
+  CHECK_FALSE(image.isNull());
+  CHECK(per_frame < 40.0);  // processor time, so that a busy machine does not fail it
+}
+
+TEST_CASE("views: the element view shows contact loads when RESULTS.h5 lies beside the file",
+          "[gui]") {
+  test::use_qt();
+  const auto picture = [](bool with_contacts) {
+    Animation animation = prepare(test::synthetic_sol8(short_run(30)));
+    CHECK_FALSE(animation.contacts.has_value());  // nothing lies beside a file in memory
+    CHECK_FALSE(animation.no_contacts.empty());
+    if (with_contacts) {
+      ContactFrames contacts{"N", "m/s", {}, 200.0};
+      contacts.frames.assign(30, std::vector<ContactFrame>(12, {{200.0, 100.0}, {1, 2}}));
+      animation.contacts = contacts;
+    }
+    ViewOptions options;
+    options.view = View::Element;
+    options.element = 4;
+    return MotionPicture(std::move(animation)).image({780, 680}, 29, options);
+  };
+  const QImage with = picture(true), without = picture(false);
+  const auto& curves = theme_of({}).curves;
+  const QRect drawing(0, 0, 780, 560);  // above the key
+  const int outer = pixels_of(with, drawing, curves[0]) - pixels_of(without, drawing, curves[0]);
+  const int inner = pixels_of(with, drawing, curves[1]) - pixels_of(without, drawing, curves[1]);
+  CHECK(inner > 20);
+  CHECK(outer > 1.4 * inner);  // twice the load, twice the shaft
+}
+
+TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][pocket]") {
+  using agore::PocketOutline;
+  const auto half = [](PocketOutline p) { return agore::pocket_half(p); };
+  const PocketOutline ball{.radius = 5.0, .clearance_1 = 1.0, .clearance_2 = 2.0};
+  const auto with = [&](int code) {
+    PocketOutline p = ball;
+    p.code = code;
+    return p;
+  };
+  CHECK(half(with(0)) == QSizeF(5.5, 5.5));
+  CHECK(half(with(2)) == QSizeF(6.5, 5.5));  // round the bearing
+  CHECK(half(with(3)) == QSizeF(5.5, 6.0));
+  CHECK(half(with(4)) == QSizeF(6.0, 6.0));
+  for (const int code : {0, 1, 2, 3, 4}) {
+    const QRectF box = agore::pocket_hole(with(code)).boundingRect();
+    CHECK(box.width() == Approx(2.0 * half(with(code)).width()));
+    CHECK(box.height() == Approx(2.0 * half(with(code)).height()));
+  }
+  PocketOutline roller = ball;
+  roller.roller_length = 14.0;
+  CHECK(agore::pocket_hole(roller).contains(agore::roller_side(roller).boundingRect()));
+  CHECK(agore::roller_side(roller).boundingRect().size() == QSizeF(10.0, 14.0));
+}
+
+TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  TemporaryFolder folder;
+  const bearing::Bearing bearing = make_bearing(8);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+  MotionPicture picture = open_animation(folder / "RESULTS.h5");
+  const Animation& a = picture.animation();
+  REQUIRE(picture.frames() == 31);
+  CHECK(a.source.find("every stored step") == 0);
+  CHECK(a.guide == Guide::Outer);
+  CHECK(a.guide_clearance == Approx(0.0003));
+  CHECK(a.land[1]);
+  // Channels of the run, not differences: 400 + k rad/s of a shaft at 1000.
+  const History orbit = element_orbit(a, 2);
+  REQUIRE(orbit.value.size() == 31);
+  for (const double ratio : orbit.value) CHECK(ratio == Approx(0.403));
+  const Colouring load = colouring(a, 5, ColourBy::Load);
+  REQUIRE(load.value.size() == 8);
+  CHECK(load.value[2] == Approx(1300.0));  // the larger of both contacts: 100 (3 + 10)
+  CHECK(load.largest == Approx(1800.0));
+  CHECK(scale_colour(0.0) == QColor(68, 1, 84));
+  CHECK(scale_colour(1.0) == QColor(253, 231, 37));
+  ViewOptions options;
+  const QImage plain = picture.image({900, 600}, 3, options);
+  options.colour = ColourBy::Load;
+  options.contacts = true;
+  CHECK(picture.image({900, 600}, 3, options) != plain);
+  options = {};
+  options.view = View::Section;
+  options.element = 2;
+  const QImage section = picture.image({900, 600}, 3, options);
+  CHECK(pixels_of(section, {0, 60, 540, 460}, theme_of(options).curves[0]) > 20);
+  options.zoom = 4.0;
+  CHECK(picture.image({900, 600}, 3, options) != section);
+  options = {};
+  options.view = View::Flange;
+  CHECK_THROWS_WITH(picture.image({900, 600}, 3, options), Catch::Contains("no flanges"));
+}
+
+TEST_CASE("views: a bearing whose cage has no land shows loads beside it, not an empty chart",
+          "[gui][h5]") {
+  using namespace adore::testing;
+  TemporaryFolder folder;
+  bearing::Bearing bearing = make_bearing(8);
+  bearing.cage->lands.clear();
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 5; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+  const Animation a = open_motion(folder / "RESULTS.h5");
+  REQUIRE_FALSE((a.land[0] || a.land[1]));
+  ViewOptions options;
+  options.element = 3;
+  const desktop::ChartPage page = data_page(a, options);
+  CHECK(page.title == "Contact loads of element 3");
+  REQUIRE(page.panels.size() == 1);
+  CHECK(page.panels[0].message.empty());
+  CHECK(page.panels[0].curves.size() == 2);
+}
