@@ -29,6 +29,7 @@ constexpr Item kItems[] = {
     {"energy.cage_drag", &MotionFriction::drag},
     {"energy.element_heat", &MotionFriction::other},
     {"energy.contact_damping", &MotionFriction::other},
+    {"energy.damping_beside", &MotionFriction::other},
 };
 
 /// Of a step, all races.
