@@ -147,6 +147,12 @@ void choose_nodes(Prepared& prepared) {
   }
 }
 
+/// @throws Interrupted when the preparation is to end.
+void ask_to_go_on(const LoadedDeck& input) {
+  if (input.stop.stop_requested())
+    throw Interrupted("interrupted before the equilibrium; nothing was written");
+}
+
 Prepared prepare_model(LoadedDeck input) {
   Prepared out;
   out.input = std::move(input);
@@ -209,6 +215,7 @@ Prepared prepare_model(LoadedDeck input) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
       add_remark(out, Severity::Warning, text);
   };
+  ask_to_go_on(out.input);
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
@@ -245,6 +252,7 @@ Prepared prepare_model(LoadedDeck input) {
     as_in_motion.curvature =
         out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = out.fixed_angle;
+    ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }

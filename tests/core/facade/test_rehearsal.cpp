@@ -108,6 +108,18 @@ TEST_CASE("a rehearsal refuses what runs of rollers refuse, in their words",
     compare(type);
 }
 
+TEST_CASE("a preparation that is to end does not begin an equilibrium", "[unit][rehearsal]") {
+  for (const char* type : {"ball", "tapered"}) {
+    facade::LoadedDeck input;
+    input.deck = deck::new_deck(type);
+    std::stop_source stop;
+    input.stop = stop.get_token();
+    CHECK_NOTHROW(facade::prepare(input));
+    stop.request_stop();
+    CHECK_THROWS_WITH(facade::prepare(input), Catch::Contains("before the equilibrium"));
+  }
+}
+
 TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][rehearsal]") {
   deck::Deck deck = deck::new_deck("ball");
   CHECK(rehearsed(deck, {}, {}).empty());
