@@ -86,8 +86,11 @@ int main(int argc, char** argv) {
                  "folder, RUNS.csv "
                  "or STUDY.h5; in a window, folders of runs too")
       ->type_name("FILE");
-  cli.add_option("--project", project, "folder whose files come into this one window")
-      ->type_name("DIR");
+  CLI::Option* one_window =
+      cli.add_option("--project", project, "folder whose files come into this one window")
+          ->type_name("DIR")
+          ->check(CLI::ExistingDirectory)
+          ->needs(cli.get_option("FILE"));
   auto* folder =
       cli.add_option("--render", options.folder,
                      "write the pages as PNG into this folder instead of opening a window")
@@ -112,6 +115,9 @@ int main(int argc, char** argv) {
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
+  // A window that is there takes files alone.
+  for (const char* of_first : {"--render", "--from", "--to", "--every", "--abscissa"})
+    one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrplot", [&] {
     const auto pixels = desktop::parse_size(size);

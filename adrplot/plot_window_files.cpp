@@ -162,6 +162,10 @@ void PlotWindow::showFiles(const QStringList& paths) {
   for (const QString& name : paths) {
     const std::filesystem::path path = name.toStdString();
     std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+      openFolder(name, {});
+      continue;
+    }
     const auto open = std::find_if(documents_.begin(), documents_.end(), [&](const auto& doc) {
       return doc->on_disk && std::filesystem::equivalent(doc->path, path, ignored);
     });

@@ -111,8 +111,11 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   Request request;
   cli.add_option("SOL8", request.file, "animation file, or RESULTS.h5")->type_name("FILE");
-  cli.add_option("--project", request.project, "folder whose files come into this one window")
-      ->type_name("DIR");
+  CLI::Option* one_window =
+      cli.add_option("--project", request.project, "folder whose files come into this one window")
+          ->type_name("DIR")
+          ->check(CLI::ExistingDirectory)
+          ->needs(cli.get_option("SOL8"));
   auto* folder = cli.add_option("--render", request.folder,
                                 "write pictures into this folder instead of opening a window")
                      ->type_name("DIR");
@@ -170,6 +173,10 @@ int main(int argc, char** argv) {
                "arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails, "the way of every element so far");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
+  // A window that is there takes files alone.
+  for (const char* of_first : {"--render", "--view", "--beside", "--race", "--element",
+                               "--exaggerate", "--colour", "--contacts", "--trails"})
+    one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
     request.options.view.view = agore::view_named(request.view, request.race);

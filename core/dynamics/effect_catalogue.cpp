@@ -19,7 +19,7 @@ constexpr CatalogueLine kCatalogue[] = {
     {"races", "kTracType", "bodies, contact and traction with the elements", make_races,
      race_terms},
     {"contact damping", "run option contactDamping",
-     "material damping of elements on their races (Hunt and Crossley)", make_contact_damping,
+     "material damping of contacts (Hunt and Crossley)", make_contact_damping,
      contact_damping_terms},
     {"rolling resistance", "kTrac", "inlet pressure moment of the oil at both races",
      make_rolling_resistance, rolling_resistance_terms},

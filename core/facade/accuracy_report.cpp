@@ -144,10 +144,10 @@ std::string recommendation(const AccuracyStudy& study) {
     out = fmt::format("{}: the cheapest within {} over {:.4g} turns, {:.3g} s ({})",
                       best.setting.name, percent(std::max(study.target, 1.5 * noise)),
                       study.long_turns, best.seconds, errors_text(best.errors));
-    if (best.setting.own) return out + "; these are the deck's own settings.";
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
                          best.energy_share);
+    if (best.setting.own) return out + "; these are the deck's own settings.";
   }
   if (own != nullptr)
     out += own->failure.empty() ? fmt::format("; the deck's own settings take {:.3g} s ({})",

@@ -25,6 +25,7 @@ MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_toke
     out.outcome = run(request, watch, end.get_token());
   } catch (const Interrupted&) {
     if (!out.cut || stop.stop_requested()) throw;
+    out.outcome.status = RunStatus::Interrupted;
   }
   out.seconds = scene::processor_seconds() - begin;
   out.outcome.files.clear();

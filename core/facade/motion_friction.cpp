@@ -53,14 +53,8 @@ MotionFriction motion_friction(const DeckRequest& moving, const std::string& unt
   const results::H5Reader file(*request.out / "RESULTS.h5");
   if (file.steps() < 4) throw InputError("the run stores too few steps to find its friction");
   const std::size_t last = file.steps() - 1, first = last / 2;
-  const std::vector<double> time = file.read("time"), speed = file.read("race.angular_velocity");
-  double turned = 0.0;  // of the races against each other
-  for (std::size_t k = first; k < last; ++k) {
-    const auto relative = [&](std::size_t at) {
-      return std::abs(speed[2 * at + 1] - speed[2 * at]);
-    };
-    turned += 0.5 * (relative(k) + relative(k + 1)) * (time[k + 1] - time[k]);
-  }
+  const std::vector<double> rotation = file.read("shaft_rotation");
+  const double turned = std::abs(rotation[last] - rotation[first]);  // races against each other
   if (!(turned > 0.0)) throw InputError("the races do not turn against each other");
   MotionFriction out;
   for (const Item& item : kItems)

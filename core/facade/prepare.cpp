@@ -150,7 +150,7 @@ void choose_nodes(Prepared& prepared) {
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
-    throw Interrupted("interrupted before the equilibrium; nothing was written");
+    throw Interrupted("interrupted while the equilibrium was sought; nothing was written");
 }
 
 Prepared prepare_model(LoadedDeck input) {

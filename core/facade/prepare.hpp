@@ -71,7 +71,7 @@ void add_remark(Prepared& prepared, Severity severity, const std::string& text);
 /// notes on the deck.
 [[nodiscard]] std::vector<Issue> solution_notes(const Prepared& prepared);
 
-/// @throws InputError, SolverError (no equilibrium).
+/// @throws InputError, SolverError (no equilibrium), Interrupted.
 [[nodiscard]] Prepared prepare(const DeckRequest& request, std::stop_token stop = {});
 /// The same for a deck in memory that has no errors.
 [[nodiscard]] Prepared prepare(LoadedDeck input);

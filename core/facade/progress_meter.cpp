@@ -23,6 +23,7 @@ ProgressMeter::ProgressMeter(const ProgressSink& sink, const StartPoint& start, 
     : sink_(sink),
       span_(span),
       start_(start.time),
+      start_step_(start.step),
       origin_(completes && start.segment == 0 ? 0.0 : start.time),
       first_step_(completes ? start.segment : start.step),
       done_before_(fraction(start.time, start.step)),
@@ -35,6 +36,13 @@ double ProgressMeter::by_time(double time) const {
 double ProgressMeter::by_steps(long step) const {
   return static_cast<double>(step - first_step_) /
          static_cast<double>(std::max(1L, span_.max_steps));
+}
+
+/// What is left of both, at the pace since this program began.
+bool ProgressMeter::steps_end(double time, long step) const {
+  const double last = static_cast<double>(first_step_) + static_cast<double>(span_.max_steps);
+  return (last - static_cast<double>(step)) * (time - start_) <
+         (span_.end - time) * static_cast<double>(step - start_step_);
 }
 
 double ProgressMeter::fraction(double time, long step) const {
@@ -50,7 +58,7 @@ void ProgressMeter::send(double time, long step, bool done) {
   p.time = time;
   p.end_time = span_.end;
   p.step = step;
-  if (by_steps(step) > by_time(time)) p.last_step = first_step_ + span_.max_steps;
+  if (steps_end(time, step)) p.last_step = first_step_ + span_.max_steps;
   p.elapsed = elapsed;
   const double here = p.fraction - done_before_;
   p.remaining = here > 0.0 ? elapsed * (1.0 - p.fraction) / here : 0.0;

@@ -29,12 +29,15 @@ class ProgressMeter {
   /// How much of the whole run is done then, by its end in time and by its most steps.
   [[nodiscard]] double by_time(double time) const;
   [[nodiscard]] double by_steps(long step) const;
+  /// Does the run end by its most steps, not by its time?
+  [[nodiscard]] bool steps_end(double time, long step) const;
   /// By what ends the run.
   [[nodiscard]] double fraction(double time, long step) const;
 
   const ProgressSink& sink_;
   RunSpan span_;
   double start_;        ///< of this process [s]
+  long start_step_;     ///< the same
   double origin_;       ///< of the run [s]
   long first_step_;     ///< of the run
   double done_before_;  ///< fraction at start_

@@ -55,7 +55,6 @@ ThermalRun::ThermalRun(const Prepared& prepared)
 
 thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) const {
   thermal::HeatSources out;
-  double lands = energy.value("land_heat") + energy.value("land_film_heat");
   std::array<double, 2> guided{};
   if (as_built_.cage)
     for (const bearing::GuideLand& land : as_built_.cage->lands) {
@@ -63,18 +62,25 @@ thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) cons
       if (land.guide == bearing::GuideLand::Guide::Inner) guided[1] += land.width;
     }
   const double width = guided[0] + guided[1];
-  for (std::size_t j = 0; j < 2; ++j) {
-    const auto race = static_cast<int>(j);
-    out.race[j] = energy.value("heat", race) + energy.value("rolling_heat", race);
-    out.land[j] = width > 0.0 ? lands * guided[j] / width : 0.0;
-    out.flange[j] = 0.5 * energy.value("flange_heat");
-    if (energy.find("flange_heat", 1) != nullptr)
-      out.flange[j] = energy.value("flange_heat", static_cast<int>(j));
+  for (const auto& item : energy.items()) {
+    if (item.term->kind != scene::LedgerKind::Heat) continue;
+    const std::string_view id = item.term->id;
+    const auto halves = [&](std::array<double, 2>& of_races, double outer) {
+      of_races[0] += outer * item.value;
+      of_races[1] += (1.0 - outer) * item.value;
+    };
+    const double by_race = item.race == 0 ? 1.0 : 0.0;
+    if (id == "heat" || id == "rolling_heat" || id == "contact_damping")
+      halves(out.race, by_race);
+    else if ((id == "land_heat" || id == "land_film_heat") && width > 0.0)
+      halves(out.land, guided[0] / width);
+    else if (id == "flange_heat")
+      halves(out.flange, item.term->per_race() ? by_race : 0.5);
+    else if (id == "element_drag" || id == "cage_drag")
+      out.churning += item.value;
+    else  // of pockets, of elements with each other, of damping beside the races: to the coolant
+      out.element_cage += item.value;
   }
-  // What elements make with each other stays with them: as that of pockets it goes to the coolant.
-  out.element_cage =
-      energy.value("pocket_heat") + energy.value("pocket_film_heat") + energy.value("element_heat");
-  out.churning = energy.value("element_drag") + energy.value("cage_drag");
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "life/capacity.hpp"
 #include "life/statistics.hpp"
+#include "scene/no_film.hpp"
 
 #include <fmt/format.h>
 
@@ -436,7 +437,12 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
         *parameters_.choices.film_parameter));
   } else if (films[0] || films[1]) {
     for (std::size_t i = 0; i < 2; ++i)
-      if (films[i])
+      if (films[i] && *films[i] <= scene::kNoFilmLeft)
+        out.notes.push_back(fmt::format(
+            "{}: no film is left at the most loaded contact; its film factor is that of the "
+            "thinnest film",
+            parameters_.part[i].name));
+      else if (films[i])
         out.notes.push_back(fmt::format(
             "{}: film parameter {:.3g}, computed for the most loaded contact with the deck's "
             "lubricant",

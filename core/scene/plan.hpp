@@ -38,7 +38,7 @@ enum class Effect : unsigned char {
   PocketFilm,          ///< oil films in the pockets (kPocHydro)
   LandFilm,            ///< and at the guide lands (kGsHydro)
   ThermalSteps,        ///< temperatures and geometry change between steps (kTherm)
-  ContactDamping       ///< material damping of the race contacts (run option contactDamping)
+  ContactDamping       ///< material damping of contacts (run option contactDamping)
 };
 
 /// Accelerations that are zero (kDOF, reading N9): their velocities keep the values of the start.

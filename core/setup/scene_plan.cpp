@@ -49,16 +49,21 @@ bool moves_as_sphere(const bearing::Bearing& bearing) {
 }
 
 /// Which contacts are damped, and what it means for vibrations where they are not.
-std::string damping_reason(double alpha, const std::string& element) {
+std::string damping_reason(double alpha, const std::string& element,
+                           const bearing::Bearing& bearing) {
   if (!(alpha > 0.0))
     return "run option contactDamping = 0: contacts are elastic, so that contact vibrations do not "
            "decay by themselves; the heights of their peaks in spectra come from the start and "
            "from the integrator";
+  std::string beside;
+  if (bearing.cage) beside += ", in pockets, at guide lands without shape errors";
+  const bearing::RollerGeometry* rollers = bearing.rollers();
+  if (rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1)))
+    beside += ", at flanges";
   return fmt::format(
-      "run option contactDamping = {:g} (in s/m): {}s on both races, pockets, guide lands without "
-      "shape errors, flanges; neighbours without a cage and contacts whose force is a routine's "
-      "stay elastic",
-      alpha, element);
+      "run option contactDamping = {:g} (in s/m): {}s on both races{}; {}contacts whose force is a "
+      "routine's stay elastic",
+      alpha, element, beside, bearing.cage ? "" : "neighbours and ");
 }
 
 }  // namespace
@@ -146,7 +151,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
         deck.integer("mode") > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio)));
   if (!held)
     effect(Effect::ContactDamping, element + " / race damping", alpha > 0.0,
-           damping_reason(alpha, element));
+           damping_reason(alpha, element, bearing));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)

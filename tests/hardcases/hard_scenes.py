@@ -84,7 +84,7 @@ SCENES = [
     scene("start from rest", BALL, "speeds through zero: slip without a direction",
           {"rpm2": 0.0, "kVarSpeed": 1, "raceAngAcc2": 1e5, "startTime2": 0.0, "endTime2": 5e-3}, 0),
     scene("reversal", BALL, "speed through zero and back",
-          {"rpm2": 500.0, "kVarSpeed": 1, "raceAngAcc2": -1e5, "startTime2": 0.0, "endTime2": 1e-3}, 0),
+          {"rpm2": 500.0, "kVarSpeed": 1, "raceAngAcc2": -1e6, "startTime2": 0.0, "endTime2": 1e-3}, 0),
     scene("planetary frame", BALL, "transport and Coriolis terms beyond the loads", {"kRotFrame": 1, "brgOrbitRad": 0.2, "brgAngVel": 800.0,
                                                                                    "brgLoadFrac2": 1.0}),
     scene("resonance", BALL, "a race shaken at the frequency of the contacts",
@@ -121,7 +121,7 @@ SCENES = [
     scene("cold oil, counter-rotation", BALL, "-50 C, elements that hardly orbit: thick films on both sides",
           {**OIL, **COLD, "rpm1": -10000.0, "rpm2": 10000.0}, 0.05),
     scene("film collapses", BALL, "a shaft that stops within a turn: films fall below the critical one in mid-run",
-          {**OIL, "reRaceFilm": 2e-7, "kVarSpeed": 1, "raceAngAcc2": -5e5, "startTime2": 0.0, "endTime2": 2e-3}, 0),
+          {**OIL, "reRaceFilm": 2e-7, "kVarSpeed": 1, "raceAngAcc2": -5e6, "startTime2": 0.0, "endTime2": 2e-3}, 0),
     scene("oil at rest", BALL, "a stopped bearing: slip, rolling and film are nothing", {**OIL, "rpm2": 0.0}, 0),
     scene("English units", "ball-english", "another system of units, the same bearing", {}),
     scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
@@ -141,7 +141,7 @@ SCENES = [
     # methods and tolerances lie 2.6 % beside their middle on both sides. Over one turn all agree to 0.03 % (heat of order 1 and 2: to 1.5 %).
     scene("barrels at speed", "spherical", "barrels fling outwards, and strike irregularly after a turn", {"rpm2": 15000.0}, longest=1.0),
     scene("spherical-tapered under thrust", "spherical-tapered", "barrels against a rib", {"appLoadX": 15000.0}),
-    # Heat of rkf2 over two turns is 2.1 % off at 1e-6, 0.13 % at 1e-7; a load changed by 1e-8 changes it by 0.01 %.
+    # Heat over two turns: rkf2 is 2.1 % off at 1e-6, arkode-dirk 2.2 % at 1e-7 and 0.1 % at 1e-8; a load changed by 1e-8 changes it by 0.01 %.
     scene("rollers in balance", "cylindrical", "mode 1 of rollers", {"mode": 1, "tol": 1e-8}),
 ]
 

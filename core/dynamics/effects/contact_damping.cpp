@@ -91,6 +91,9 @@ void ContactDamping::declare(SceneBuilder& scene) {
     scene.energy(kNames[j], kHeat, &heat_[j], static_cast<int>(j));
   }
   law_.set(d);
+  const bearing::RollerGeometry* rollers = scene.bearing.rollers();
+  const bool flanges = rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1));
+  if (!scene.bearing.cage && !flanges) return;  // nothing beside the races
   scene.block<NoHeatYet>(Phase::Force, kCostBeside, {}, heat_beside_races_);
   scene.energy("contacts beside the races.damping", kHeatBeside, &heat_beside_races_);
 }

@@ -78,6 +78,7 @@ TEST_CASE("where no oil reaches the contacts every output says no film, as the e
       CHECK(*std::max_element(rise.begin(), rise.end()) > 0.0);
       CHECK_THAT(ran.print, Catch::Contains("Least film of the contacts"));
       CHECK_THAT(ran.print, !Catch::Contains("hypothetical traction)"));
+      CHECK_THAT(ran.print, !Catch::Contains("film parameter 1e-09"));
       constexpr std::size_t kFilm = 25;  // of SOL1
       for (const results::SolStep& step : results::read_sol(out / "SOL1").steps)
         for (const std::size_t race : {0, 1}) CHECK(step.values.at(kFilm + race) == 0.0);

@@ -116,7 +116,7 @@ TEST_CASE("a preparation that is to end does not begin an equilibrium", "[unit][
     input.stop = stop.get_token();
     CHECK_NOTHROW(facade::prepare(input));
     stop.request_stop();
-    CHECK_THROWS_WITH(facade::prepare(input), Catch::Contains("before the equilibrium"));
+    CHECK_THROWS_WITH(facade::prepare(input), Catch::Contains("the equilibrium was sought"));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "dynamics/effect_catalogue.hpp"
+#include "facade/thermal_run.hpp"
 #include "results/sol_file.hpp"
 #include "results/static_tables.hpp"
 
@@ -125,6 +127,30 @@ TEST_CASE("the network of a motion's last thermal step is in RUN.json, with the 
   }
   CHECK(made > 0.0);
   CHECK(left == Approx(made).epsilon(1e-9));
+}
+
+TEST_CASE("all heat of the ledger goes into the thermal network, whatever made it",
+          "[unit][thermal]") {
+  for (const char* type : {"ball", "cylindrical"}) {
+    facade::LoadedDeck input;
+    input.deck = moving(type);
+    const facade::Prepared prepared = facade::prepare(std::move(input));
+    facade::ThermalRun run(prepared);
+    double each = 1.0, all = 0.0;
+    scene::Snapshot at;
+    run.start(0.0, at.energy);
+    constexpr double kWindow = 2.0e-4;  // aveTime
+    for (const scene::LedgerTerm* term : dynamics::energy_terms()) {
+      if (term->kind != scene::LedgerKind::Heat) continue;
+      for (int race = 0; race < (term->per_race() ? 2 : 1); ++race) {
+        at.energy.add(*term, each * kWindow, race);
+        all += each;
+        each += 0.25;
+      }
+    }
+    at.time = kWindow;
+    CHECK(run.close(at).heat.sources.total() == Approx(all).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("each variable of thermal steps acts", "[physics][thermal]") {
