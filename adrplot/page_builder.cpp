@@ -89,6 +89,21 @@ void limit_detail(ChartPage& chart) {
   }
 }
 
+/// Coordinates of one place: a change below a ten-millionth of the largest one is rounding.
+void limit_components(ChartPage& chart) {
+  constexpr double kDetail = 1e-7;
+  double largest = 0.0;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const double v : curve.y)
+        if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+      largest = std::max(largest, high - low);
+    }
+  for (ChartPanel& panel : chart.panels)
+    panel.least_span = std::max(panel.least_span, kDetail * largest);
+}
+
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
@@ -156,6 +171,8 @@ PageSpec spectrum_panels(const PageSpec& page) {
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const SpectrumOptions& options, const PageContext& context) {
   add_panels(chart, file, page);
+  limit_detail(chart);
+  if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
   to_spectra(chart, times(file), options);
   first_view_of_spectra(chart, options.scale);
@@ -192,6 +209,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
       } else if (options.domain == Domain::Waterfall) {
         const std::vector<double> turns = accumulated_turns(file);
         add_panels(chart, file, page);
+        limit_detail(chart);
         if (keeps_speed(times(file), turns)) add_marks(chart, file, context);
         to_waterfall(chart, times(file), turns, options.spectrum);
       } else {

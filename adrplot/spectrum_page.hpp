@@ -12,7 +12,14 @@ namespace adore::adrplot {
 /// Appends a sentence to the page's note, once.
 void add_note(desktop::ChartPage& chart, const std::string& text);
 
-/// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum.
+/// What changes by no more than that is how the numbers are kept, not a vibration: a thousandth of
+/// the least range of an axis (1e-13 m, 1e-9 N; 1e-12 W or of a pure number), `known` of its
+/// panel, 2e-13 of the values' size, or the last of the eight digits of a text file.
+[[nodiscard]] bool only_rounding(const std::vector<double>& values, const std::string& unit,
+                                 double known);
+
+/// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum. One
+/// without leaves its reason in its panel, or in the page's note beside curves that have one.
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
                 const SpectrumOptions& options);
 

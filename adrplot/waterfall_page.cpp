@@ -1,5 +1,6 @@
 #include "adrplot/waterfall_page.hpp"
 
+#include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -72,6 +73,13 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   const Samples samples = equal_samples(times, source.curves.front().y);
   page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
   page.panels.clear();
+  if (!samples.values.empty() &&
+      only_rounding(source.curves.front().y, source.unit, source.least_span)) {
+    page.note += (page.note.empty() ? "" : " ") + source.title +
+                 ": nothing vibrates here; what changes, if anything, is the rounding of the "
+                 "numbers.";
+    return;
+  }
   const Waterfall fall = waterfall(samples, options.window);
   if (fall.time.empty()) return;
   double largest = 0.0;
