@@ -175,6 +175,13 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
   to_spectra(chart, times(file), options);
+  // Nothing to read without a curve.
+  const bool drawn =
+      std::any_of(chart.panels.begin(), chart.panels.end(), [](const ChartPanel& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(),
+                           [](const ChartCurve& curve) { return !curve.y.empty(); });
+      });
+  if (drawn) tell_lines(chart, {chart.x.front()}, options.scale);
   first_view_of_spectra(chart, options.scale);
 }
 

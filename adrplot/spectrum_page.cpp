@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace adore::adrplot {
@@ -17,6 +18,7 @@ using desktop::ChartCurve;
 using desktop::ChartPage;
 using desktop::ChartPanel;
 
+constexpr std::string_view kHere = "Nothing vibrates here: ";
 constexpr auto kStill = "Nothing vibrates here: the value does not change.";
 constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
 
@@ -50,7 +52,9 @@ struct Reason {
 void tell_reasons(ChartPage& chart, ChartPanel& panel, const std::vector<Reason>& reasons) {
   const bool drawn = std::any_of(panel.curves.begin(), panel.curves.end(),
                                  [](const ChartCurve& curve) { return !curve.y.empty(); });
-  const auto named = [](const std::string& name, const std::string& why) {
+  const auto named = [](const std::string& name, std::string why) {
+    // Not "here": the curve, or the panel with all of it.
+    if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
     return name.empty() ? why : name + ": " + why;
   };
   if (drawn) {
@@ -64,7 +68,10 @@ void tell_reasons(ChartPage& chart, ChartPanel& panel, const std::vector<Reason>
   const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
     return reason.why == reasons.front().why;
   });
-  if (!reasons.empty() && same) panel.message = reasons.front().why;
+  if (!reasons.empty() && same) {
+    panel.message = reasons.front().why;
+    if (panel.message.front() == 'n') panel.message.front() = 'N';
+  }
   if (same) return;
   panel.message.clear();
   for (const Reason& reason : reasons)
@@ -160,6 +167,17 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
     for (const ChartPanel& panel : chart.panels) add_note(chart, panel.message);
     chart.panels.clear();
   }
+}
+
+void tell_lines(ChartPage& chart, const std::vector<double>& distances, SpectrumScale scale) {
+  if (distances.empty()) return;
+  const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
+  std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
+  if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
+  const char* over = scale == SpectrumScale::Relative  ? "Each curve over its own largest line; l"
+                     : scale == SpectrumScale::Decibel ? "0 dB: each curve's own largest line; l"
+                                                       : "L";
+  add_note(chart, fmt::format("{}ines every {}, none below.", over, apart));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {

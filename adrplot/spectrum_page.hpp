@@ -23,6 +23,11 @@ void add_note(desktop::ChartPage& chart, const std::string& text);
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
                 const SpectrumOptions& options);
 
+/// Says in the note what the heights are relative to, and how far apart the spectra have lines
+/// [Hz]: left of the first one nothing is known, whatever is marked there.
+void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
+                SpectrumScale scale);
+
 /// The first view ends a little beyond the last amplitude above 1 % of its curve's largest.
 void first_view_of_spectra(desktop::ChartPage& chart, SpectrumScale scale);
 

@@ -1,5 +1,6 @@
 #include "adrplot/plot_document.hpp"
 #include "adrplot/spectrum_page.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/chart_scene.hpp"
 #include "results/channels.hpp"
 #include "support/qt_app.hpp"
@@ -226,7 +227,31 @@ TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit]
   race("contact.angle.outer", [](double& v, std::size_t) { v = 15.0; });
   page = page_with(file, "Race interactions 1", options);
   const std::string& message = page.panels.at(1).message;
-  CHECK(message.find("outer race: Nothing vibrates here") == 0);
-  CHECK(message.find("inner race: no values after ") != std::string::npos);
+  CHECK(message.find("outer race: the value does not change. inner race: no values after ") == 0);
   CHECK(page.note.find("missing") == std::string::npos);
+}
+
+TEST_CASE("pages: spectra say what their heights are of, and how far apart their lines stand",
+          "[unit][adrplot]") {
+  test::SyntheticRun made;
+  made.steps = 1001;
+  const results::SolFile file = test::synthetic_sol(SolKind::Element, made);
+  const double every = 1000.0 / (1001.0 * made.end_time());  // of 1001 samples [Hz]
+  const std::string apart = "ines every " + desktop::pretty_quantity(every, "Hz", 3);
+  PageOptions options;
+  options.domain = Domain::Spectrum;
+  for (const SpectrumScale scale :
+       {SpectrumScale::Relative, SpectrumScale::Units, SpectrumScale::Decibel}) {
+    options.spectrum.scale = scale;
+    const auto page = page_with(file, "Race interactions 1", options);
+    INFO(page.note);
+    CHECK(page.x.front() == Approx(every));
+    CHECK(page.note.find(apart) != std::string::npos);
+    CHECK((page.note.find("own largest line") != std::string::npos) ==
+          (scale != SpectrumScale::Units));
+  }
+  options.domain = Domain::Waterfall;
+  const auto fall = page_with(file, "Race interactions 1", options);
+  CHECK(fall.note.find("a point every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
+        std::string::npos);
 }
