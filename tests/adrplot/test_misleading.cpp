@@ -7,6 +7,7 @@
 #include "support/synthetic_results.hpp"
 
 #include <QGraphicsLineItem>
+#include <QGraphicsTextItem>
 #include <QPen>
 #include <catch2/catch.hpp>
 
@@ -254,4 +255,38 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
   const auto fall = page_with(file, "Race interactions 1", options);
   CHECK(fall.note.find("a point every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
         std::string::npos);
+}
+
+TEST_CASE("pages: what does not move says so, and has one dot for start and end", "[gui]") {
+  test::use_qt();
+  results::SolFile file = test::synthetic_sol(SolKind::Race);
+  const auto key = [](const desktop::ChartPage& page) {
+    desktop::ChartScene scene;
+    scene.setPageSize({700, 450});
+    scene.setPage(page);
+    for (const QGraphicsItem* item : scene.items())
+      if (const auto* text = dynamic_cast<const QGraphicsTextItem*>(item);
+          text != nullptr && text->toPlainText().contains("start"))
+        return text->toPlainText().toStdString();
+    return std::string();
+  };
+  auto orbit = page_with(file, "orbit");
+  CHECK(orbit.note.find("does not move") == std::string::npos);
+  CHECK(key(orbit).find("start and end") == std::string::npos);
+  set(file, "race.y", 0.0);
+  set(file, "race.z", 2e-5);
+  orbit = page_with(file, "orbit");
+  CHECK(orbit.note.find("does not move in this plane") != std::string::npos);
+  CHECK(key(orbit).find("start and end") != std::string::npos);
+  const auto still = [&] {
+    return page_with(file, "Mass centre velocities").note.find("does not move") !=
+           std::string::npos;
+  };
+  for (const char* id : {"race.whirl_speed", "race.radial_velocity"}) set(file, id, 0.0);
+  set(file, "race.axial_velocity", 1e-6);
+  CHECK_FALSE(still());
+  set(file, "race.axial_velocity", 1e-19);
+  CHECK(still());
+  set(file, "race.applied_moment", 0.0);
+  CHECK(page_with(file, "Applied moments").note == "Every value of this page is 0.");
 }
