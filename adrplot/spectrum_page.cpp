@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -115,7 +115,10 @@ bool only_rounding(const std::vector<double>& values, const std::string& unit, d
   if (!(high - low > least)) return true;
   if (high - low > kLastDigit * size) return false;
   return std::all_of(values.begin(), values.end(), [](double v) {
-    return !std::isfinite(v) || std::strtod(fmt::format("{:.7e}", v).c_str(), nullptr) == v;
+    const std::string text = fmt::format("{:.7e}", v);
+    double read = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    return !std::isfinite(v) || read == v;
   });
 }
 

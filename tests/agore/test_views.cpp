@@ -27,6 +27,16 @@ namespace {
 
 const QRect kPicture(0, 60, 780, 620);
 
+/// RESULTS.h5 of eight balls over 31 steps.
+void write_run(const testing::TemporaryFolder& folder) {
+  using namespace adore::testing;
+  const bearing::Bearing bearing = make_bearing(8);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+}
+
 }  // namespace
 
 TEST_CASE("views: bearing picture shows the frames, the arrow, the dashed circle and the asterisks",
@@ -201,12 +211,8 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
 TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
-  TemporaryFolder folder;
-  const bearing::Bearing bearing = make_bearing(8);
-  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
-  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
-  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
-  h5.close();
+  const TemporaryFolder folder;
+  write_run(folder);
   MotionPicture picture = open_animation(folder / "RESULTS.h5");
   const Animation& a = picture.animation();
   REQUIRE(picture.frames() == 31);
@@ -266,12 +272,8 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
           "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
-  TemporaryFolder folder;
-  const bearing::Bearing bearing = make_bearing(8);
-  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
-  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
-  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
-  h5.close();
+  const TemporaryFolder folder;
+  write_run(folder);
   MotionPicture picture = open_animation(folder / "RESULTS.h5");
   const auto& contacts = *picture.animation().contacts;
   CHECK(std::max(contacts.largest_of_race[0], contacts.largest_of_race[1]) ==
