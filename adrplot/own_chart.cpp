@@ -115,19 +115,21 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
     trim(one);
     desktop::ChartPage alone;
     alone.x = one.x;
-    alone.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
+    alone.panels = {{one.title, one.unit, {{"", one.y, {}}}, one.wraps}};
     to_spectra(alone, one.x, options);
     const bool has = !alone.panels.empty() && !alone.panels[0].curves[0].y.empty();
-    const std::string said = !alone.note.empty()           ? alone.note
-                             : has || alone.panels.empty() ? std::string()
-                                                           : alone.panels[0].message;
-    if (!said.empty()) add_note(page, curves.size() > 1 ? one.name + ": " + said : said);
+    if (!has && !alone.panels.empty()) add_note(alone, alone.panels[0].message);
+    if (!alone.note.empty())
+      add_note(page, curves.size() > 1 ? one.name + ": " + alone.note : alone.note);
     one.wraps = false;
     one.x = has ? alone.x : std::vector<double>();
     one.y = has ? alone.panels[0].curves[0].y : std::vector<double>();
     if (has) one.unit = alone.panels[0].unit;
   }
   std::erase_if(curves, [](const Taken& one) { return one.x.empty(); });
+  std::vector<double> distances;
+  for (const Taken& one : curves) distances.push_back(one.x.front());
+  tell_lines(page, distances, options.scale);
   page.title += ": amplitude spectrum";
   page.x_title = "Frequency";
   page.x_unit = "Hz";

@@ -89,11 +89,51 @@ void limit_detail(ChartPage& chart) {
   }
 }
 
+/// Between the least and the largest value; -infinity without any.
+double spread(const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values)
+    if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+  return high - low;
+}
+
+/// Coordinates of one place: a change below a ten-millionth of the largest one is rounding.
+void limit_components(ChartPage& chart) {
+  constexpr double kDetail = 1e-7;
+  double largest = 0.0;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves) largest = std::max(largest, spread(curve.y));
+  for (ChartPanel& panel : chart.panels)
+    panel.least_span = std::max(panel.least_span, kDetail * largest);
+}
+
+/// Is it 0 but for rounding (a thousandth of the least range of its axis)?
+bool is_nothing(double value, const std::string& unit) {
+  return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);
+}
+
+/// Flat lines at 0 say in words that they are what the run has.
+void tell_zeros(ChartPage& chart) {
+  bool any = false;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves)
+      for (const double v : curve.y) {
+        if (!std::isfinite(v)) continue;
+        if (!is_nothing(v, panel.unit)) return;
+        any = true;
+      }
+  if (!any) return;
+  const bool motion = chart.title.starts_with("Mass centre ");
+  add_note(chart, motion ? "The mass centre does not move: every value of this page is 0."
+                         : "Every value of this page is 0.");
+}
+
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
   add_panels(chart, file, page);
   limit_detail(chart);
+  tell_zeros(chart);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const auto band = context.bands.find(page.panels[p].curves[c].column);
@@ -133,6 +173,12 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
   panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
                           columns.values(across.curves.front().column).values});
+  // Less than an atom's size, or a billionth of a clearance, is no path.
+  const ChartCurve& path = panel.curves.front();
+  const double least = panel.unit.empty() ? 1e-9 : desktop::least_span_of(panel.unit);
+  const double width = spread(path.x), height = spread(path.y);
+  if (width >= 0.0 && height >= 0.0 && std::max(width, height) < least)
+    add_note(chart, "The mass centre does not move in this plane: start and end are one place.");
   chart.panels.push_back(std::move(panel));
 }
 
@@ -156,8 +202,17 @@ PageSpec spectrum_panels(const PageSpec& page) {
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const SpectrumOptions& options, const PageContext& context) {
   add_panels(chart, file, page);
+  limit_detail(chart);
+  if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
   to_spectra(chart, times(file), options);
+  // Nothing to read without a curve.
+  const bool drawn =
+      std::any_of(chart.panels.begin(), chart.panels.end(), [](const ChartPanel& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(),
+                           [](const ChartCurve& curve) { return !curve.y.empty(); });
+      });
+  if (drawn) tell_lines(chart, {chart.x.front()}, options.scale);
   first_view_of_spectra(chart, options.scale);
 }
 
@@ -192,6 +247,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
       } else if (options.domain == Domain::Waterfall) {
         const std::vector<double> turns = accumulated_turns(file);
         add_panels(chart, file, page);
+        limit_detail(chart);
         if (keeps_speed(times(file), turns)) add_marks(chart, file, context);
         to_waterfall(chart, times(file), turns, options.spectrum);
       } else {

@@ -1,7 +1,14 @@
 #include "adrplot/spectrum_page.hpp"
 
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <string_view>
 #include <utility>
 
 namespace adore::adrplot {
@@ -11,8 +18,64 @@ using desktop::ChartCurve;
 using desktop::ChartPage;
 using desktop::ChartPanel;
 
+constexpr std::string_view kHere = "Nothing vibrates here: ";
+constexpr auto kStill = "Nothing vibrates here: the value does not change.";
+constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
+
 bool any_value(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Where a curve that has some values has none, for it cannot have a spectrum; empty: it has all.
+std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
+  const auto missing = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }));
+  if (missing == 0 || values.size() != t.size()) return {};
+  const auto known = [](double v) { return std::isfinite(v); };
+  const auto first =
+      static_cast<std::size_t>(std::find_if(values.begin(), values.end(), known) - values.begin());
+  const auto behind =
+      static_cast<std::size_t>(values.rend() - std::find_if(values.rbegin(), values.rend(), known));
+  const auto seconds = [&](std::size_t i) { return desktop::pretty_quantity(t[i], "s", 3); };
+  std::string where = fmt::format("at {} of {} steps", missing, values.size());
+  if (missing == values.size() - behind) where = "after " + seconds(behind - 1);
+  if (missing == first) where = "before " + seconds(first);
+  return "no values " + where + ", so no frequency spectrum.";
+}
+
+/// Why a curve has no spectrum.
+struct Reason {
+  std::string curve, why;
+};
+
+/// In the panel when none of its curves is drawn, else in the page's note with the panel's name.
+void tell_reasons(ChartPage& chart, ChartPanel& panel, const std::vector<Reason>& reasons) {
+  const bool drawn = std::any_of(panel.curves.begin(), panel.curves.end(),
+                                 [](const ChartCurve& curve) { return !curve.y.empty(); });
+  const auto named = [](const std::string& name, std::string why) {
+    // Not "here": the curve, or the panel with all of it.
+    if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
+    return name.empty() ? why : name + ": " + why;
+  };
+  if (drawn) {
+    for (const Reason& reason : reasons)
+      add_note(chart,
+               panel.title + (reason.curve.empty() ? "" : ", ") + named(reason.curve, reason.why));
+    return;
+  }
+  if (reasons.empty() && panel.message.empty())
+    panel.message = "No values, so there is no frequency spectrum.";
+  const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
+    return reason.why == reasons.front().why;
+  });
+  if (!reasons.empty() && same) {
+    panel.message = reasons.front().why;
+    if (panel.message.front() == 'n') panel.message.front() = 'N';
+  }
+  if (same) return;
+  panel.message.clear();
+  for (const Reason& reason : reasons)
+    panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, reason.why);
 }
 
 /// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a
@@ -37,34 +100,65 @@ void add_note(ChartPage& chart, const std::string& text) {
   chart.note += (chart.note.empty() ? "" : " ") + text;
 }
 
+bool only_rounding(const std::vector<double>& values, const std::string& unit, double known) {
+  constexpr double kSmall = 1e-12, kPart = 1e-3, kDigits = 2e-13, kLastDigit = 1.1e-7;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  const double size = std::max(std::abs(low), std::abs(high));
+  const bool pure_or_power = unit.empty() || unit == "W" || unit == "in.lbf/s";
+  const double least = std::max(
+      {known, kDigits * size, pure_or_power ? kSmall : kPart * desktop::least_span_of(unit)});
+  if (!(high - low > least)) return true;
+  if (high - low > kLastDigit * size) return false;
+  return std::all_of(values.begin(), values.end(), [](double v) {
+    const std::string text = fmt::format("{:.7e}", v);
+    double read = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    return !std::isfinite(v) || read == v;
+  });
+}
+
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
   std::vector<double> frequency;
-  bool any = false;
   for (ChartPanel& panel : chart.panels) {
+    std::vector<Reason> reasons;  // of the curves without a spectrum
     for (ChartCurve& curve : panel.curves) {
-      const bool empty = !any_value(curve.y);
-      const Samples samples = equal_samples(t, curve.y);
+      const std::vector<double> stored = std::move(curve.y);
       curve.low.clear(), curve.high.clear();
       curve.y.clear();
-      if (!empty) add_note(chart, samples.note);
+      const auto none = [&](const std::string& why) { reasons.push_back({curve.name, why}); };
+      if (!any_value(stored)) continue;  // the panel has its reason
+      if (const std::string gaps = missing_values(t, stored); !gaps.empty()) {
+        none(gaps);
+        continue;
+      }
+      const Samples samples = equal_samples(t, stored);
+      add_note(chart, samples.note);
       if (samples.values.empty()) {
-        if (panel.message.empty()) panel.message = samples.note;
+        none(samples.note);
         continue;
       }
       Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, options.window);
+      frequency = spectrum.frequency;
       if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
                       [](double a) { return a == 0.0; })) {
-        panel.message = "Nothing vibrates here: the value does not change.";
-        frequency = std::move(spectrum.frequency);
-        any = true;
+        none(kStill);
+        continue;
+      }
+      if (only_rounding(stored, panel.unit, panel.least_span)) {
+        none(kRounding);
         continue;
       }
       scale_spectrum(spectrum, options.scale);
-      frequency = std::move(spectrum.frequency);
       curve.y = std::move(spectrum.amplitude);
-      any = true;
     }
+    tell_reasons(chart, panel, reasons);
     panel.wraps = false;
+    panel.least_span = 0.0;
     if (options.scale != SpectrumScale::Units)
       panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
   }
@@ -72,7 +166,21 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";
   chart.x_unit = "Hz";
-  if (!any) chart.panels.clear();
+  if (chart.x.empty()) {  // of no curve
+    for (const ChartPanel& panel : chart.panels) add_note(chart, panel.message);
+    chart.panels.clear();
+  }
+}
+
+void tell_lines(ChartPage& chart, const std::vector<double>& distances, SpectrumScale scale) {
+  if (distances.empty()) return;
+  const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
+  std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
+  if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
+  const char* over = scale == SpectrumScale::Relative  ? "Each curve over its own largest line; l"
+                     : scale == SpectrumScale::Decibel ? "0 dB: each curve's own largest line; l"
+                                                       : "L";
+  add_note(chart, fmt::format("{}ines every {}, none below.", over, apart));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {

@@ -12,9 +12,21 @@ namespace adore::adrplot {
 /// Appends a sentence to the page's note, once.
 void add_note(desktop::ChartPage& chart, const std::string& text);
 
-/// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum.
+/// What changes by no more than that is how the numbers are kept, not a vibration: a thousandth of
+/// the least range of an axis (1e-13 m, 1e-9 N; 1e-12 W or of a pure number), `known` of its
+/// panel, 2e-13 of the values' size, or the last of the eight digits of a text file.
+[[nodiscard]] bool only_rounding(const std::vector<double>& values, const std::string& unit,
+                                 double known);
+
+/// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum. One
+/// without leaves its reason in its panel, or in the page's note beside curves that have one.
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
                 const SpectrumOptions& options);
+
+/// Says in the note what the heights are relative to, and how far apart the spectra have lines
+/// [Hz]: left of the first one nothing is known, whatever is marked there.
+void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
+                SpectrumScale scale);
 
 /// The first view ends a little beyond the last amplitude above 1 % of its curve's largest.
 void first_view_of_spectra(desktop::ChartPage& chart, SpectrumScale scale);

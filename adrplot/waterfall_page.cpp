@@ -1,5 +1,6 @@
 #include "adrplot/waterfall_page.hpp"
 
+#include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -72,6 +73,13 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   const Samples samples = equal_samples(times, source.curves.front().y);
   page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
   page.panels.clear();
+  if (!samples.values.empty() &&
+      only_rounding(source.curves.front().y, source.unit, source.least_span)) {
+    page.note += (page.note.empty() ? "" : " ") + source.title +
+                 ": nothing vibrates here; what changes, if anything, is the rounding of the "
+                 "numbers.";
+    return;
+  }
   const Waterfall fall = waterfall(samples, options.window);
   if (fall.time.empty()) return;
   double largest = 0.0;
@@ -95,16 +103,18 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.view_high = last_visible(fall, largest);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
-  page.note += fmt::format(
-      "{}{} spectra of {}{}{}, {} to {}; {} from line to line.", page.note.empty() ? "" : " ",
-      fall.time.size(), source.title, source.curves.front().name.empty() ? "" : ", ",
-      source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
-      desktop::pretty_quantity(fall.time.back(), "s", 3) +
-          (steady ? std::string()
-                  : fmt::format(" ({:.4g} to {:.4g} rpm)",
-                                60.0 * speed_at(times, turns, fall.time.front()),
-                                60.0 * speed_at(times, turns, fall.time.back()))),
-      desktop::pretty_quantity(kDistance * largest, source.unit, 3));
+  page.note +=
+      fmt::format("{}{} spectra of {}{}{}, {} to {}; {} from curve to curve, a point every {}.",
+                  page.note.empty() ? "" : " ", fall.time.size(), source.title,
+                  source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
+                  desktop::pretty_quantity(fall.time.front(), "s", 3),
+                  desktop::pretty_quantity(fall.time.back(), "s", 3) +
+                      (steady ? std::string()
+                              : fmt::format(" ({:.4g} to {:.4g} rpm)",
+                                            60.0 * speed_at(times, turns, fall.time.front()),
+                                            60.0 * speed_at(times, turns, fall.time.back()))),
+                  desktop::pretty_quantity(kDistance * largest, source.unit, 3),
+                  desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   page.panels.push_back(std::move(panel));
 }
 

@@ -170,6 +170,7 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
         contacts[k].load[j] = load->at(i, 2 * k + j);
         contacts[k].slip[j] = slip->at(i, 2 * k + j);
         out.largest_load = std::max(out.largest_load, contacts[k].load[j]);
+        out.largest_of_race[j] = std::max(out.largest_of_race[j], contacts[k].load[j]);
       }
   }
   return out;

@@ -49,6 +49,7 @@ struct ContactFrames {
   double largest_load = 0.0;                      ///< over all frames and elements
   int pocket_code = 0;                            ///< kPocType
   double roller_length = 0.0;                     ///< in the file's unit; 0 for balls
+  std::array<double, 2> largest_of_race{};        ///< of largest_load, by race
 };
 
 struct Animation {

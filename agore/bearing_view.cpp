@@ -47,7 +47,7 @@ QString frame_name(const Scene& s) {
 void draw_trails(const Scene& s) {
   QPainter& p = s.sketch.painter();
   p.setBrush(Qt::NoBrush);
-  p.setPen(QPen(s.sketch.theme().accent, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setPen(QPen(trail_colour(s), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     QPolygonF line;
     for (const TrailPoint& point : element_trail(s, k))
@@ -133,14 +133,12 @@ void bearing_view(const Scene& s) {
   std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
   if (s.animation.has_cage) {
     key.push_back({t.green, frame_name(s)});
-    key.push_back({t.red, "contacts of the cage"});
+    key.push_back({t.red, "contact directions of the cage"});
   }
+  if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
   if (s.options.contacts && s.animation.contacts) {
     key.push_back(
-        {t.curves[0], QString::fromStdString(fmt::format(
-                          "race loads, longest arrow {}",
-                          desktop::pretty_quantity(s.animation.contacts->largest_load,
-                                                   s.animation.contacts->load_unit, 3)))});
+        {t.curves[0], "race loads" + longest_load(s, s.animation.contacts->largest_load)});
   } else if (s.options.contacts) {
     key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }
@@ -167,8 +165,8 @@ void cage_view(const Scene& s) {
                                                : QString("orbit of the mass centre");
   std::vector<KeyEntry> key{
       {t.green, frame_name(s)},
-      {t.red, s.animation.guide_clearance > 0.0 ? "contacts; dashed: guide clearance"
-                                                : "contacts; no guide land"},
+      {t.red, s.animation.guide_clearance > 0.0 ? "contact directions; dashed: clearance"
+                                                : "contact directions; no guide land"},
       {t.curves[0], s.animation.guide_clearance > 0.0 ? way : way + " about its middle"}};
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(

@@ -1,5 +1,6 @@
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,13 @@ QPointF element_centre(const Scene& s, std::size_t k) {
                 across(std::cos(a), std::sin(a));  // z and y axes of the pocket
   return s.place(s.animation.cage_of(s.index, k)) + radial * s.pitch_radius() +
          (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
+}
+
+QColor trail_colour(const Scene& s) { return s.sketch.theme().curves[3]; }
+
+QString longest_load(const Scene& s, double load) {
+  return QString::fromStdString(", longest of the run " +
+                                desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 
 std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {

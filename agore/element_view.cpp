@@ -70,7 +70,7 @@ void element_view(const Scene& s) {
     if (i == 0 || swept > kPi) break;
     swept += std::abs(std::remainder(e.theta - way[i - 1].elements.at(k).theta, 2.0 * kPi));
   }
-  s.sketch.painter().setPen(QPen(t.accent, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  s.sketch.painter().setPen(QPen(trail_colour(s), 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   s.sketch.painter().setBrush(Qt::NoBrush);
   s.sketch.painter().drawPolyline(trail);
   const QPointF centre = element_centre(s, k);
@@ -82,7 +82,7 @@ void element_view(const Scene& s) {
   const double aside = s.animation.contacts ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);
-  std::vector<KeyEntry> key{{t.blue, "inner race frame"}};
+  std::vector<KeyEntry> key{{t.blue, "inner race frame"}, {trail_colour(s), "way of the element"}};
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_contacts);
   if (s.animation.contacts) {
     draw_contact_loads(s, k, centre, key);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace adore::agore {
 
@@ -176,6 +177,16 @@ std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t rac
       0.5 * size_length(animation, race == 0 ? "outer_race_width" : "inner_race_width",
                         balls ? 2.2 * g.element_radius : 2.6 * roller_profile(animation).half);
   return balls ? ball_ring(animation, race, half, far) : roller_ring(animation, race, half, far);
+}
+
+std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {
+  std::vector<QPointF> out;
+  for (const RingColumn& column : profile) out.emplace_back(column.x, column.near);
+  for (auto column = profile.rbegin(); column != profile.rend(); ++column) {
+    const bool end = column == profile.rbegin() || std::next(column) == profile.rend();
+    if (end || column->far != profile.front().far) out.emplace_back(column->x, column->far);
+  }
+  return out;
 }
 
 CageProfile cage_profile(const Animation& animation) {

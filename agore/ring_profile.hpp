@@ -26,6 +26,10 @@ struct RingColumn {
 /// Race 0 (outer) or 1 (inner) where it stands without displacement, from -x to +x.
 [[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race);
 
+/// Its corners (x, r) in turn. The far side is one straight line: where a leaning roller's end
+/// overhangs, columns go back, and the far side would be drawn there three times.
+[[nodiscard]] std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile);
+
 /// A roller along its axis u from mid length: half length, radius at mid length, taper, crown.
 struct RollerProfile {
   double half = 0.0, radius = 0.0, slope = 0.0, crown = 0.0, mass_centre = 0.0;

@@ -46,10 +46,8 @@ void draw_ring(const Scene& s, const Cut& cut, std::size_t race, double azimuth)
   const auto& body = s.frame.races[race];
   const double dx = body.position[0], dr = outward(body, azimuth);
   QPolygonF ring;
-  const auto profile = ring_profile(s.animation, race);
-  for (const RingColumn& column : profile) ring.append(cut.at(column.x + dx, column.near + dr));
-  for (auto column = profile.rbegin(); column != profile.rend(); ++column)
-    ring.append(cut.at(column->x + dx, column->far + dr));
+  for (const QPointF& p : ring_outline(ring_profile(s.animation, race)))
+    ring.append(cut.at(p.x() + dx, p.y() + dr));
   QPainterPath path;
   path.addPolygon(ring);
   path.closeSubpath();

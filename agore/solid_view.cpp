@@ -382,12 +382,13 @@ void solid_view(const Scene& s, SolidLayer& layer) {
       QPolygonF line;
       for (const TrailPoint& point : element_trail(s, k))
         line.append(at({point.x, point.centre.x(), point.centre.y()}));
-      p.setPen(QPen(t.accent, 1.8));
+      p.setPen(QPen(trail_colour(s), 1.8));
       p.drawPolyline(line);
     }
   std::vector<KeyEntry> key;
   if (outer_spot_shown(s, eye)) key.push_back({t.light_blue, "spot of the outer race"});
   key.push_back({t.blue, "spot of the inner race"});
+  if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
   if (s.options.contacts && s.animation.contacts && s.animation.contacts->largest_load > 0.0) {
     const auto& contacts = s.animation.contacts->frames.at(s.index);
     const double radius = s.geometry().element_radius;
@@ -402,13 +403,9 @@ void solid_view(const Scene& s, SolidLayer& layer) {
         const Vec3 tip = element_place(s, k) + radius * u, tail = tip + 1.3 * part * radius * u;
         s.sketch.arrow(at(tail), at(tip), t.curves[j], 2.6);
       }
-    for (const auto& [j, name] :
-         {std::pair<std::size_t, const char*>{0, "outer race loads"}, {1, "inner race loads"}})
-      key.push_back(
-          {t.curves[j], QString::fromStdString(fmt::format(
-                            "{}, longest {}", name,
-                            desktop::pretty_quantity(s.animation.contacts->largest_load,
-                                                     s.animation.contacts->load_unit, 3)))});
+    const auto& largest = s.animation.contacts->largest_of_race;
+    key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
+    key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   }
   if (s.options.colour != ColourBy::None)
     draw_scale(s.sketch, colouring(s.animation, s.index, s.options.colour));

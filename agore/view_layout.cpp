@@ -44,15 +44,16 @@ namespace {
 
 /// Lines that the key of a view has at most, about 260 pixels wide.
 int key_lines(const Animation& animation, const ViewOptions& options) {
-  const int loads = options.contacts ? 1 : 0;
+  const int loads = options.contacts ? 1 : 0, trails = options.trails ? 1 : 0;
   switch (options.view) {
     case View::Bearing:
-      return 3 + (animation.has_cage ? 2 : 0) + loads;
+      return 3 + (animation.has_cage ? 2 : 0) + loads + trails;
     case View::Solid:
-      return 3 + 2 * loads;
+      return 3 + 2 * loads + trails;
     case View::Cage:
-    case View::Element:
       return 4;
+    case View::Element:
+      return 5;
     case View::Pocket:
     case View::Section:
     case View::Flange:
@@ -74,7 +75,7 @@ double key_width(const ViewOptions& options) {
     case View::InnerRace:
       return 400.0;
     default:
-      return options.contacts ? 240.0 : 210.0;
+      return options.contacts ? 260.0 : 215.0;
   }
 }
 

@@ -65,6 +65,12 @@ struct TrailPoint {
   double x = 0.0;
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
+/// Told apart from loads, frames and marks with every colour vision.
+[[nodiscard]] QColor trail_colour(const Scene& scene);
+
+/// ", longest of the run 390 N", for a key: all arrows of loads are on one scale, and that one may
+/// not be in the frame that is drawn.
+[[nodiscard]] QString longest_load(const Scene& scene, double load);
 
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});

@@ -87,6 +87,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     addCurve(circle, area, x_axis, y_axis, pen);
   }
   int colour = 0;
+  bool one_place = true;  // start and end of every curve
   for (const auto& curve : panel.curves) {
     if (curve.hidden) {
       ++colour;
@@ -116,15 +117,22 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     draw_piece();
     ++colour;
     if (line.x.empty() || page_.closed_outline) continue;
-    const auto dot = [&](std::size_t i, const QColor& fill) {
+    const auto place = [&](std::size_t i) {
       const double px = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /
                                           (x_axis.max - x_axis.min) * area.width();
       const double py = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
                                             (y_axis.max - y_axis.min) * area.height();
-      addEllipse(QRectF(px - 5, py - 5, 10, 10), QPen(theme_->surface, 1.5), fill)->setZValue(5);
+      return QPointF(px, py);
     };
-    dot(0, theme_->green);
-    dot(line.x.size() - 1, theme_->red);
+    const auto dot = [&](const QPointF& at, const QColor& fill) {
+      addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), QPen(theme_->surface, 1.5), fill)
+          ->setZValue(5);
+    };
+    const QPointF start = place(0), end = place(line.x.size() - 1);
+    constexpr qreal kSame = 1.0;
+    one_place = one_place && QLineF(start, end).length() < kSame;
+    dot(start, theme_->green);
+    dot(end, theme_->red);
   }
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
@@ -142,13 +150,16 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   auto* key = addText(QString());
   key->setFont(ui_font(m.text_font));
   key->setDefaultTextColor(theme_->muted);
-  key->setHtml(
-      QString("<span style='color:%1'>●</span> start &nbsp; <span style='color:%2'>●</span> end%3")
-          .arg(theme_->green.name(), theme_->red.name(),
-               page_.guide_radius > 0.0
-                   ? QString(" &nbsp; <span style='color:%1'>– –</span> clearance")
-                         .arg(theme_->curves[1].name())
-                   : QString()));
+  const auto entry = [](const char* sign, const QColor& ink, const char* name) {
+    return QString("<span style='color:%1'>%2</span> %3").arg(ink.name(), sign, name);
+  };
+  QStringList entries;
+  if (one_place)
+    entries << entry("●", theme_->red, "start and end");
+  else
+    entries << entry("●", theme_->green, "start") << entry("●", theme_->red, "end");
+  if (page_.guide_radius > 0.0) entries << entry("– –", theme_->curves[1], "clearance");
+  key->setHtml(entries.join(" &nbsp; "));
   key->setPos(area.right() - key->boundingRect().width(),
               area.top() - key->boundingRect().height());
 }

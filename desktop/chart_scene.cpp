@@ -329,10 +329,11 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   addChart(area, x_axis_, y_axis, x_title, y_title, bottom, m);
   int colour = -1;
+  std::vector<QPolygonF> drawn;
   for (const auto& curve : panel.curves) {
     colour = panel.one_colour ? 0 : colour + 1;
     if (curve.hidden) continue;
-    if (!curve.low.empty()) addBand(curve, area, y_axis, colour);
+    if (!curve.low.empty()) addBand(curve, area, y_axis, colour, drawn);
     std::vector<double> positive;
     if (panel.log) {
       positive = curve.y;
@@ -346,7 +347,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
             ? nullptr
             : &blocks_[index][static_cast<std::size_t>(&curve - panel.curves.data())]);
     for (const auto& piece : pieces) {
-      addCurve(piece, area, x_axis_, y_axis, penOf(colour, m.line, curve.dashed));
+      drawn.push_back(addCurve(piece, area, x_axis_, y_axis, penOf(colour, m.line, curve.dashed)));
       // A value between gaps has no line: it is a point.
       if (page_.points || piece.x.size() == 1)
         addPoints(piece, area, x_axis_, y_axis, colour, m.line);
@@ -356,21 +357,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
   else if (panel.log && std::all_of(panel.curves.begin(), panel.curves.end(), nothing_above_0))
     addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
-  if (!y_axis.offset_text.empty()) {
-    auto* base =
-        addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));
-    base->setBrush(theme_->accent);
-    // Beside the legend, or below it where that needs the width.
-    const bool beside = head + base->boundingRect().width() + 8.0 < legend;
-    base->setPos(beside ? head : area.left() + 4.0,
-                 area.top() + (beside ? -base->boundingRect().height() - 3.0 : 2.0));
-    if (!beside) {  // readable above a curve that passes there
-      QColor paper = theme_->surface;
-      paper.setAlpha(215);
-      base->setZValue(1.0);
-      addRect(base->sceneBoundingRect(), Qt::NoPen, paper);
-    }
-  }
+  if (!y_axis.offset_text.empty()) addBase(y_axis, area, head, legend, drawn, m);
   if (any) addMarks(area, index == 0, legend, m);  // lines across a message hide its words
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
@@ -379,7 +366,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
 /// The extremes between the values, as a pale area that the lowest and highest value of each column
 /// of pixels bound.
 void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis,
-                         int colour) {
+                         int colour, std::vector<QPolygonF>& drawn) {
   const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
   struct Column {
     qreal x = 0.0;
@@ -402,6 +389,7 @@ void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const Axis
     QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
     fill.setAlpha(70);
     addPolygon(outline, QPen(Qt::NoPen), fill);
+    drawn.push_back(std::move(outline));
     columns.clear();
   };
   for (std::size_t i = 0; i < count; ++i) {
@@ -546,8 +534,8 @@ QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
   return pen;
 }
 
-void ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                          const AxisScale& y_axis, QPen pen) {
+QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                               const AxisScale& y_axis, QPen pen) {
   QPolygonF points;
   points.reserve(static_cast<qsizetype>(line.x.size()));
   // Far outside a picture numbers are too large for the painter.
@@ -558,8 +546,9 @@ void ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisSc
     points.append({area.left() + std::clamp(x * area.width(), -kFar, kFar),
                    area.bottom() - std::clamp(y * area.height(), -kFar, kFar)});
   }
-  addItem(new LineItem(std::move(points), area.adjusted(-1, -1, 1, 1), std::move(pen)));
+  addItem(new LineItem(points, area.adjusted(-1, -1, 1, 1), std::move(pen)));
   if (!lines_.empty()) ++lines_.back();
+  return points;
 }
 
 void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,

@@ -5,6 +5,7 @@
 #include "desktop/theme.hpp"
 
 #include <QGraphicsScene>
+#include <QPolygonF>
 
 #include <optional>
 #include <utility>
@@ -90,7 +91,13 @@ class ChartScene : public QGraphicsScene {
   void rebuild();
   void addHeading(const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
-  void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour);
+  /// Appends the outlines that it has drawn.
+  void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour,
+               std::vector<QPolygonF>& drawn);
+  /// The value that the numbers of the axis are counted from: beside the legend, shorter where
+  /// there is little room, else in the corner of the panel that hides least of what is drawn.
+  void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
+               const std::vector<QPolygonF>& drawn, const Metrics& m);
   void addOrbit(const QRectF& space, const Metrics& m);
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
   /// Returns its left end.
@@ -104,9 +111,9 @@ class ChartScene : public QGraphicsScene {
   void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
                  const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
   /// A line inside `area`, drawn by ourselves: Qt Charts makes an outline of every line for the
-  /// mouse, which takes most of the time of moving along a long run.
-  void addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                const AxisScale& y_axis, QPen pen);
+  /// mouse, which takes most of the time of moving along a long run. Returns it in the scene.
+  QPolygonF addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                     const AxisScale& y_axis, QPen pen);
   [[nodiscard]] QPen penOf(int colour, qreal width, bool dashed = false) const;
   void studyCurves();
   void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,

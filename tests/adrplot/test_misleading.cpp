@@ -1,15 +1,20 @@
 #include "adrplot/plot_document.hpp"
+#include "adrplot/spectrum_page.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/chart_scene.hpp"
 #include "results/channels.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
 
 #include <QGraphicsLineItem>
+#include <QGraphicsTextItem>
 #include <QPen>
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 /// What a file stores and nothing computed is not drawn as a result.
 using namespace adore;
@@ -149,4 +154,139 @@ TEST_CASE("pages: the orbit of a cage without guide lands has no circle of clear
   const desktop::ChartPage guided = page_with(file, "orbit");
   CHECK(guided.guide_radius == 1.0);
   CHECK(guided.note.find("no guide land") == std::string::npos);
+}
+
+TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplot]") {
+  // A sine of every column's own size has lines; one of its last digits, about it or 0, has none.
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    const results::SolFile base = test::synthetic_sol(kind);
+    const auto drawn = [&](double middle, double swing, Domain domain) {
+      results::SolFile file = base;
+      for (std::size_t i = 0; i < file.steps.size(); ++i)
+        for (double& value : file.steps[i].values)
+          value = middle + swing * std::sin(0.3 * static_cast<double>(i));
+      const PlotDocument document = make_document(file);
+      PageOptions options;
+      options.domain = domain;
+      std::set<std::string> titles;
+      for (std::size_t p = 0; p < document.pages.size(); ++p) {
+        if (document.pages[p].kind == PageKind::Orbit) continue;
+        const auto page = document.build(static_cast<int>(p) + 1, options);
+        for (const auto& panel : page.panels)
+          for (const auto& curve : panel.curves)
+            if (!curve.y.empty()) titles.insert(page.title + ", " + panel.title);
+      }
+      return titles;
+    };
+    for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+      INFO(static_cast<int>(kind) << " " << static_cast<int>(domain));
+      CHECK(drawn(2.0, 1.0, domain).size() > 2);
+      CHECK(drawn(0.0, 1e-17, domain) == std::set<std::string>());
+      CHECK(drawn(2.0, 4e-16, domain) == std::set<std::string>());
+    }
+  }
+  // Beside the other coordinates of the place.
+  results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "cage.x_over_clearance")
+      for (std::size_t i = 0; i < file.steps.size(); ++i)
+        file.steps[i].values[c] = 1e-11 * std::sin(0.3 * static_cast<double>(i));
+  const auto spectrum = page_with(file, "spectrum");
+  REQUIRE(spectrum.panels.at(2).title == "X");
+  CHECK(spectrum.panels[2].message.find("Nothing vibrates here: what changes is the rounding") ==
+        0);
+  CHECK(spectrum.panels[2].curves.at(0).y.empty());
+  CHECK_FALSE(spectrum.panels[0].curves.at(0).y.empty());
+  // The last digit of a text file.
+  const std::vector<double> text(20, 1.4984284e-4);
+  std::vector<double> last = text, between = text;
+  last[7] = 1.4984285e-4;
+  between[7] = 1.49842845e-4;
+  CHECK(only_rounding(last, "m", 0.0));
+  CHECK_FALSE(only_rounding(between, "m", 0.0));
+}
+
+TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  const auto columns = results::sol_columns(file.header);
+  const auto race = [&](const std::string& id, auto&& change) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].id == id)
+        for (std::size_t i = 0; i < file.steps.size(); ++i) change(file.steps[i].values[c], i);
+  };
+  PageOptions options;
+  options.domain = Domain::Spectrum;
+  // Open contacts have no angle.
+  race("contact.load.inner", [](double& v, std::size_t i) {
+    v = i < 600 ? 100.0 + 9.0 * std::sin(0.1 * static_cast<double>(i)) : 0.0;
+  });
+  auto page = page_with(file, "Race interactions 1", options);
+  REQUIRE(page.panels.at(1).title == "Contact angle");
+  CHECK_FALSE(page.panels[1].curves.at(0).y.empty());
+  CHECK(page.note.find("Contact angle, inner race: no values after ") != std::string::npos);
+  race("contact.angle.outer", [](double& v, std::size_t) { v = 15.0; });
+  page = page_with(file, "Race interactions 1", options);
+  const std::string& message = page.panels.at(1).message;
+  CHECK(message.find("outer race: the value does not change. inner race: no values after ") == 0);
+  CHECK(page.note.find("missing") == std::string::npos);
+}
+
+TEST_CASE("pages: spectra say what their heights are of, and how far apart their lines stand",
+          "[unit][adrplot]") {
+  test::SyntheticRun made;
+  made.steps = 1001;
+  const results::SolFile file = test::synthetic_sol(SolKind::Element, made);
+  const double every = 1000.0 / (1001.0 * made.end_time());  // of 1001 samples [Hz]
+  const std::string apart = "ines every " + desktop::pretty_quantity(every, "Hz", 3);
+  PageOptions options;
+  options.domain = Domain::Spectrum;
+  for (const SpectrumScale scale :
+       {SpectrumScale::Relative, SpectrumScale::Units, SpectrumScale::Decibel}) {
+    options.spectrum.scale = scale;
+    const auto page = page_with(file, "Race interactions 1", options);
+    INFO(page.note);
+    CHECK(page.x.front() == Approx(every));
+    CHECK(page.note.find(apart) != std::string::npos);
+    CHECK((page.note.find("own largest line") != std::string::npos) ==
+          (scale != SpectrumScale::Units));
+  }
+  options.domain = Domain::Waterfall;
+  const auto fall = page_with(file, "Race interactions 1", options);
+  CHECK(fall.note.find("a point every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
+        std::string::npos);
+}
+
+TEST_CASE("pages: what does not move says so, and has one dot for start and end", "[gui]") {
+  test::use_qt();
+  results::SolFile file = test::synthetic_sol(SolKind::Race);
+  const auto key = [](const desktop::ChartPage& page) {
+    desktop::ChartScene scene;
+    scene.setPageSize({700, 450});
+    scene.setPage(page);
+    for (const QGraphicsItem* item : scene.items())
+      if (const auto* text = dynamic_cast<const QGraphicsTextItem*>(item);
+          text != nullptr && text->toPlainText().contains("start"))
+        return text->toPlainText().toStdString();
+    return std::string();
+  };
+  auto orbit = page_with(file, "orbit");
+  CHECK(orbit.note.find("does not move") == std::string::npos);
+  CHECK(key(orbit).find("start and end") == std::string::npos);
+  set(file, "race.y", 0.0);
+  set(file, "race.z", 2e-5);
+  orbit = page_with(file, "orbit");
+  CHECK(orbit.note.find("does not move in this plane") != std::string::npos);
+  CHECK(key(orbit).find("start and end") != std::string::npos);
+  const auto still = [&] {
+    return page_with(file, "Mass centre velocities").note.find("does not move") !=
+           std::string::npos;
+  };
+  for (const char* id : {"race.whirl_speed", "race.radial_velocity"}) set(file, id, 0.0);
+  set(file, "race.axial_velocity", 1e-6);
+  CHECK_FALSE(still());
+  set(file, "race.axial_velocity", 1e-19);
+  CHECK(still());
+  set(file, "race.applied_moment", 0.0);
+  CHECK(page_with(file, "Applied moments").note == "Every value of this page is 0.");
 }

@@ -160,3 +160,19 @@ TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]
   CHECK(options.tile(1).zoom == 2.0);
   CHECK(options.tile(1).beside.empty());
 }
+
+TEST_CASE("ring_profile: an overhanging flange leaves no trace on the far side", "[unit][agore]") {
+  // A roller's end that leans: the columns go back from 2 to 1.5.
+  const std::vector<RingColumn> profile{
+      {0.0, 6.0, 1.0}, {2.0, 5.5, 1.0}, {1.5, 4.0, 1.0}, {5.0, 3.0, 1.0}, {6.0, 2.8, 1.0}};
+  const auto outline = ring_outline(profile);
+  double along = 0.0;
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const QPointF &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if (a.y() == 1.0 && b.y() == 1.0) along += std::abs(a.x() - b.x());
+    near += a.y() > 1.0 ? 1 : 0;
+  }
+  CHECK(along == Approx(6.0));  // once; it was 7
+  CHECK(near == profile.size());
+}

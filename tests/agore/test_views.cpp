@@ -7,6 +7,7 @@
 #include "agore/view_scene.hpp"
 #include "base/errors.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/axis_scale.hpp"
 #include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -25,6 +26,16 @@ using test::short_run;
 namespace {
 
 const QRect kPicture(0, 60, 780, 620);
+
+/// RESULTS.h5 of eight balls over 31 steps.
+void write_run(const testing::TemporaryFolder& folder) {
+  using namespace adore::testing;
+  const bearing::Bearing bearing = make_bearing(8);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+}
 
 }  // namespace
 
@@ -200,12 +211,8 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
 TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
-  TemporaryFolder folder;
-  const bearing::Bearing bearing = make_bearing(8);
-  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
-  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
-  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
-  h5.close();
+  const TemporaryFolder folder;
+  write_run(folder);
   MotionPicture picture = open_animation(folder / "RESULTS.h5");
   const Animation& a = picture.animation();
   REQUIRE(picture.frames() == 31);
@@ -259,4 +266,45 @@ TEST_CASE("views: a bearing whose cage has no land shows loads beside it, not an
   REQUIRE(page.panels.size() == 1);
   CHECK(page.panels[0].message.empty());
   CHECK(page.panels[0].curves.size() == 2);
+}
+
+TEST_CASE("views: ways of elements, loads and contacts of the cage are named in the key",
+          "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  const TemporaryFolder folder;
+  write_run(folder);
+  MotionPicture picture = open_animation(folder / "RESULTS.h5");
+  const auto& contacts = *picture.animation().contacts;
+  CHECK(std::max(contacts.largest_of_race[0], contacts.largest_of_race[1]) ==
+        contacts.largest_load);
+  REQUIRE(contacts.largest_of_race[0] != contacts.largest_of_race[1]);
+  ViewOptions options;
+  options.contacts = options.trails = true;
+  const auto words = [&](View view) {
+    options.view = view;
+    return picture.svg({1280, 800}, 20, options);
+  };
+  const auto load = [&](double value) {
+    return QByteArray::fromStdString(desktop::pretty_quantity(value, contacts.load_unit, 3));
+  };
+  const QByteArray front = words(View::Bearing), solid = words(View::Solid),
+                   element = words(View::Element), cage = words(View::Cage);
+  for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("ways of the elements"));
+  CHECK(element.contains("way of the element"));
+  CHECK(front.contains("race loads, longest of the run " + load(contacts.largest_load)));
+  for (const std::size_t race : {0U, 1U})
+    CHECK(solid.contains((race == 0 ? "outer" : "inner") +
+                         QByteArray(" race loads, longest of the run ") +
+                         load(contacts.largest_of_race[race])));
+  // Arrows of contacts are as long as the cage's radius, whatever the force.
+  CHECK(front.contains("contact directions of the cage"));
+  CHECK(cage.contains("contact directions"));
+  // The ways are drawn in the colour of their name.
+  options.view = View::Bearing;
+  const QColor way = theme_of(options).curves[3];
+  const QImage with = picture.image({1280, 800}, 20, options);
+  options.trails = false;
+  CHECK(pixels_of(with, QRect(0, 60, 780, 480), way) > 20);  // beside that in the key
+  CHECK(pixels_of(picture.image({1280, 800}, 20, options), kPicture, way) == 0);
 }

@@ -93,3 +93,39 @@ TEST_CASE("chart_scene: an axis title too long for its panel stands above it, wh
   REQUIRE(shown("Load [K]") != nullptr);
   CHECK(shown("Load [K]")->rotation() == -90.0);
 }
+
+TEST_CASE("chart_scene: the base of an axis hides no curve while one corner of its panel is free",
+          "[gui]") {
+  test::use_qt();
+  desktop::ChartScene scene(desktop::ChartStyle::Compact);
+  // A curve that leaves one corner free, which depends on its shape; names leave little room.
+  for (const auto& [width, names] : {std::pair{300.0, "at -x"}, {300.0, "a longer name"}})
+    for (int shape = 0; shape < 4; ++shape) {
+      desktop::ChartPage page;
+      page.x_title = "Time";
+      std::vector<double> y;
+      for (int i = 0; i <= 200; ++i) {
+        page.x.push_back(i);
+        const double along = shape % 2 == 0 ? i / 200.0 : 1.0 - i / 200.0;
+        const double rise = 1.0 - std::exp(-8.0 * along);
+        y.push_back(25e-6 + 4e-8 * (shape < 2 ? rise : 1.0 - rise));
+      }
+      page.panels.push_back({"Gap", "m", {{names, y, {}}, {names, y, {}}}});
+      scene.setPageSize(QSizeF(width, 240));
+      scene.setPage(page);
+      const QGraphicsSimpleTextItem* base = nullptr;
+      for (const QGraphicsItem* item : scene.items())
+        if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item);
+            words != nullptr && words->text().contains("from 25"))
+          base = words;
+      REQUIRE(base != nullptr);
+      INFO(names << ", shape " << shape);
+      int hidden = 0;
+      for (std::size_t i = 0; i < y.size(); ++i)
+        if (base->sceneBoundingRect().contains(scene.positionOf(page.x[i]),
+                                               scene.heightOf(0, y[i])))
+          ++hidden;
+      CHECK(hidden == 0);
+      CHECK(desktop::text_faults(scene).empty());
+    }
+}

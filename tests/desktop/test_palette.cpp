@@ -73,6 +73,11 @@ TEST_CASE("theme: curves and marks are told apart with every colour vision, in b
         }
       CHECK(distance(theme.red, theme.green, eye) > 15.0);        // start and end of an orbit
       CHECK(distance(theme.blue, theme.light_blue, eye) > 10.0);  // frames of the races
+      for (const QColor& mark : {theme.red, theme.green, theme.blue, theme.light_blue, theme.cage,
+                                 theme.steel_light, theme.steel_dark}) {
+        INFO("ways of elements and " << mark.name().toStdString());
+        CHECK(distance(theme.curves[3], mark, eye) > 10.0);
+      }
     }
     // Thin lines on their ground, text-like marks better than that.
     for (const QColor& curve : theme.curves) CHECK(contrast(curve, theme.surface) > 2.5);
