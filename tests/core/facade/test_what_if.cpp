@@ -134,7 +134,10 @@ TEST_CASE(
   // Named is what there is: no flanges of balls, no pockets without a cage.
   const auto damped = [](const char* sets) {
     DeckRequest request = ball({{"contactDamping", "0.2"}});
-    if (*sets != '\0') request.sets.emplace_back("nCseg", sets);
+    if (*sets != '\0')
+      for (const auto& [variable, value] :
+           {std::pair{"nCseg", sets}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}})
+        request.sets.emplace_back(variable, value);
     return entry(facade::prepare(request), "ball / race damping").because;
   };
   CHECK_THAT(damped(""), Catch::Contains("in pockets") && !Catch::Contains("flanges") &&
