@@ -346,13 +346,16 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       one.spin = std::min(heat_of(flat), all);
       one.sliding = all - one.spin;
       one.rolling = oil.rolling(j, film, at.length);
-      for (const RollerFlangeContact& flange : roller.flange[j]) {
+      for (std::size_t at_end = 0; at_end < 2; ++at_end) {
+        const RollerFlangeContact& flange = roller.flange[j][at_end];
         if (!bearing.flange_traction || !flange.present || !(flange.load > 0.0) ||
             !std::isfinite(flange.radius))
           continue;
-        const double axis = rollers.race_radius(static_cast<int>(j)) - side * R;
-        const double slip =
-            std::abs(turn * (axis + side * flange.radius) - side * spin * flange.radius);
+        // The contact from the bearing axis: up the inclined roller axis to its end, then across.
+        const double end = (at_end == 0 ? -0.5 : 0.5) * rollers.length;
+        const double from_bearing_axis =
+            roller.r + end * std::sin(roller.tilt) + side * flange.radius * std::cos(roller.tilt);
+        const double slip = std::abs(turn * from_bearing_axis - side * spin * flange.radius);
         out.flange[j] +=
             flange.load * slip * tribology::TractionLaw(*bearing.flange_traction).coefficient(slip);
       }

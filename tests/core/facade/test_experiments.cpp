@@ -5,7 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
 
 using namespace adore;
 using facade::Experiment;
@@ -82,14 +84,20 @@ TEST_CASE("the tapered bearing has the measured torque, with rib and cage named 
   const Experiment one = facade::run_experiments("TRB-32216").front();
   int still = 0, in_motion = 0, cages = 0;
   double whole = 0.0, parts = 0.0;
+  std::map<std::string, double> ribs;
   for (const ExperimentRow& row : one.rows) {
     CAPTURE(row.condition, row.what, row.failed);
     REQUIRE(row.ours);
-    // -1 to +20 % of equilibria; in motion rollers tilt on the rib, which takes twice as much.
+    // +5 to +25 %, with nothing fitted.
     if (row.what == "friction torque" && row.theirs) {
       ++still;
-      CHECK(std::abs(*row.deviation()) < 0.21);
+      CHECK(std::abs(*row.deviation()) < 0.26);
     }
+    // The rib slides in an equilibrium as in motion, but for the skew of its rollers.
+    if (row.what == "of it the rib" && !row.condition.ends_with("in motion"))
+      ribs[row.condition + ", in motion"] = *row.ours;
+    else if (row.what == "of it the rib")
+      CHECK(*row.ours == Approx(ribs.at(row.condition)).epsilon(0.15));
     if (row.what == "friction torque in motion") {
       ++in_motion;
       CHECK(std::abs(*row.deviation()) < 0.3);
