@@ -21,10 +21,13 @@
 /// of motion, too).
 /// No film carries more shear than 0.11 of its pressure here, also of the fluids whose law in
 /// motion has no limit: kTrac 1 has a coefficient far above 1 at 2.5 GPa (decision 330).
-/// Flanges: load times the curve of
-/// record 10.2 at the slip of the end. Lands and pockets: without the motion of the cage their
-/// loads are not known, and nothing is booked; the drag of the medium (kChrn) on elements and cage
-/// is, at the epicyclic speeds. Elastic hysteresis is left out. Decision 301.
+/// Flanges: Q κ(u) u [W] at the slip u = |W r_X - σ ω ρ| [m/s], κ of record 10.2: W the race's
+/// speed against the row [rad/s], r_X = r + s sin θ + σ ρ cos θ the contact from the bearing axis,
+/// r and θ middle and tilt of the roller, s = ±L/2 its end, ρ the contact from the roller's axis
+/// [m], ω its spin, σ = 1 at the outer race and -1 at the inner one [derived]. Limits: no skew; the
+/// depth of a domed end is left out (half a per cent of u). Lands and pockets: without the motion
+/// of the cage their loads are not known, and nothing is booked; the drag of the medium (kChrn) on
+/// elements and cage is, at the epicyclic speeds. Elastic hysteresis is left out. Decision 301.
 namespace adore::statics {
 
 struct StaticSolution;

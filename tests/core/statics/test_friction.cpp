@@ -103,3 +103,23 @@ TEST_CASE("oil resists rolling more when it is thick, and starves away", "[physi
     CHECK(rolling(380.0, 0.1) < 0.9 * hot);
   }
 }
+
+TEST_CASE("the rib slides by its height above the raceway, about which a tapered roller rolls",
+          "[physics][statics][rollers]") {
+  Bearing b = from_deck("tapered");
+  constexpr double kKappa = 0.05;
+  b.flange_traction = constant(kKappa);
+  const statics::RollerSolution solution = statics::solve_roller_statics(b);
+  // Spins of race and roller against the row add up, their axes a few degrees apart; the roller
+  // rolls about its line on the race, and the face of the rib stands across that line.
+  const double race = std::abs(b.speed[1] - solution.orbital_speed);
+  const double spin = std::abs(solution.spin_speed);
+  const double rolling =
+      std::sqrt(race * race + spin * spin + 2.0 * race * spin * std::cos(b.rollers()->axis_angle));
+  double expected = 0.0;
+  for (const statics::StaticRoller& roller : solution.rollers)
+    for (const statics::RollerFlangeContact& rib : roller.flange[1])
+      if (rib.load > 0.0) expected += kKappa * rib.load * rolling * rib.height;
+  REQUIRE(expected > 0.0);
+  CHECK(statics::friction_estimate(b, solution).flange[1] == Approx(expected).epsilon(0.03));
+}
