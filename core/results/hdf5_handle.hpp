@@ -20,17 +20,28 @@ inline std::recursive_mutex& library_mutex() {
 }
 
 /// While it lives, this thread alone uses the library, which prints no error stack to the terminal.
+/// One within another costs a lock alone: a handle that goes is quiet by itself, and a block of
+/// stored steps lets hundreds go.
 class Quiet {
  public:
   Quiet() : lock_(library_mutex()) {
+    if (depth()++ > 0) return;
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  ~Quiet() {
+    if (--depth() == 0) H5Eset_auto2(H5E_DEFAULT, function_, data_);
+  }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
  private:
+  /// Of the thread that holds the lock; the library's error stack is its own in each thread, too.
+  static int& depth() {
+    static int depth = 0;
+    return depth;
+  }
+
   std::scoped_lock<std::recursive_mutex> lock_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;

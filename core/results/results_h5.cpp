@@ -420,11 +420,9 @@ void H5Writer::Impl::open_empty(const std::filesystem::path& name,
   write_file_atomically(name, bytes);
   const Handle access = access_list();
   use_safe_driver(access);
-  // Datasets that the library opens again by itself when growing begins take their cache from here:
-  // its default keeps 1 MiB of each for good.
-  H5Pset_cache(access, 0, 7, 64U << 10U, 1.0);
   file = Handle(H5Fopen(name.c_str(), H5F_ACC_RDWR, access));
   if (!file.valid()) fail(path, "the file cannot be created");
+  start_single_writer();  // opens again what is open, so it comes first
   std::map<std::size_t, Handle> access_by_width;
   for_each([&](Series made, const std::string& dataset) {
     auto found = access_by_width.find(made.width);
@@ -434,7 +432,6 @@ void H5Writer::Impl::open_empty(const std::filesystem::path& name,
     if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
     series.push_back(std::move(made));
   });
-  start_single_writer();
 }
 
 H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Runs the hard scenes of rolling bearings with every integrator: nothing may hang, crash or be silently wrong.
 
-    hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--report FILE] [--keep FOLDER] [--minutes M] [--seconds S]
+    hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--methods A,B] [--report FILE] [--keep FOLDER] [--minutes M] [--seconds S]
 
 PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
 Without --full each scene runs with the deck's own integrator, an explicit and an implicit one and with two slightly other
 loads (a millionth), whose spread tells how far two right runs may differ (a few minutes); with it, with all 21 integrators and
 six such loads (1e-8 to a thousandth), ten times as long (an hour or two); where that of 1e-8 changes a mean by a thousandth, the motion is
-said to be irregular. With --keep every scene leaves its results in FOLDER, and one that stands there
-is not run again: a long matrix goes on where it was ended. With --minutes no further scene is begun after so long; the table
+said to be irregular. With --keep every run leaves its result in FOLDER, and one that stands there
+is not run again: a long matrix goes on where it was ended, in the midst of a scene, too. With --minutes no further scene is begun after so long; the table
 then says how many are left (exit code 4), and the same command goes on.
 
 A run is
@@ -232,10 +232,18 @@ def passes(results):
             and all(r["outcome"] != "FAILED" for r in results.values()))
 
 
-def play(program, one, methods, turns, full, limit):
+def play(program, one, methods, turns, full, limit, kept):
+    """@param kept what `run` gave before, by method and factor of loads; new runs come to it"""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "new", one["deck"], "--out", os.path.join(folder, "DATA.txt")], check=True, capture_output=True)
-        results = {method: run(program, one, method, folder, turns, limit) for method in methods}
+
+        def result(method, factor=0.0):
+            name = f"{method} {factor:g}"
+            if name not in kept.runs:
+                kept.add(name, run(program, one, method, folder, turns, limit, factor))
+            return dict(kept.runs[name])  # the judges write into it
+
+        results = {method: result(method) for method in methods}
         spread, growth = {}, ""
         if results[OWN]["outcome"] == "solved":
             with open(os.path.join(folder, "DATA.txt"), encoding="utf-8") as deck:
@@ -244,7 +252,7 @@ def play(program, one, methods, turns, full, limit):
             # Long runs: a cage that comes to whirl does so sooner or later with whatever sets it off, and a method's
             # error is a larger push than a millionth of the load. A thousandth changes no mean by more than itself.
             factors = (TINY, 1, -1, 100, -100, 1000) if full else (1, -1)
-            by_factor = {factor: run(program, one, OWN, folder, turns, limit, factor) for factor in factors}
+            by_factor = {factor: result(OWN, factor) for factor in factors}
             others = list(by_factor.values())
             wrong = [r["text"] for r in others if r["outcome"] == "refused"]
             if wrong:
@@ -260,6 +268,26 @@ def play(program, one, methods, turns, full, limit):
         if results[OWN]["outcome"] == "solved" and any(r["outcome"] == "interrupted" for r in others):
             results[OWN]["outcome"] = "interrupted"  # without a whole spread nothing can be judged
     return {"runs": results, "spread": spread, "growth": growth}
+
+
+class Kept:
+    """Runs of one scene in a file, written anew after each; without a name: nowhere."""
+
+    def __init__(self, name, told):
+        self.name, self.told, self.runs = name, told, {}
+        if name and os.path.exists(name):
+            with open(name, encoding="utf-8") as file:
+                found = json.load(file)
+            if found.get("told") == told:  # else other sets or turns: all is run again
+                self.runs = found["by run"]
+
+    def add(self, name, result):
+        self.runs[name] = result
+        if not self.name or result["outcome"] == "interrupted":
+            return
+        with open(self.name + ".part", "w", encoding="utf-8") as file:
+            json.dump({"told": self.told, "by run": self.runs}, file)
+        os.replace(self.name + ".part", self.name)
 
 
 SIGN = {"solved": "+", "warned": "w", "refused": "r", "gave up": "u", "slow": "s", "FAILED": "F", "interrupted": "i"}
@@ -281,8 +309,9 @@ def main():
     parser.add_argument("--turns", type=float, default=1.0, help="times the turns of each scene")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", help="one scene")
+    parser.add_argument("--methods", help="these beside the deck's own, separated by commas")
     parser.add_argument("--report")
-    parser.add_argument("--keep", help="folder of results by scene; a scene that is there is not run again")
+    parser.add_argument("--keep", help="folder of results by run; a run that is there is not made again")
     parser.add_argument("--minutes", type=float, default=math.inf, help="no further scene is begun after so long (with --keep)")
     parser.add_argument("--seconds", type=int, help="processor time of one run; one that needs more is not done (240, with --full 600)")
     options = parser.parse_args()
@@ -291,6 +320,8 @@ def main():
     program = os.path.abspath(options.program)
     end = time.monotonic() + 60.0 * options.minutes
     methods = [OWN] + EXPLICIT + IMPLICIT if options.full else QUICK
+    if options.methods:
+        methods = [OWN] + options.methods.split(",")
     chosen = [s for s in SCENES if options.only in (None, s["name"])]
     if not chosen:
         sys.exit(f"no scene is named {options.only}; there are: " + ", ".join(s["name"] for s in SCENES))
@@ -299,24 +330,16 @@ def main():
         os.makedirs(options.keep, exist_ok=True)
 
     def play_or_read(one):
-        kept = os.path.join(options.keep, one["name"].replace(" ", "-") + ".json") if options.keep else ""
-        if kept and os.path.exists(kept):
-            with open(kept, encoding="utf-8") as file:
-                found = json.load(file)
-            if "runs" in found:  # else of an earlier form of this script: it is run again
-                return found
+        name = os.path.join(options.keep, one["name"].replace(" ", "-") + ".json") if options.keep else ""
+        kept = Kept(name, {key: one[key] for key in ("deck", "sets", "turns")} | {"times": turns, "longest": str(one["longest"])})
         begin = time.monotonic()
-        if begin >= end:
+        if begin >= end and not all(f"{method} 0" in kept.runs for method in methods):
             return None
-        found = play(program, one, methods, turns, options.full, options.seconds or LONGEST_RUN[options.full])
+        found = play(program, one, methods, turns, options.full, options.seconds or LONGEST_RUN[options.full], kept)
         print(f"{one['name']}: {''.join(SIGN[r['outcome']] for r in found['runs'].values())} {time.monotonic() - begin:.0f} s",
               file=sys.stderr, flush=True)
         if any(r["outcome"] == "interrupted" for r in found["runs"].values()):
             return None
-        if kept:
-            with open(kept + ".part", "w", encoding="utf-8") as file:
-                json.dump(found, file)
-            os.replace(kept + ".part", kept)
         return found
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
