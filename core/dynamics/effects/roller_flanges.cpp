@@ -290,10 +290,12 @@ class RollerFlanges final : public SceneEffect {
         const auto j = static_cast<std::size_t>(pair.race);
         const RaceBody& race = e.race[j];
         const SeenRoller& roller = by_race[j];
-        FlangeAction a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
-          return act(pair, roller, e, i, race, friction);
-        })
-                                       : act(pair, roller, e, i, race, nullptr);
+        FlangeAction a;
+        if (!pair.surely_open(roller.p))
+          a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
+            return act(pair, roller, e, i, race, friction);
+          })
+                            : act(pair, roller, e, i, race, nullptr);
         if (!(a.load > 0.0))
           a.contact = contact::flange_contact(pair.face, pair.end, roller.centre(), roller.axis);
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
