@@ -150,7 +150,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
         alpha,
         deck.integer("mode") > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio)));
   if (!held)
-    effect(Effect::ContactDamping, element + " / race damping", alpha > 0.0,
+    effect(Effect::ContactDamping, "contact damping", alpha > 0.0,
            damping_reason(alpha, element, bearing));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),

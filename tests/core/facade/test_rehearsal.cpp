@@ -224,8 +224,10 @@ TEST_CASE("a run that is completed shows how much of the whole is done", "[unit]
     INFO("until " << until);
     const auto whole = fractions(until ? "1000000" : first, until ? first : "", false);
     CHECK(whole.front().fraction < 0.7);
+    CHECK(whole.back().last_step == (until ? 0 : 600));
     const auto rest = fractions(until ? "1000000" : second, until ? second : "", true);
     CHECK(rest.front().fraction >= 0.75);
     CHECK(rest.front().remaining >= 0.0);
+    CHECK(rest.back().last_step == (until ? 0 : 800));  // maxStps counts from where the run began
   }
 }

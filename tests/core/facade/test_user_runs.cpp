@@ -369,6 +369,51 @@ TEST_CASE("force laws of flanges, pockets and lands: restated they change nothin
   }
 }
 
+TEST_CASE("a routine's force takes the place of damping where it acts, and damping stays elsewhere",
+          "[user][physics][damping]") {
+  struct Case {
+    const char* name;
+    int hook;
+    const char* type;
+    Sets sets;
+    const char* until;
+  };
+  // Steps are judged by an energy whose items differ; blows want the same steps.
+  const Sets fast_cage{
+      {"avRatio", "1.2"}, {"stpInit", "0.05"}, {"stpMin", "0.05"}, {"stpMax", "0.05"}},
+      none;
+  const double alpha = 0.3;
+  for (const Case& c : {Case{"flange", 2, "tapered", none, "1e-4s"},
+                        Case{"roller pocket", 3, "cylindrical", fast_cage, "2e-4s"},
+                        Case{"land", 4, "cylindrical", {{"cageGsCls[1]", "1.0e-08"}}, "2e-4s"}}) {
+    CAPTURE(c.name);
+    const auto with = [&](const Force& law) {
+      auto request = request_of("damped-force", deck_of(c.type, c.sets, ""), c.until);
+      request.options.emplace_back("contactDamping", fmt::format("{}", alpha));
+      if (law) request.routines = force_law(c.hook, law);
+      const Ran ran = ran_with(request);
+      REQUIRE(ran.outcome.status == facade::RunStatus::Done);
+      return ran;
+    };
+    const Ran damped = with(nullptr);
+    std::int64_t asked = 0;
+    // The routine is handed the elastic force, and what it gives back is all that acts.
+    const Ran elastic = with([&](const adore_force& a, std::int64_t k) {
+      ++asked;
+      return a.built_in[k];
+    });
+    CHECK(asked > 100);
+    CHECK(difference(damped, elastic) > 1e-12);
+    // Hunt and Crossley's law by the routine is the motion of the option.
+    const Ran restated = with([&](const adore_force& a, std::int64_t k) {
+      return a.built_in[k] * (1.0 + std::max(-1.5 * alpha * a.gap_rate[k], -1.0));
+    });
+    check_same_to_rounding(damped, restated);
+    for (const Ran* ran : {&damped, &elastic, &restated})
+      CHECK(std::abs(ran->outcome.energy_residual) < 1e-5 * ran->outcome.energy_scale);
+  }
+}
+
 TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[user][unit]") {
   const auto says = [](int hook, const std::string& type, const Sets& sets) {
     facade::DeckRequest request;

@@ -128,7 +128,7 @@ TEST_CASE(
     "[unit][facade][damping]") {
   const facade::Prepared elastic = facade::prepare(ball());
   CHECK_FALSE(elastic.plan.has(Effect::ContactDamping));
-  const std::string says = entry(elastic, "ball / race damping").because;
+  const std::string says = entry(elastic, "contact damping").because;
   CHECK(says.find("do not decay") != std::string::npos);
   CHECK(says.find("spectra") != std::string::npos);
   // Named is what there is: no flanges of balls, no pockets without a cage.
@@ -138,7 +138,7 @@ TEST_CASE(
       for (const auto& [variable, value] :
            {std::pair{"nCseg", sets}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}})
         request.sets.emplace_back(variable, value);
-    return entry(facade::prepare(request), "ball / race damping").because;
+    return entry(facade::prepare(request), "contact damping").because;
   };
   CHECK_THAT(damped(""), Catch::Contains("in pockets") && !Catch::Contains("flanges") &&
                              !Catch::Contains("neighbours"));
@@ -146,7 +146,7 @@ TEST_CASE(
   // The option is in s/m whatever the units of the deck are.
   DeckRequest english = ball({{"contactDamping", "0.2"}});
   english.text = deck::write_deck(deck::new_deck("ball-english"));
-  CHECK(entry(facade::prepare(english), "ball / race damping").because.find("= 0.2 (in s/m)") !=
+  CHECK(entry(facade::prepare(english), "contact damping").because.find("= 0.2 (in s/m)") !=
         std::string::npos);
   const auto said = [](DeckRequest request) -> std::string {
     try {
