@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,9 +17,11 @@ namespace adore::facade {
 namespace {
 
 constexpr double kShortTurns = 2.0;   ///< of the first round, at most
-constexpr double kShortShare = 0.35;  ///< of the budget
-constexpr double kLongShare = 0.6;
-constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
+constexpr double kShortShare = 0.35;  ///< of the budget, for which the first round is laid out
+constexpr double kShortMost = 0.5;    ///< where it ends in any case
+constexpr double kModelShare = 0.15;  ///< of the budget, at most, is kept for other models
+constexpr double kLongShare = 0.85;   ///< of what is left: motions may grow dearer with time
+constexpr double kLongestRow = 5.0;   ///< times the cost of the deck's own run; slower ones are cut
 constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
 constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
@@ -126,6 +129,7 @@ class Study {
       first_round();
       second_round();
       model_round();
+      repeat_those_that_count();
       study_.complete = true;
     } catch (const Interrupted&) {
       study_.complete = false;
@@ -179,6 +183,7 @@ class Study {
           Trial out;
           out.row = row;
           known_ = true;
+          study_.seconds += row.seconds;
           return out;
         }
     known_ = false;
@@ -191,6 +196,7 @@ class Study {
   AccuracyReference references(double turns, const AccuracyReference& known) {
     if (study_.digest == earlier_.digest && !known.results.empty()) {
       study_.reference = earlier_.reference;
+      study_.seconds += known.seconds;
       return known;
     }
     const auto reference = [&](const char* method, double tolerance) {
@@ -217,6 +223,9 @@ class Study {
         fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
     return out;
   }
+
+  /// Of the budget [s].
+  [[nodiscard]] double left() const { return request_.budget - study_.seconds; }
 
   void add(std::vector<AccuracyRow>& rows, Trial& trial, const results::KeyResults& reference) {
     if (trial.good() && !known_) trial.row.errors = compare_results(trial.results, reference);
@@ -247,7 +256,13 @@ class Study {
     for (const AccuracySetting& setting : settings_) {
       const std::string group = setting.method + (setting.as_long_as_stable ? "+" : "-");
       if (group == settled && !setting.own) continue;
-      Trial row = trial(earlier_.screening, setting, study_.short_turns, most);
+      const double room = left() - (1.0 - kShortMost) * request_.budget;
+      if (room < start_cost_ && !setting.own) {
+        ++study_.untried;
+        continue;
+      }
+      Trial row = trial(earlier_.screening, setting, study_.short_turns,
+                        setting.own ? most : std::min(most, room));
       // So does a method that is refused, and one whose steps its stability bounds in any case.
       const bool twin = has_twin(row.row);
       if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
@@ -298,11 +313,28 @@ class Study {
     return out;
   }
 
+  /// What a row of the second round costs by the first [s/turn].
+  [[nodiscard]] double cost_of(const AccuracySetting& setting) const {
+    for (const AccuracyRow& row : study_.screening)
+      if (row.setting.name == setting.name && row.failure.empty())
+        return std::max(row.seconds - start_cost_, 0.0) / row.turns;
+    return turn_cost_;
+  }
+
+  /// What the other models may cost by the deck's own run, at most a share of the budget [s].
+  [[nodiscard]] double kept_for_models() const {
+    if (!request_.models) return 0.0;
+    const double one = start_cost_ + 2.0 * turn_cost_ * study_.short_turns;
+    return std::min(one * static_cast<double>(models_.size()), kModelShare * request_.budget);
+  }
+
   void second_round() {
     const std::vector<AccuracySetting> chosen = finalists();
     const double rows = static_cast<double>(chosen.size());
-    const double affordable = (kLongShare * request_.budget - (rows + 2.0) * start_cost_) /
-                              (reference_cost_ + rows * turn_cost_);
+    double turn_of_all = reference_cost_;
+    for (const AccuracySetting& setting : chosen) turn_of_all += cost_of(setting);
+    const double affordable =
+        (kLongShare * (left() - kept_for_models()) - (rows + 2.0) * start_cost_) / turn_of_all;
     double turns = std::min(request_.turns, affordable);
     // Means over whole turns; where not even one can be afforded, over what can be.
     turns = turns >= 1.0 ? std::floor(turns) : turns;
@@ -311,15 +343,39 @@ class Study {
       study_.long_turns = earlier_.long_turns;
     study_.long_reference = references(study_.long_turns, earlier_.long_reference);
     for (const AccuracySetting& setting : chosen) {
-      Trial row = trial(earlier_.finals, setting, study_.long_turns, kUnlimited);
+      if (left() < start_cost_ && !study_.finals.empty()) {
+        ++study_.untried;
+        continue;
+      }
+      Trial row = trial(earlier_.finals, setting, study_.long_turns, std::max(left(), start_cost_));
       add(study_.finals, row, study_.long_reference.results);
     }
     judge(study_.finals);
+    for (AccuracyRow& row : study_.finals) measure_growth(row);
+  }
+
+  /// By how much a turn multiplies the share of energy without account, from the first round's span
+  /// to the second's. Of a motion whose errors only add up it stays; of one whose contact
+  /// vibrations are fed by the method it grows without end.
+  void measure_growth(AccuracyRow& row) const {
+    constexpr double kRounding = 1e-13;  // shares below are last digits
+    for (const AccuracyRow& before : study_.screening) {
+      if (before.setting.name != row.setting.name || !before.failure.empty() ||
+          !row.failure.empty() || !(row.turns > 1.5 * before.turns))
+        continue;
+      row.growth =
+          std::pow(std::max(row.energy_share, kRounding) / std::max(before.energy_share, kRounding),
+                   1.0 / (row.turns - before.turns));
+    }
   }
 
   /// What other resolutions of the model would change against the deck's own run.
   void model_round() {
     if (models_.empty() || !request_.models) return;
+    if (left() < start_cost_) {
+      study_.untried += static_cast<int>(models_.size());
+      return;
+    }
     const AccuracySetting own = own_setting(settings_);
     const Trial base = try_setting(subject_, own, study_.short_turns, kUnlimited, stop_);
     study_.seconds += base.row.seconds;
@@ -327,19 +383,54 @@ class Study {
     for (AccuracySetting setting : models_) {
       setting.method = own.method;
       setting.tolerance = own.tolerance;
+      if (left() < start_cost_) {
+        ++study_.untried;
+        continue;
+      }
       if (setting.dear) {
         const double turns = std::min(study_.short_turns, kDearTurns);
         const Trial beside = try_setting(subject_, own, turns, kUnlimited, stop_);
         study_.seconds += beside.row.seconds;
         if (!beside.good()) continue;
-        Trial row = trial(earlier_.models, setting, turns, kDearShare * request_.budget);
+        Trial row =
+            trial(earlier_.models, setting, turns, std::min(kDearShare * request_.budget, left()));
         add(study_.models, row, beside.results);
         continue;
       }
-      Trial row = trial(earlier_.models, setting, study_.short_turns,
-                        start_cost_ + 0.5 + 30.0 * turn_cost_ * study_.short_turns);
+      Trial row =
+          trial(earlier_.models, setting, study_.short_turns,
+                std::min(start_cost_ + 0.5 + 30.0 * turn_cost_ * study_.short_turns, left()));
       add(study_.models, row, base.results);
     }
+  }
+
+  /// Processor times of what is recommended, of the deck's own settings and of the front become the
+  /// median of three runs, as far as the budget goes: caches and neighbours make a tenth of one
+  /// run.
+  void repeat_those_that_count() {
+    const auto repeat = [&](AccuracyRow& row) {
+      if (row.runs >= 3 || !row.failure.empty() || left() < 2.0 * row.seconds) return;
+      std::array<double, 3> seconds{row.seconds, 0.0, 0.0};
+      for (std::size_t k = 1; k < 3; ++k) {
+        const Trial again = try_setting(subject_, row.setting, row.turns, kUnlimited, stop_);
+        study_.seconds += again.row.seconds;
+        if (!again.good()) return;
+        seconds[k] = again.row.seconds;
+      }
+      std::sort(seconds.begin(), seconds.end());
+      row.seconds = seconds[1];
+      row.runs = 3;
+    };
+    // A median may make another row the cheapest.
+    for (int best = choose(), before = -1; best >= 0 && best != before; best = choose()) {
+      repeat(study_.finals[static_cast<std::size_t>(best)]);
+      before = best;
+    }
+    for (AccuracyRow& row : study_.finals)
+      if (row.setting.own) repeat(row);
+    for (AccuracyRow& row : study_.finals)
+      if (row.front) repeat(row);
+    judge(study_.finals);
   }
 
   [[nodiscard]] int choose() const {

@@ -24,7 +24,10 @@
 /// such means can be known at all: where a motion is irregular, two accurate runs differ too.
 ///
 /// Two rounds: all settings over a short span, then the deck's own and those that may win over as
-/// many turns as the budget allows.
+/// many turns as the budget allows. The study ends within the budget: rows are cut or left out
+/// where it ends (and told), references alone are not cut. Where the second span is shorter than
+/// what was asked for, the growth that was measured between both spans is told with the
+/// recommendation.
 namespace adore::facade {
 
 struct AccuracyRequest : DeckRequest {
@@ -63,12 +66,14 @@ struct AccuracyRow {
   AccuracySetting setting;
   double turns = 0.0;  ///< span of its run
   AccuracyErrors errors;
-  double seconds = 0.0;  ///< processor time of the run
+  double seconds = 0.0;  ///< processor time of the run, of three runs the median
+  int runs = 1;
   long steps = 0, evaluations = 0;
   double at_longest = 0.0;    ///< mean step over the longest allowed
   double longest = 0.0;       ///< step allowed, in the unit of stpMax
   double energy_share = 0.0;  ///< |residual| over the energy moved
   double order = 0.0;         ///< observed against the next tolerance of the method; 0: none
+  double growth = 0.0;        ///< of energy_share per turn, from the first span to this; 0: none
   bool front = false;         ///< no other row of its round is both cheaper and better
   std::string failure;        ///< empty, or why there is no result
 };
@@ -90,7 +95,8 @@ struct AccuracyStudy {
   double target = 0.0;
   std::vector<AccuracyRow> screening, finals, models;
   int recommended = -1;  ///< among finals; negative: none keeps to the target
-  double seconds = 0.0;  ///< processor time of the study
+  double seconds = 0.0;  ///< processor time of the study, of the rows taken over, too
+  int untried = 0;       ///< settings and models for which the budget left no time
   bool complete = false;
 };
 

@@ -71,6 +71,8 @@ Json json_of(const AccuracyRow& row) {
   out["longest"] = row.longest;
   out["energy_share"] = row.energy_share;
   out["order"] = row.order;
+  out["growth"] = row.growth;
+  out["runs"] = row.runs;
   out["front"] = row.front;
   out["sets"] = row.setting.sets;
   return out;
@@ -108,6 +110,8 @@ AccuracyRow row_of(const Json& json) {
   row.longest = json.at("longest").get<double>();
   row.energy_share = json.at("energy_share").get<double>();
   row.order = json.at("order").get<double>();
+  row.growth = json.value("growth", 0.0);
+  row.runs = json.value("runs", 1);
   row.front = json.at("front").get<bool>();
   return row;
 }
@@ -127,6 +131,25 @@ const AccuracyRow* own_row(const AccuracyStudy& study) {
   for (const AccuracyRow& row : study.finals)
     if (row.setting.own) return &row;
   return nullptr;
+}
+
+/// What grows from the first span to the second, of the recommended or the deck's own settings.
+std::string growth_text(const AccuracyStudy& study) {
+  const AccuracyRow* row = study.recommended >= 0
+                               ? &study.finals[static_cast<std::size_t>(study.recommended)]
+                               : own_row(study);
+  if (row == nullptr || !(row->growth > 0.0))
+    return "No growth could be measured: both rounds have one span.";
+  const auto before =
+      std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
+        return other.setting.name == row->setting.name && other.failure.empty();
+      });
+  if (before == study.screening.end()) return {};
+  return fmt::format(
+      "Measured growth ({}): from {:.4g} to {:.4g} turns its error went from {} to {}, its energy "
+      "without account from {:.1e} to {:.1e} of what moved, {:.4g} times a turn.",
+      row->setting.name, before->turns, row->turns, percent(before->errors.largest()),
+      percent(row->errors.largest()), before->energy_share, row->energy_share, row->growth);
 }
 
 }  // namespace
@@ -180,7 +203,11 @@ std::vector<std::pair<std::string, std::string>> recommended_sets(const Accuracy
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
       "Errors are differences of means to a reference ({});\n"
-      "s: processor time of the whole run; *: no other row is cheaper and better.\n",
+      "s: processor time of the whole run (of the recommended, the deck's own and those with * in "
+      "the "
+      "second round the median of three, as far as the budget goes);\n*: no other row is cheaper "
+      "and "
+      "better.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -192,8 +219,11 @@ std::string accuracy_table(const AccuracyStudy& study) {
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
-    out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}.\n", study.asked,
-                       study.long_turns);
+    out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}. {}\n", study.asked,
+                       study.long_turns, growth_text(study));
+  if (study.untried > 0)
+    out += fmt::format("{} more settings or models were not run: the budget left no time.\n",
+                       study.untried);
   if (!study.models.empty())
     out += fmt::format(
         "\nOther models with the deck's own settings, {:.4g} turns; here the figures are what they "
@@ -205,7 +235,7 @@ std::string accuracy_table(const AccuracyStudy& study) {
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string out =
       "round,name,method,tol,turns,seconds,error,speed,load,heat,life,steps,evaluations,"
-      "longest_step,mean_step_over_longest,energy_share,order,front,failure\n";
+      "longest_step,mean_step_over_longest,energy_share,order,front,growth_per_turn,runs,failure\n";
   const auto quoted = [](std::string text) {
     for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2)
       text.insert(at, 1, '"');
@@ -217,12 +247,14 @@ std::string accuracy_csv(const AccuracyStudy& study) {
         return !row.failure.empty() || error < 0.0 ? std::string() : fmt::format("{:.6g}", error);
       };
       out += fmt::format(
-          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{}\n",
+          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{:.4g},{},"
+          "{}"
+          "\n",
           round, quoted(row.setting.name), row.setting.method, row.setting.tolerance, row.turns,
           row.seconds, number(row.errors.largest()), number(row.errors.speed),
           number(row.errors.load), number(row.errors.heat), number(row.errors.life), row.steps,
           row.evaluations, row.longest, row.at_longest, row.energy_share, row.order,
-          row.front ? 1 : 0, row.failure.empty() ? "" : quoted(row.failure));
+          row.front ? 1 : 0, row.growth, row.runs, row.failure.empty() ? "" : quoted(row.failure));
     }
   };
   add("first", study.screening);
@@ -249,6 +281,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
            {"short_reference", json_of(study.short_reference)},
            {"long_reference", json_of(study.long_reference)},
            {"seconds", study.seconds},
+           {"untried", study.untried},
            {"recommended", study.recommended},
            {"recommendation", recommendation(study)}};
   const auto list = [](const std::vector<AccuracyRow>& rows) {
@@ -277,6 +310,7 @@ AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
     out.short_reference = reference_of(json.at("short_reference"));
     out.long_reference = reference_of(json.at("long_reference"));
     out.seconds = json.at("seconds").get<double>();
+    out.untried = json.value("untried", 0);
     for (const Json& row : json.at("screening")) out.screening.push_back(row_of(row));
     for (const Json& row : json.at("finals")) out.finals.push_back(row_of(row));
     for (const Json& row : json.at("models")) out.models.push_back(row_of(row));

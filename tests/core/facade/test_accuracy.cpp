@@ -79,6 +79,7 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
   REQUIRE(study.recommended >= 0);
   const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
   for (const AccuracyRow& row : study.finals) {
+    if (row.setting.own) CHECK(row.runs == 3);
     if (!row.failure.empty() || row.errors.largest() > study.target) continue;
     CHECK(best.seconds <= row.seconds);
   }
@@ -106,6 +107,65 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
     for (const AccuracyRow& row : study_accuracy(other, {}, {}, known).finals)
       CHECK(row.seconds < 1e6);
   }
+}
+
+TEST_CASE("a recommendation says when its run will be warned of, and that figures are irregular",
+          "[unit][accuracy]") {
+  AccuracyStudy study;
+  study.long_turns = 50.0;
+  study.target = 0.01;
+  AccuracyRow own, best;
+  own.setting.name = "rkf5, tol 1e-06, stpMax 0.5";
+  own.setting.own = true;
+  own.seconds = 4.0;
+  best.setting.name = "rk4, tol 0.0001, stpMax as stable";
+  best.seconds = 1.0;
+  best.errors = {0.002, 0.001, 0.003, 0.004};
+  study.finals = {own, best};
+  study.recommended = 1;
+  for (const double share : {9e-5, 1.6e-4}) {
+    study.finals[1].energy_share = share;
+    const std::string says = recommendation(study);
+    CAPTURE(says);
+    CHECK((says.find("of the energy that moved has no account, which the run warns of") !=
+           std::string::npos) == (share > 1e-4));
+    CHECK((says.find("1.6e-04 of the energy") != std::string::npos) == (share > 1e-4));
+    CHECK(says.find("rk4, tol 0.0001, stpMax as stable: the cheapest within 1 % over 50 turns") ==
+          0);
+    CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
+    CHECK(says.find("irregular") == std::string::npos);
+  }
+  study.long_reference.noise.heat = 0.04;
+  CHECK(recommendation(study).find("two accurate runs differ by 4 %") != std::string::npos);
+  study.recommended = -1;
+  CHECK(recommendation(study).find("None of the settings keeps within 1 %") == 0);
+}
+
+TEST_CASE("a study whose budget ends early ends within it and says what grew", "[unit][accuracy]") {
+  AccuracyRequest request = short_study();
+  request.methods.clear();  // all
+  request.turns = 50.0;
+  request.budget = 1.5;
+  const AccuracyStudy study = study_accuracy(request);
+  CHECK(study.complete);
+  CHECK(study.seconds < 1.2 * request.budget);  // the last references are not cut
+  REQUIRE(study.long_turns < request.turns);
+  CHECK(study.long_turns > study.short_turns);
+  REQUIRE_FALSE(study.finals.empty());
+  int measured = 0;
+  for (const AccuracyRow& row : study.finals) {
+    for (const AccuracyRow& before : study.screening) {
+      if (before.setting.name != row.setting.name || !row.failure.empty()) continue;
+      if (!(row.growth > 0.0)) continue;
+      ++measured;
+      CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
+            Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
+    }
+  }
+  CHECK(measured > 0);
+  CHECK(accuracy_table(study).find("Measured growth (") != std::string::npos);
+  const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
+  CHECK(accuracy_table(read) == accuracy_table(study));
 }
 
 TEST_CASE("a study that is stopped comes back as far as it got", "[unit][accuracy]") {
