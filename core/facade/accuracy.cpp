@@ -3,6 +3,7 @@
 #include "base/interrupted.hpp"
 #include "facade/accuracy_settings.hpp"
 #include "integrators/stepper.hpp"
+#include "results/energy_judgement.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace adore::facade {
 namespace {
@@ -361,8 +363,8 @@ class Study {
     constexpr double kRounding = 1e-13;  // shares below are last digits
     for (const AccuracyRow& before : study_.screening) {
       if (before.setting.name != row.setting.name || !before.failure.empty() ||
-          !row.failure.empty() || !(row.turns > 1.5 * before.turns))
-        continue;
+          !row.failure.empty() || row.turns - before.turns < 1.0)
+        continue;  // over a part of a turn the start's transient is all there is
       row.growth =
           std::pow(std::max(row.energy_share, kRounding) / std::max(before.energy_share, kRounding),
                    1.0 / (row.turns - before.turns));
@@ -436,10 +438,14 @@ class Study {
   [[nodiscard]] int choose() const {
     const double limit = std::max(study_.target, 1.5 * study_.long_reference.noise.largest());
     int best = -1;
+    // Runs that warn of their energy come last, however well their means agree over this span.
+    const auto rank = [](const AccuracyRow& row) {
+      return std::pair(row.energy_share > results::kMovedWarning, row.seconds);
+    };
     for (std::size_t k = 0; k < study_.finals.size(); ++k) {
       const AccuracyRow& row = study_.finals[k];
       if (!row.failure.empty() || row.errors.largest() > limit) continue;
-      if (best < 0 || row.seconds < study_.finals[static_cast<std::size_t>(best)].seconds)
+      if (best < 0 || rank(row) < rank(study_.finals[static_cast<std::size_t>(best)]))
         best = static_cast<int>(k);
     }
     return best;

@@ -138,18 +138,20 @@ std::string growth_text(const AccuracyStudy& study) {
   const AccuracyRow* row = study.recommended >= 0
                                ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                : own_row(study);
-  if (row == nullptr || !(row->growth > 0.0))
-    return "No growth could be measured: both rounds have one span.";
+  if (row == nullptr) return {};
   const auto before =
       std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
         return other.setting.name == row->setting.name && other.failure.empty();
       });
-  if (before == study.screening.end()) return {};
+  if (before == study.screening.end() || !(row->turns > before->turns))
+    return "No growth could be measured: both rounds have one span.";
   return fmt::format(
       "Measured growth ({}): from {:.4g} to {:.4g} turns its error went from {} to {}, its energy "
-      "without account from {:.1e} to {:.1e} of what moved, {:.4g} times a turn.",
+      "without account from {:.1e} to {:.1e} of what moved{}.",
       row->setting.name, before->turns, row->turns, percent(before->errors.largest()),
-      percent(row->errors.largest()), before->energy_share, row->energy_share, row->growth);
+      percent(row->errors.largest()), before->energy_share, row->energy_share,
+      row->growth > 0.0 ? fmt::format(", {:.4g} times a turn", row->growth)
+                        : "; less than a turn lies between them, too little for a rate");
 }
 
 }  // namespace

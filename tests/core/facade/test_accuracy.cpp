@@ -81,7 +81,7 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
   for (const AccuracyRow& row : study.finals) {
     if (row.setting.own) CHECK(row.runs == 3);
     if (!row.failure.empty() || row.errors.largest() > study.target) continue;
-    CHECK(best.seconds <= row.seconds);
+    if (!(row.energy_share > 1e-4)) CHECK(best.seconds <= row.seconds);  // others are warned of
   }
   // The same settings once more: the front holds no row that another one beats.
   for (const AccuracyRow& row : study.screening)
@@ -143,9 +143,11 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
 
 TEST_CASE("a study whose budget ends early ends within it and says what grew", "[unit][accuracy]") {
   AccuracyRequest request = short_study();
-  request.methods.clear();  // all
-  request.turns = 50.0;
-  request.budget = 1.5;
+  request.methods = {"rkf5", "rk4"};
+  request.tolerances = {1e-5};
+  request.models = false;
+  request.turns = 1000.0;
+  request.budget = 3.0;
   const AccuracyStudy study = study_accuracy(request);
   CHECK(study.complete);
   CHECK(study.seconds < 1.2 * request.budget);  // the last references are not cut
@@ -156,14 +158,16 @@ TEST_CASE("a study whose budget ends early ends within it and says what grew", "
   for (const AccuracyRow& row : study.finals) {
     for (const AccuracyRow& before : study.screening) {
       if (before.setting.name != row.setting.name || !row.failure.empty()) continue;
-      if (!(row.growth > 0.0)) continue;
+      if (row.turns - before.turns < 1.0) continue;
       ++measured;
       CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
             Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
     }
   }
   CHECK(measured > 0);
-  CHECK(accuracy_table(study).find("Measured growth (") != std::string::npos);
+  const std::string table = accuracy_table(study);
+  CHECK(table.find("Measured growth (") != std::string::npos);
+  CHECK(table.find(" times a turn.") != std::string::npos);
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(accuracy_table(read) == accuracy_table(study));
 }
