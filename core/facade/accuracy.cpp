@@ -18,12 +18,15 @@
 namespace adore::facade {
 namespace {
 
-constexpr double kShortTurns = 2.0;   ///< of the first round, at most
-constexpr double kShortShare = 0.35;  ///< of the budget, for which the first round is laid out
-constexpr double kShortMost = 0.5;    ///< where it ends in any case
-constexpr double kModelShare = 0.15;  ///< of the budget, at most, is kept for other models
-constexpr double kLongShare = 0.85;   ///< of what is left: motions may grow dearer with time
-constexpr double kLongestRow = 5.0;   ///< times the cost of the deck's own run; slower ones are cut
+constexpr double kShortTurns = 2.0;      ///< of the first round, at most
+constexpr double kShortShare = 0.35;     ///< of the budget, for which the first round is laid out
+constexpr double kShortMost = 0.5;       ///< where it ends in any case
+constexpr double kModelShare = 0.15;     ///< of the budget, at most, is kept for other models
+constexpr double kLongShare = 0.85;      ///< of what is left: motions may grow dearer with time
+constexpr double kReferenceShare = 0.3;  ///< of what is left, each of the second round's references
+constexpr double kAfterCut = 0.4;        ///< of the turns that one came to which was cut
+constexpr double kRowShare = 0.5;        ///< of what is left, a row of the second round
+constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
 constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
 constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
@@ -58,6 +61,7 @@ struct Trial {
   AccuracyRow row;
   results::KeyResults results;
   bool refused = false;  ///< before anything ran: no tolerance changes that
+  double cut_at = 0.0;   ///< time that a run which was cut had come to; 0: it was not [s]
   [[nodiscard]] bool good() const { return row.failure.empty(); }
 };
 
@@ -73,6 +77,7 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
     out.row.steps = outcome.taken;
     out.row.evaluations = outcome.evaluations;
     if (run.cut) {
+      out.cut_at = std::max(outcome.time, 1e-12);
       out.row.failure = fmt::format("cut: takes more than {:.3g} s", most_seconds);
     } else if (outcome.status != RunStatus::Done) {
       out.row.failure = outcome.message;
@@ -194,8 +199,13 @@ class Study {
     return out;
   }
 
-  /// @throws SolverError
-  AccuracyReference references(double turns, const AccuracyReference& known) {
+  /// What a reference had come to when it was cut.
+  struct ReferenceCut {
+    double turns;
+  };
+
+  /// @throws SolverError, ReferenceCut when one of both takes more than most_seconds
+  AccuracyReference references(double turns, const AccuracyReference& known, double most_seconds) {
     if (study_.digest == earlier_.digest && !known.results.empty()) {
       study_.reference = earlier_.reference;
       study_.seconds += known.seconds;
@@ -207,8 +217,9 @@ class Study {
       setting.tolerance = tolerance;
       // Its steps may be shorter than the deck allows, not longer.
       setting.sets = {{"stpMin", fmt::format("{:.3g}", 1e-6 * std::min(1.0, stp_max_))}};
-      Trial out = try_setting(subject_, setting, turns, kUnlimited, stop_);
+      Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
       study_.seconds += out.row.seconds;
+      if (out.cut_at > 0.0) throw ReferenceCut{out.cut_at / subject_.turn};
       if (!out.good())
         throw SolverError(fmt::format("no reference solution: {} at {:.0e}: {}", method, tolerance,
                                       out.row.failure));
@@ -250,7 +261,7 @@ class Study {
                                         (turn_cost_ * (1.2 * rows + references_cost)),
                                     0.02, std::min(kShortTurns, request_.turns));
     if (same) study_.short_turns = earlier_.short_turns;
-    study_.short_reference = references(study_.short_turns, earlier_.short_reference);
+    study_.short_reference = references(study_.short_turns, earlier_.short_reference, kUnlimited);
     reference_cost_ = (study_.short_reference.seconds - 2.0 * start_cost_) / study_.short_turns;
     const double most = start_cost_ + 0.05 + kLongestRow * turn_cost_ * study_.short_turns;
     // From the tightest tolerance up: once the longest step decides, looser ones change nothing.
@@ -330,6 +341,22 @@ class Study {
     return std::min(one * static_cast<double>(models_.size()), kModelShare * request_.budget);
   }
 
+  /// References of the second span, which becomes shorter where they are dearer than the first
+  /// round told (the skew of rollers and blows in pockets come after some time).
+  void long_references() {
+    while (true) {
+      const bool shortest = study_.long_turns <= study_.short_turns;
+      try {
+        study_.long_reference = references(study_.long_turns, earlier_.long_reference,
+                                           shortest ? kUnlimited : kReferenceShare * left());
+        return;
+      } catch (const ReferenceCut& cut) {
+        const double turns = std::min(kAfterCut * cut.turns, 0.5 * study_.long_turns);
+        study_.long_turns = std::max(turns >= 1.0 ? std::floor(turns) : turns, study_.short_turns);
+      }
+    }
+  }
+
   void second_round() {
     const std::vector<AccuracySetting> chosen = finalists();
     const double rows = static_cast<double>(chosen.size());
@@ -343,13 +370,15 @@ class Study {
     study_.long_turns = std::max(turns, study_.short_turns);
     if (study_.digest == earlier_.digest && earlier_.long_turns > 0.0)
       study_.long_turns = earlier_.long_turns;
-    study_.long_reference = references(study_.long_turns, earlier_.long_reference);
+    long_references();
     for (const AccuracySetting& setting : chosen) {
       if (left() < start_cost_ && !study_.finals.empty()) {
         ++study_.untried;
         continue;
       }
-      Trial row = trial(earlier_.finals, setting, study_.long_turns, std::max(left(), start_cost_));
+      // Motions may grow dearer than the first round told: no row takes all that others need.
+      Trial row = trial(earlier_.finals, setting, study_.long_turns,
+                        std::max(kRowShare * left(), start_cost_));
       add(study_.finals, row, study_.long_reference.results);
     }
     judge(study_.finals);

@@ -25,7 +25,8 @@
 ///
 /// Two rounds: all settings over a short span, then the deck's own and those that may win over as
 /// many turns as the budget allows. The study ends within the budget: rows are cut or left out
-/// where it ends (and told), references alone are not cut. Where the second span is shorter than
+/// where it ends (and told), and references that are dearer than laid out shorten the second span.
+/// Where the second span is shorter than
 /// what was asked for, the growth that was measured between both spans is told with the
 /// recommendation.
 namespace adore::facade {
