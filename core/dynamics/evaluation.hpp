@@ -12,6 +12,12 @@
 /// effects (effect.hpp) add to them.
 namespace adore::dynamics {
 
+/// What an inner race in force balance (mode 2) is asked to carry, and what the bearing carries of
+/// it, along the directions whose load is given [N, base axes].
+struct RaceLoad {
+  Vec3 asked = Vec3::Zero(), carried = Vec3::Zero();
+};
+
 /// Working memory of one evaluation. Sized at set-up, reused for ever.
 struct Evaluation {
   explicit Evaluation(std::size_t count);
@@ -29,6 +35,7 @@ struct Evaluation {
   std::array<RaceBody, 2> race;
   std::vector<BodyState> others;  ///< of effects that bring bodies of their own
 
+  RaceLoad balance;      ///< of an inner race in force balance
   double elastic = 0.0;  ///< of all contacts [J]
   bool valid = true;     ///< false: outside the model's validity
 

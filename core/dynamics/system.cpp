@@ -139,6 +139,7 @@ const Scales& System::scales() const noexcept { return impl_->scales; }
 std::span<const double> System::contact_loads(std::size_t race) const noexcept {
   return impl_->e.load[race];
 }
+const RaceLoad& System::balanced_race() const noexcept { return impl_->e.balance; }
 CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }
 std::span<const int> System::coupling() const noexcept { return impl_->parts.owner; }

@@ -17,6 +17,7 @@
 namespace adore::dynamics {
 
 class SceneEffect;   // effect.hpp
+struct RaceLoad;     // evaluation.hpp
 struct RollerScene;  // roller_start.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.
 using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;
@@ -99,6 +100,8 @@ class System {
   [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
+  /// Of an inner race in force balance, at the evaluation that was made last; zero: there is none.
+  [[nodiscard]] const RaceLoad& balanced_race() const noexcept;
   [[nodiscard]] CostLedger& cost() noexcept;
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept;
 

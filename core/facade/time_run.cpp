@@ -37,6 +37,7 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       control_(control),
       stop_(std::move(stop)),
       watch_(parts.prepared.control, parts.system->scales().time),
+      race_watch_(parts.system->scales().time, control.maximum),
       step_(start.step),
       substeps_(start.resume.substeps),
       h_(start.step_size),
@@ -154,6 +155,7 @@ void TimeRun::after_counted_step() {
   system().check_state(t, parts_.stepper.state().data());
   watch_.look(parts_.stepper);
   outputs.follow_loads(system(), t);
+  race_watch_.look(t, system().balanced_race(), parts_.prepared.control.substeps);
   if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
   const RunPoint now = point();

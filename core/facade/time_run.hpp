@@ -1,6 +1,7 @@
 #pragma once
 
 #include "facade/progress_meter.hpp"
+#include "facade/race_watch.hpp"
 #include "facade/step_watch.hpp"
 #include "facade/system_ode.hpp"
 #include "facade/thermal_run.hpp"
@@ -78,6 +79,7 @@ class TimeRun {
   integrators::StepControl control_;
   std::stop_token stop_;
   StepWatch watch_;
+  RaceWatch race_watch_;
   bool started_ = false;  ///< the stepper took the start state
   RunStatus status_ = RunStatus::Done;
   std::string message_;

@@ -133,6 +133,9 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 3>(
          [](const Source& s) { return s.ball().pocket_to_centre[static_cast<int>(s.component)]; }),
      "0 without cage"},
+    {"element.pocket_heat", "pocket heat", &unit::kPower, "-", false,
+     each<Per::Element, 1>([](const Source& s) { return s.ball().pocket_heat; }),
+     "dissipated in the pocket of the element, friction and film"},
     // Element / race contacts, outer then inner.
     {"contact.load", "contact load", &unit::kForce, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load; }), "normal load Q"},
@@ -368,6 +371,11 @@ constexpr auto kTable = std::to_array<Channel>({
        return land_value(s, s.land, [](const auto& l) { return l.attitude; });
      }),
      "from the line of the least gap to the load of the film"},
+    {"land.heat", "guide land heat", &unit::kPower, "-", false,
+     each<Per::Land, 1>([](const Source& s) {
+       return land_value(s, s.land, [](const auto& l) { return l.heat; });
+     }),
+     "dissipated at the guide land, friction and film"},
     // Races, outer then inner.
     {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", false,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta_dot; }),

@@ -79,7 +79,8 @@ struct ElementSnapshot {
   std::array<std::array<FlangeContactSnapshot, 2>, 2> flange{};  ///< [race][side: -x, +x]
   std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
   Vec3 pocket_to_centre =
-      Vec3::Zero();  ///< vector pocket centre -> element centre, pocket frame [m]
+      Vec3::Zero();          ///< vector pocket centre -> element centre, pocket frame [m]
+  double pocket_heat = 0.0;  ///< of all surfaces, ends, halves and films of its pocket [W]
   std::optional<NeighbourSnapshot> to_next;  ///< without cage; the last of two balls has none
 };
 
@@ -87,6 +88,7 @@ struct LandSnapshot {
   double force = 0.0, gap = 0.0;
   double angle = 0.0;       ///< azimuth of the least gap in the cage frame [rad]
   double film_force = 0.0;  ///< hydrodynamic [N]
+  double heat = 0.0;        ///< of contact and film [W]
   double attitude = 0.0;    ///< from the line of least gap to the film's load; 0 without [rad]
 };
 

@@ -111,9 +111,10 @@ FilmAction act(const FilmLand& land, const BodyState& cage, const RaceBody& race
 
 class LandFilmBlock final : public EffectBlock {
  public:
-  LandFilmBlock(const std::vector<FilmLand>& lands, double& heat) : lands_(lands), heat_(heat) {}
+  LandFilmBlock(const std::vector<FilmLand>& lands, HeatByPart& heat)
+      : lands_(lands), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    heat_ = 0.0;
+    heat_.none();
     BodyState& cage = e.segments.front();
     for (const FilmLand& land : lands_) {
       RaceBody& race = e.race[land.race];
@@ -125,14 +126,15 @@ class LandFilmBlock final : public EffectBlock {
       cage.moment += cage_torque;
       race.add_force(-on_cage, a.race_centre);
       race.moment += race_torque;
-      heat_ -= on_cage.dot(cage.velocity_at(a.cage_centre) - race.velocity_at(a.race_centre)) +
-               cage_torque.dot(cage.omega) + race_torque.dot(race.omega);
+      heat_.add(land.index,
+                -(on_cage.dot(cage.velocity_at(a.cage_centre) - race.velocity_at(a.race_centre)) +
+                  cage_torque.dot(cage.omega) + race_torque.dot(race.omega)));
     }
   }
 
  private:
   const std::vector<FilmLand>& lands_;
-  double& heat_;
+  HeatByPart& heat_;
 };
 
 class LandFilm final : public SceneEffect {
@@ -142,6 +144,7 @@ class LandFilm final : public SceneEffect {
     demand(bearing.cage_films.has_value() && bearing.cage.has_value(), "films without oil or cage");
     const bearing::CageFilms& films = *bearing.cage_films;
     const double viscosity = tribology::film_viscosity(bearing, films.land_viscosity);
+    heat_.part.assign(bearing.cage->lands.size(), 0.0);
     for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {
       const bearing::GuideLand& guide = bearing.cage->lands[i];
       const double c = 0.5 * guide.clearance;
@@ -158,7 +161,7 @@ class LandFilm final : public SceneEffect {
       lands_.push_back(land);
     }
     scene.block<LandFilmBlock>(Phase::Force, "films of the cage", {}, lands_, heat_);
-    scene.energy("land films.heat", kLandHeat, &heat_);
+    scene.energy("land films.heat", kLandHeat, &heat_.sum);
   }
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     for (const FilmLand& land : lands_) {
@@ -166,13 +169,14 @@ class LandFilm final : public SceneEffect {
       const FilmAction a = act(land, e.segments.front(), e.race[land.race]);
       LandSnapshot& shown = snapshot.cages.front().lands[land.index];
       shown.film_force = a.force.norm();
+      shown.heat += heat_.part[land.index];
       shown.attitude = std::atan2(a.tangential, -a.radial);
     }
   }
 
  private:
   std::vector<FilmLand> lands_;
-  double heat_ = 0.0;  ///< now [W]
+  HeatByPart heat_;  ///< now
 };
 
 /// Oil of the pockets and what of their shape its films read.
@@ -226,10 +230,10 @@ PocketFilmAction film_action(const PocketSet& set, const PocketOil& oil, const E
 
 class PocketFilmBlock final : public EffectBlock {
  public:
-  PocketFilmBlock(PocketSet& set, const PocketOil& oil, double& heat)
+  PocketFilmBlock(PocketSet& set, const PocketOil& oil, HeatByPart& heat)
       : set_(set), oil_(oil), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    heat_ = 0.0;
+    heat_.none();
     set_.locate(e);
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const contact::WallPoints walls = set_.walls(i);
@@ -240,7 +244,7 @@ class PocketFilmBlock final : public EffectBlock {
         e.add_force(ball, e.to_cylindrical(ball, a.force));
         e.add_moment(ball, e.to_cylindrical(ball, a.arm.cross(a.force)));
         set_.body(e, i).add_force(-a.force, a.point);
-        heat_ -= a.force.dot(a.slip);
+        heat_.add(ball, -a.force.dot(a.slip));
       }
     }
   }
@@ -248,7 +252,7 @@ class PocketFilmBlock final : public EffectBlock {
  private:
   PocketSet& set_;
   PocketOil oil_;
-  double& heat_;
+  HeatByPart& heat_;
 };
 
 class PocketFilm final : public SceneEffect, public ElementSupport {
@@ -268,10 +272,15 @@ class PocketFilm final : public SceneEffect, public ElementSupport {
     oil_.around = 1.0 / r - (shape == bearing::PocketShape::Rectangular ? 0.0 : wall);
     oil_.along = 1.0 / r - (shape == bearing::PocketShape::Spherical ? wall : 0.0);
     set_ = &pockets->set();
+    heat_.part.assign(static_cast<std::size_t>(bearing.element_count()), 0.0);
     scene.block<PocketFilmBlock>(Phase::Force, "films of the cage",
                                  BodyId{BodyId::Kind::Segment, 0}, *set_, oil_, heat_);
-    scene.energy("pocket films.heat", kPocketFilmHeat, &heat_);
+    scene.energy("pocket films.heat", kPocketFilmHeat, &heat_.sum);
     scene.supports(*this);
+  }
+  void report(const Evaluation&, Snapshot& snapshot) const override {
+    for (std::size_t i = 0; i < heat_.part.size(); ++i)
+      snapshot.elements[i].pocket_heat += heat_.part[i];
   }
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
     for_films(e, i, [&](const PocketFilmAction& a) {
@@ -299,7 +308,7 @@ class PocketFilm final : public SceneEffect, public ElementSupport {
 
   PocketSet* set_ = nullptr;
   PocketOil oil_;
-  double heat_ = 0.0;  ///< now [W]
+  HeatByPart heat_;  ///< now
 };
 
 }  // namespace

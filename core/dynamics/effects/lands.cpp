@@ -127,16 +127,16 @@ template <bool Traction, bool Arcs>
 class LandBlock final : public EffectBlock {
  public:
   LandBlock(const std::vector<LandModel>& lands, double half_angle,
-            const tribology::TractionLaw& law, double& heat)
+            const tribology::TractionLaw& law, HeatByPart& heat)
       : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat), race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     law_.visit_rounded([&](const auto& friction_per_slip) {
-      if constexpr (Traction) heat_ = 0.0;
+      if constexpr (Traction) heat_.none();
       in_passes(
           asked_, friction_per_slip,
           [&](const auto& law) {
-            for (BodyState& cage : e.segments) apply_with(law, e, cage);
+            for (std::size_t k = 0; k < e.segments.size(); ++k) apply_with(law, e, k);
           },
           race_);
     });
@@ -144,21 +144,23 @@ class LandBlock final : public EffectBlock {
 
  private:
   template <class Friction>
-  void apply_with(const Friction& friction_per_slip, Evaluation& e, BodyState& cage) noexcept;
+  void apply_with(const Friction& friction_per_slip, Evaluation& e, std::size_t piece) noexcept;
 
   const std::vector<LandModel>& lands_;
   double half_angle_;  ///< of the arc of a segment [rad]
   tribology::TractionLaw law_;
   GatheredTraction asked_;
-  double& heat_;
+  HeatByPart& heat_;
   int race_;
 };
 
 template <bool Traction, bool Arcs>
 template <class Friction>
 void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
-                                           Evaluation& e, BodyState& cage) noexcept {
-  for (const LandModel& land : lands_) {
+                                           Evaluation& e, std::size_t piece) noexcept {
+  BodyState& cage = e.segments[piece];
+  for (std::size_t which = 0; which < lands_.size(); ++which) {
+    const LandModel& land = lands_[which];
     if (land.uneven) continue;
     RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
     const double c = land.law.clearance;
@@ -194,7 +196,7 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
         if constexpr (kOnlyNotes<Friction>) continue;
         cage.add_force(friction, point);
         race.add_force(-friction, point);
-        heat_ += friction.dot(slip);
+        heat_.add(piece * lands_.size() + which, friction.dot(slip));
         cage.load_slip += N * std::sqrt(square);
       }
     }
@@ -214,7 +216,7 @@ using UserLandForces = UserForces<UserLandTouch>;
 class UserLandBlock final : public EffectBlock {
  public:
   UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
-                const tribology::TractionLaw& law, UserLandForces& forces, double& heat,
+                const tribology::TractionLaw& law, UserLandForces& forces, HeatByPart& heat,
                 double& along)
       : lands_(lands),
         half_angle_(half_angle),
@@ -240,8 +242,9 @@ class UserLandBlock final : public EffectBlock {
           cage.add_force(friction, touch.point);
           race.add_force(-friction, touch.point);
           cage.load_slip += difference * touch.slip;
-          heat_ += more * touch.heat;
-          along_ -= difference * rate;
+          const std::size_t part = touch.segment * lands_.size() + touch.land;
+          heat_.add(part, more * touch.heat);
+          heat_.add_along(along_, part, -difference * rate);
         });
     if (!valid) e.valid = false;
   }
@@ -294,7 +297,8 @@ class UserLandBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   UserLandForces& forces_;
-  double &heat_, &along_;
+  HeatByPart& heat_;
+  double& along_;
   int race_;
 };
 
@@ -307,6 +311,7 @@ class LandContact final : public SceneEffect {
     if (cut.several()) half_angle_ = std::numbers::pi / cut.count - 0.5 * cut.cut_angle;
     lands_ = make_lands(scene.bearing, scene.options.land_slices, half_angle_);
     if (lands_.empty()) return;
+    heat_.part.assign(lands_.size() * static_cast<std::size_t>(cut.count), 0.0);
     middle_ = pieces_of(scene).middle;
     const bool traction = scene.plan.has(Effect::LandTraction);
     demand(!traction || scene.bearing.land_traction.has_value(),
@@ -317,9 +322,9 @@ class LandContact final : public SceneEffect {
             : tribology::TractionLaw();
     const OtherForce other =
         other_force(scene, scene.options.user ? scene.options.user->land : nullptr,
-                    "user routine ADRX4", heat_);
+                    "user routine ADRX4", heat_.sum);
     if (other.of_user && !traction)
-      scene.block<NoHeatYet>(Phase::Force, "land contacts", {}, heat_);
+      scene.block<NoHeatOfParts>(Phase::Force, "land contacts", {}, heat_);
     const bool any_uneven = std::any_of(lands_.begin(), lands_.end(), [](const LandModel& land) {
       return land.uneven.has_value();
     });
@@ -348,7 +353,7 @@ class LandContact final : public SceneEffect {
       scene.block<UserLandBlock>(Phase::Force, other.cost, {}, lands_, half_angle_, traction, law,
                                  *forces_, heat_, *other.along);
     }
-    if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_);
+    if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_.sum);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
@@ -364,6 +369,7 @@ class LandContact final : public SceneEffect {
         snapshot.cages[k].lands.push_back(
             land.uneven ? report_of_uneven(land, e, e.segments[k], middle_[k])
                         : report_of(land, e, e.segments[k], half_angle_, more));
+        snapshot.cages[k].lands.back().heat = heat_.part[k * lands_.size() + i];
       }
   }
 
@@ -372,7 +378,7 @@ class LandContact final : public SceneEffect {
   std::vector<LandModel> lands_;
   std::vector<double> middle_;            ///< azimuth of each segment in the cage [rad]
   std::optional<UserLandForces> forces_;  ///< ADRX4
-  double heat_ = 0.0;                     ///< now [W]
+  HeatByPart heat_;                       ///< now, of the lands of each segment
 };
 
 }  // namespace

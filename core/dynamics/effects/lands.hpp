@@ -4,6 +4,7 @@
 #include "contact/uneven_land.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
+#include "dynamics/effects/heat_by_part.hpp"
 #include "scene/snapshot.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -53,20 +54,20 @@ class UnevenLandBlock final : public EffectBlock {
  public:
   /// @param middle azimuth of each segment in the cage [rad]
   UnevenLandBlock(const std::vector<LandModel>& lands, const std::vector<double>& middle,
-                  const tribology::TractionLaw& law, double& heat)
+                  const tribology::TractionLaw& law, HeatByPart& heat)
       : lands_(lands), middle_(middle), law_(law), heat_(heat), race_(one_race(lands)) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
   template <class Friction>
-  void apply_to(const Friction& friction_per_slip, Evaluation& e, const LandModel& land,
-                BodyState& segment, double middle) noexcept;
+  void apply_to(const Friction& friction_per_slip, Evaluation& e, std::size_t piece,
+                std::size_t which) noexcept;
 
   const std::vector<LandModel>& lands_;
   const std::vector<double>& middle_;
   tribology::TractionLaw law_;
   GatheredTraction asked_;
-  double& heat_;
+  HeatByPart& heat_;
   int race_;
 };
 extern template class UnevenLandBlock<false>;

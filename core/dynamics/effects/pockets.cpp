@@ -140,7 +140,7 @@ constexpr const LedgerTerm* kTerms[] = {&kPocketHeat};
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, double& heat)
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat)
       : set_(set), law_(law), heat_(heat) {
     if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
   }
@@ -164,7 +164,7 @@ class PocketBlock final : public EffectBlock {
   PocketSet& set_;
   tribology::TractionLaw law_;
   GatheredTraction asked_;
-  double& heat_;
+  HeatByPart& heat_;
 };
 
 template <bool Traction, bool Shaped>
@@ -179,7 +179,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   if constexpr (kOnlyNotes<Friction>) return;
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
-    heat_ += action.heat;
+    heat_.add(ball, action.heat);
     cage.load_slip += action.N * action.slip;
   }
   e.add_force(ball, e.to_cylindrical(ball, action.on_ball));
@@ -222,7 +222,7 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, double& heat, double& along)
+                  UserPocketForces& forces, HeatByPart& heat, double& along)
       : set_(set), friction_(friction), forces_(forces), heat_(heat), along_(along) {}
   void apply(Evaluation& e) noexcept override {
     if (friction_)
@@ -243,8 +243,8 @@ class UserPocketBlock final : public EffectBlock {
             e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
             cage.load_slip += difference * touch.action.slip;
           }
-          heat_ += more * touch.action.heat;
-          along_ -= difference * rate;
+          heat_.add(ball, more * touch.action.heat);
+          heat_.add_along(along_, ball, -difference * rate);
         });
     if (!valid) e.valid = false;
   }
@@ -278,7 +278,8 @@ class UserPocketBlock final : public EffectBlock {
   const std::optional<tribology::TractionLaw>& friction_;
   GatheredTraction asked_;
   UserPocketForces& forces_;
-  double &heat_, &along_;
+  HeatByPart& heat_;
+  double& along_;
 };
 
 }  // namespace
@@ -297,6 +298,7 @@ void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, std::vector<B
 
 void PocketContact::declare(SceneBuilder& scene) {
   demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+  heat_.part.assign(static_cast<std::size_t>(scene.bearing.element_count()), 0.0);
   if (scene.plan.has(Effect::PocketTraction)) {
     demand(scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
@@ -305,9 +307,9 @@ void PocketContact::declare(SceneBuilder& scene) {
   }
   const OtherForce other =
       other_force(scene, scene.options.user ? scene.options.user->pocket : nullptr,
-                  "user routine ADRX3", heat_);
+                  "user routine ADRX3", heat_.sum);
   if (friction_ || other.of_user)
-    scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
+    scene.block<NoHeatOfParts>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
                        const std::vector<contact::PlacedPocket>& pockets,
@@ -325,7 +327,7 @@ void PocketContact::declare(SceneBuilder& scene) {
   };
   add(set_, pieces.pockets, forces_[0]);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
-  if (friction_ || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_);
+  if (friction_ || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
   scene.supports(*this);
 }
 
@@ -395,6 +397,7 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     snapshot.elements[i].pocket = set_->report(i);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
+    snapshot.elements[i].pocket_heat = heat_.part[i];
   }
   const auto add_user = [](const std::optional<UserPocketForces>& forces, const auto& pocket) {
     if (forces)

@@ -5,6 +5,7 @@
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
+#include "dynamics/effects/heat_by_part.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -204,7 +205,7 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
   std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
-  double heat_ = 0.0;                                      ///< now [W]
+  HeatByPart heat_;                                        ///< now, of the pocket of each element
 };
 
 }  // namespace adore::dynamics

@@ -29,6 +29,7 @@ class RaceBalance::Motion final : public EffectBlock {
     for (int k = 0; k < 3; ++k)
       if (!race_.free()[static_cast<std::size_t>(k)]) rate[k] = 0.0;
     store_at(e.dydt, centre_, rate);
+    e.balance = {race_.load(), race_.load() - race_.residual(e.race[1].force)};
   }
 
  private:

@@ -45,8 +45,11 @@ Vec3 turning_gradient(const BodyState& segment, const RaceBody& race) noexcept {
 template <bool Traction>
 template <class Friction>
 void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& friction_per_slip,
-                                         Evaluation& e, const LandModel& land, BodyState& segment,
-                                         double middle) noexcept {
+                                         Evaluation& e, std::size_t piece,
+                                         std::size_t which) noexcept {
+  const LandModel& land = lands_[which];
+  BodyState& segment = e.segments[piece];
+  const double middle = middle_[piece];
   RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
   const Vec3 g = turning_gradient(segment, race);
   for (const double x : land.slice_x) {
@@ -54,26 +57,26 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
     const PlacedSlice slice = place_slice(x, segment, race, middle);
     Vec3 force = Vec3::Zero();
     double turning = 0.0;
-    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& piece) {
-      const Vec3 f = race.to_base * Vec3(0.0, piece.force[0], piece.force[1]);
+    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& part) {
+      const Vec3 f = race.to_base * Vec3(0.0, part.force[0], part.force[1]);
       if constexpr (!kOnlyNotes<Friction>) {
         force += f;
-        turning += piece.turning;
-        e.elastic += piece.energy;
+        turning += part.turning;
+        e.elastic += part.energy;
       }
       if constexpr (Traction) {
         // The race pushes the cage inwards where it guides outside, outwards where inside.
-        const Vec3 normal = f / piece.load;
+        const Vec3 normal = f / part.load;
         const Vec3 point = slice.at.centre - (land.side * land.cage_radius) * normal;
         Vec3 slip = race.velocity_at(point) - segment.velocity_at(point);
         slip -= slip.dot(normal) * normal;
         const double square = slip.squaredNorm();
-        const Vec3 friction = friction_over_slip(friction_per_slip, piece.load, square) * slip;
+        const Vec3 friction = friction_over_slip(friction_per_slip, part.load, square) * slip;
         if constexpr (kOnlyNotes<Friction>) return;
         segment.add_force(friction, point);
         race.add_force(-friction, point);
-        heat_ += friction.dot(slip);
-        segment.load_slip += piece.load * std::sqrt(square);
+        heat_.add(piece * lands_.size() + which, friction.dot(slip));
+        segment.load_slip += part.load * std::sqrt(square);
       }
     });
     if constexpr (kOnlyNotes<Friction>) continue;
@@ -91,8 +94,8 @@ void UnevenLandBlock<Traction>::apply(Evaluation& e) noexcept {
         asked_, friction_per_slip,
         [&](const auto& law) {
           for (std::size_t k = 0; k < e.segments.size(); ++k)
-            for (const LandModel& land : lands_)
-              if (land.uneven) apply_to(law, e, land, e.segments[k], middle_[k]);
+            for (std::size_t i = 0; i < lands_.size(); ++i)
+              if (lands_[i].uneven) apply_to(law, e, k, i);
         },
         race_);
   });

@@ -3,6 +3,7 @@
 #include "core/dynamics/allocation_counter.hpp"
 #include "core/dynamics/system_fixture.hpp"
 #include "core/dynamics/thrust_scene.hpp"
+#include "core/dynamics/wave_record.hpp"
 #include "dynamics/constrained.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,6 +23,10 @@ using dynamics::System;
 using scene::Effect;
 using scene::Snapshot;
 using scene::Vec3;
+using wave_record::about_mean;
+using wave_record::Record;
+using wave_record::record_of;
+using wave_record::rms;
 
 namespace {
 
@@ -281,85 +286,9 @@ TEST_CASE("wavy races: a bearing turned by one pitch, or mirrored, moves likewis
   }
 }
 
-namespace {
-
-/// Force that the inner race puts on the bearing over time, with what turned meanwhile.
-struct Record {
-  std::vector<double> axial;
-  std::vector<std::complex<double>> radial;                ///< y + i z
-  double time = 0.0, step = 0.0, cage = 0.0, shaft = 0.0;  ///< [s], mean speeds [rad/s]
-
-  /// Share of the mean square about the mean that is within ±`width` of the frequencies.
-  template <class Value>
-  [[nodiscard]] static double power(const std::vector<Value>& of, double step, double frequency) {
-    std::complex<double> sum = 0.0;
-    double weight = 0.0;
-    const auto n = static_cast<double>(of.size());
-    for (std::size_t k = 0; k < of.size(); ++k) {
-      const double window = 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(k) + 0.5) / n);
-      sum += window * of[k] * std::polar(1.0, -frequency * step * static_cast<double>(k));
-      weight += window;
-    }
-    return std::norm(sum / weight);
-  }
-};
-
-template <class Value>
-std::vector<Value> about_mean(std::vector<Value> values) {
-  Value mean = 0.0;
-  double weight = 0.0;
-  const auto n = static_cast<double>(values.size());
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const double window = 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(k) + 0.5) / n);
-    mean += window * values[k];
-    weight += window;
-  }
-  for (Value& value : values) value -= mean / weight;
-  return values;
-}
-
-/// Balls in force balance (mode 1): their own vibration is not in the record.
-Record record_of(const bearing::Bearing& b, double turns_of_cage) {
-  using enum Effect;
-  System system = make_system(b, plan_with({RaceContact, RaceTraction, ElementBalance}));
-  std::vector<double> y = system.initial_state();
-  Adapter adapter(system);
-  system.set_start(0.0, y);
-  system.between_steps(0.0, y);
-  Record out;
-  const Snapshot start = system.snapshot(0.0, y);
-  const double cage = start.elements[0].theta_dot;
-  out.time = turns_of_cage * 2 * kPi / std::abs(cage);
-  constexpr int samples = 1024;
-  out.step = out.time / samples;
-  const auto stepper = integrators::make_stepper("rkf5");
-  integrators::StepControl control;
-  control.maximum = out.step;
-  control.minimum = 1e-13;
-  control.tolerance = 1e-5;
-  stepper->start(adapter, 0.0, y, control);
-  double first = 0.0, last = 0.0;
-  for (int k = 0; k < samples; ++k) {
-    const double until = (k + 0.5) * out.step;
-    while (stepper->time() < until) stepper->step(until);
-    const auto state = stepper->state();
-    const Snapshot s = system.snapshot(until, {state.data(), state.size()});
-    out.axial.push_back(s.races[1].applied_force[0]);
-    out.radial.emplace_back(s.races[1].applied_force[1], s.races[1].applied_force[2]);
-    double theta = 0.0;
-    for (const auto& ball : s.elements) theta += ball.theta;
-    theta /= static_cast<double>(s.elements.size());
-    (k == 0 ? first : last) = theta;
-  }
-  out.cage = (last - first) / ((samples - 1) * out.step);
-  out.shaft = b.speed[1];
-  return out;
-}
-
-}  // namespace
-
 TEST_CASE("wavy races: the race's force shows the textbook orders and nothing else",
           "[physics][dynamics][imperfections][slow]") {
+  using enum Effect;
   // Z balls. Inner race, n = qZ + p waves: qZ(Ω - Ω_c), of the radial force turned by p times the
   // race; outer race: qZ Ω_c. p = 0: axial force; p = ±1: radial force; other p: none.
   constexpr int Z = 8;
@@ -369,7 +298,8 @@ TEST_CASE("wavy races: the race's force shows the textbook orders and nothing el
     for (const int n : {5, 7, 8, 9, 12, 16}) {
       bearing::Bearing b = thrust_bearing(Z);
       b.imperfections.race[static_cast<std::size_t>(race)] = wave(amplitude, n);
-      const Record r = record_of(b, 4.0);
+      System system = make_system(b, plan_with({RaceContact, RaceTraction, ElementBalance}));
+      const Record r = record_of(system, 4.0);
       const double passing = race == 0 ? r.cage : r.shaft - r.cage;
       const int q = (n + 2) / Z, p = n - q * Z;
       const auto axial = about_mean(r.axial);
@@ -380,11 +310,6 @@ TEST_CASE("wavy races: the race's force shows the textbook orders and nothing el
       const double radial_peak =
           std::sqrt(std::max(Record::power(radial, r.step, q * Z * passing + turned),
                              Record::power(radial, r.step, -(q * Z * passing + turned))));
-      const auto rms = [](const auto& of) {
-        double sum = 0.0;
-        for (const auto& v : of) sum += std::norm(v);
-        return std::sqrt(sum / static_cast<double>(of.size()));
-      };
       INFO("race " << race << ", " << n << " waves: axial " << axial_peak << " of "
                    << rms(axial) * std::sqrt(2.0) << " N, radial " << radial_peak << " of "
                    << rms(radial) << " N");

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "dynamics/effect.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace adore::dynamics {
+
+/// Heat of one kind of contacts now: of all, an item of the ledger, and of each pocket or land.
+struct HeatByPart {
+  double sum = 0.0;          ///< [W]
+  std::vector<double> part;  ///< [W]; sized before the first evaluation
+
+  void none() noexcept {
+    sum = 0.0;
+    std::fill(part.begin(), part.end(), 0.0);
+  }
+  void add(std::size_t i, double watts) noexcept {
+    sum += watts;
+    part[i] += watts;
+  }
+  /// What a normal force of another takes along the normal: of this kind, or of damping, which has
+  /// an item of its own (user_forces.hpp).
+  void add_along(double& along, std::size_t i, double watts) noexcept {
+    along += watts;
+    if (&along == &sum) part[i] += watts;
+  }
+};
+
+/// Sets such heat to zero before the blocks that add to it.
+class NoHeatOfParts final : public EffectBlock {
+ public:
+  explicit NoHeatOfParts(HeatByPart& heat) : heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
+  void apply(Evaluation&) noexcept override { heat_.none(); }
+
+ private:
+  HeatByPart& heat_;
+};
+
+}  // namespace adore::dynamics

@@ -1,0 +1,40 @@
+#include "facade/race_watch.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+namespace adore::facade {
+
+void RaceWatch::begin(double t) noexcept {
+  begun_ = true;
+  start_ = last_ = t;
+  off_ = asked_ = 0.0;
+  steps_ = 0;
+}
+
+void RaceWatch::look(double t, const dynamics::RaceLoad& load, long steps) {
+  const double asked = load.asked.norm();
+  if (!(asked > 0.0)) return;
+  if (!begun_) return begin(t);
+  const double step = t - last_;
+  last_ = t;
+  off_ += step * (load.asked - load.carried).norm();
+  asked_ += step * asked;
+  steps_ += steps;
+  const double length = t - start_;
+  if (length < window_) return;
+  const bool crowded = static_cast<double>(steps_) * longest_ > kCrowded * length;
+  windows_ = crowded && off_ > kMost * asked_ ? windows_ + 1 : 0;
+  const double off = off_ / length, whole = asked_ / length;
+  begin(t);
+  if (windows_ < kWindows) return;
+  throw SolverError(fmt::format(
+      "at t = {:.9g} s the inner race is not in balance (mode = 2): it is asked to carry {:.4g} N, "
+      "and what the elements carry is off by {:.4g} N in the mean of the last {:.3g} s. Elements "
+      "that barely touch hold no race whose inertia is left out; give more load or preload, or set "
+      "mode to 0 or 1",
+      t, whole, off, length));
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "dynamics/evaluation.hpp"
+
+#include <algorithm>
+
+/// Ends a run in mode 2 whose bearing does not carry what the inner race is asked to carry.
+///
+/// That race has no inertia: it goes to where the elements carry its load, and a departure decays
+/// within a few of the elements' own times √(m/k) (dynamics/balanced_race.hpp), to 1e-9 of the load
+/// without friction and some 1e-5 with it, whatever the speeds, loads that turn and blows of a cage
+/// do. Rollers that barely touch, because gravity, heat or the cage ask more of them than the load
+/// does, open and close about their balance; nothing then holds the race, its steps shrink, and
+/// what the run tells is no motion of a bearing. So the mean size of what is off is formed over
+/// windows of kWindow such times; where it is above kMost of the load, and the steps are kCrowded
+/// times more than the longest would be, in kWindows of them one after another, the run ends with
+/// that cause. Balls that a light load leaves to their centrifugal force are off as much at steps
+/// of full length: they go on, and PRINT and RUN.json have the load that was carried.
+namespace adore::facade {
+
+class RaceWatch {
+ public:
+  static constexpr double kWindow = 40.0;
+  static constexpr double kMost = 0.1;
+  static constexpr double kCrowded = 10.0;
+  static constexpr int kWindows = 3;
+
+  /// @param time_scale √(m/k) [s]
+  /// @param longest step of the run [s]
+  RaceWatch(double time_scale, double longest)
+      : window_(kWindow * time_scale), longest_(std::min(longest, time_scale)) {}
+  /// After so many steps; nothing is asked where no race is in balance.
+  /// @throws SolverError
+  void look(double t, const dynamics::RaceLoad& load, long steps);
+
+ private:
+  void begin(double t) noexcept;
+
+  double window_, longest_;  ///< [s]
+  bool begun_ = false;
+  double start_ = 0.0, last_ = 0.0;  ///< of the window; the step before [s]
+  double off_ = 0.0, asked_ = 0.0;   ///< sizes, over the window [N s]
+  long steps_ = 0;                   ///< in it
+  int windows_ = 0;                  ///< one after another that are off
+};
+
+}  // namespace adore::facade

@@ -1,0 +1,145 @@
+#include "base/errors.hpp"
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "facade/race_watch.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Mode 2 whose elements do not carry what the race is asked to carry.
+using namespace adore;
+using facade::RaceWatch;
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+namespace {
+
+constexpr double kScale = 1e-5;  ///< √(m/k) [s]
+constexpr double kWindow = RaceWatch::kWindow * kScale;
+
+/// Looks from `from` to `to` [s] at a race that is asked for 100 N.
+template <class Carried>
+void look(RaceWatch& watch, double from, double to, const Carried& carried, long substeps = 100) {
+  const int steps = 4000;
+  for (int k = 0; k <= steps; ++k) {
+    const double t = from + (to - from) * k / steps;
+    watch.look(t, {{0.0, 0.0, 100.0}, carried(t)}, substeps);
+  }
+}
+
+facade::RunOutcome run(const char* type, Sets sets, const std::string& until) {
+  const testing::TemporaryFolder folder;
+  deck::Deck deck = deck::new_deck(type);
+  sets.insert(sets.end(), {{"mode", "2"}, {"kPltFreq", "0"}, {"kAGraf", "0"}});
+  deck.set_all(sets);
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.until = until;
+  return facade::run(request);
+}
+
+}  // namespace
+
+TEST_CASE("a race in balance is off by more than a tenth, at tiny steps, before a run ends",
+          "[unit][constrained]") {
+  const auto constant = [](double load) {
+    return [load](double) { return scene::Vec3(0.0, 0.0, load); };
+  };
+  SECTION("near its load it goes on for ever, whatever it is off for a moment") {
+    RaceWatch watch(kScale, 0.5 * kScale);
+    CHECK_NOTHROW(look(watch, 0.0, 100.0 * kWindow, constant(91.0)));
+    CHECK_NOTHROW(look(watch, 100.0 * kWindow, 101.5 * kWindow, constant(0.0)));
+    CHECK_NOTHROW(look(watch, 101.5 * kWindow, 200.0 * kWindow, constant(100.0)));
+  }
+  SECTION("what lacks, or is too much, ends it with the figures") {
+    for (const double load : {88.0, 112.0}) {
+      RaceWatch watch(kScale, 0.5 * kScale);
+      CHECK_NOTHROW(look(watch, 0.0, 2.9 * kWindow, constant(load)));
+      CHECK_THROWS_WITH(look(watch, 2.9 * kWindow, 3.2 * kWindow, constant(load)),
+                        Catch::Contains("asked to carry 100 N") && Catch::Contains("off by 12 N") &&
+                            Catch::Contains("mode to 0 or 1"));
+    }
+  }
+  SECTION("a race that rattles about its load ends, too") {
+    RaceWatch watch(kScale, 0.5 * kScale);
+    CHECK_THROWS_AS(look(watch, 0.0, 4.0 * kWindow,
+                         [](double t) {
+                           return scene::Vec3(0.0, 0.0, std::sin(t / kScale) > 0.0 ? 150.0 : 50.0);
+                         }),
+                    SolverError);
+  }
+  SECTION("at steps of full length it goes on") {
+    RaceWatch watch(kScale, 0.5 * kScale);
+    CHECK_NOTHROW(look(watch, 0.0, 50.0 * kWindow, constant(50.0), 1));
+  }
+  SECTION("without a race in balance nothing is asked") {
+    RaceWatch watch(kScale, 0.5 * kScale);
+    for (int k = 0; k < 10000; ++k) CHECK_NOTHROW(watch.look(k * kScale, {}, 1000));
+  }
+}
+
+// Deck 18 of seed 8 of tests/hardcases/random_decks.py: the rollers weigh and rub more than the
+// race presses on them.
+TEST_CASE("mode 2 of rollers that barely touch ends soon, with that cause",
+          "[validation][constrained][rollers][slow]") {
+  const facade::RunOutcome end =
+      run("tapered",
+          {{"appLoadY", "97.2130434"},
+           {"appLoadZ", "-62.9025898"},
+           {"appLoadX", "107.435588"},
+           {"rpm2", "5645.18123"},
+           {"bReEndRad1", "0.0896530469"},
+           {"bReEndRad2", "0.0553308894"},
+           {"nRe", "14"},
+           {"kNumPltElem", "1"},
+           {"kPltElemInd", "1"},
+           {"raceTemp1", "253.257959"},
+           {"raceTemp2", "302.523102"},
+           {"reTemp", "339.540854"},
+           {"cageTemp", "396.648403"},
+           {"raceFit2", "4.20951866e-06"},
+           {"raceFit1", "-9.66355683e-06"},
+           {"gravityVecX", "11.8955845"},
+           {"gravityVecY", "-34.607538"},
+           {"gravityVecZ", "-32.3891279"},
+           {"bPocCls1", "0.00076059688"},
+           {"wvRatio", "-1.05651285"},
+           {"avRatio", "0.520182304"},
+           {"cageGcPos", "3.05368083e-05, -1.8980508e-06, -4.91194439e-05"},
+           {"cageAngPos", "0.0351631783, 0, 0"},
+           {"kVarSpeed", "1"},
+           {"raceAngAcc2", "31293.9379"},
+           {"endTime2", "0.00287212598"}},
+          "2.1e-3s");
+  INFO(end.message);
+  CHECK(end.status == facade::RunStatus::Failed);
+  CHECK_THAT(end.message, Catch::Contains("the inner race is not in balance"));
+  CHECK(end.time < 8e-4);  // before the steps shrink
+}
+
+TEST_CASE(
+    "mode 2 goes on from rest, through zero, under a load that turns, shaken and lightly loaded",
+    "[validation][constrained][slow]") {
+  const std::pair<const char*, Sets> cases[] = {
+      {"from rest", {{"kVarSpeed", "1"}, {"rpm2", "0"}, {"raceAngAcc2", "1e6"}, {"endTime2", "1"}}},
+      {"through zero", {{"kVarSpeed", "2"}, {"raceSpeedAmp2", "20000"}, {"raceSpeedFreq2", "500"}}},
+      {"load that turns", {{"kVarLoad", "1"}, {"rotLoadFrac2", "1"}, {"rotLoadRpm2", "60000"}}},
+      {"cage far from its speed", {{"avRatio", "0.5"}}},
+  };
+  for (const char* type : {"ball", "cylindrical", "tapered"})
+    for (const auto& [name, sets] : cases) {
+      INFO(type << " " << name);
+      const facade::RunOutcome end = run(type, sets, "1e-3s");
+      INFO(end.message);
+      CHECK(end.status == facade::RunStatus::Done);
+    }
+  for (const char* load : {"50", "200"}) {
+    INFO("ball under " << load << " N of thrust");
+    CHECK(run("ball", {{"appLoadX", load}, {"appLoadZ", "0"}}, "1e-3s").status ==
+          facade::RunStatus::Done);
+  }
+}
