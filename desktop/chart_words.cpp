@@ -135,7 +135,10 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   };
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
   // Where there is no room to say what a curve hides, its broken line does.
-  const bool whole = length(true) + count * (14.0 + 8.0) <= room;
+  constexpr qreal kNarrow = 900.0;  // there the names of marks need it
+  const bool marked = &panel == &page_.panels.front() && !page_.marks.empty();
+  const bool whole =
+      length(true) + count * (14.0 + 8.0) <= room && !(marked && area.width() < kNarrow);
   const qreal names = length(whole);
   const bool narrow = names + count * (24.0 + 16.0) > room;
   const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
