@@ -1,5 +1,6 @@
 #include "agore/pocket_outline.hpp"
 #include "agore/roller_outline.hpp"
+#include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -128,7 +129,8 @@ void pocket_view(const Scene& s) {
       QString::fromStdString(fmt::format(
           "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}", k + 1,
           s.frame.elements.size(), rollers ? "clearance and skew" : "clearance",
-          desktop::pretty_number(factor, 3), arrow_named ? "" : "  ·  arrow: cage rotation",
+          desktop::pretty_number(factor, 3),
+          arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
           shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
           : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
                     : "  ·  drawn round: SOL8 does not hold the pocket's shape")));

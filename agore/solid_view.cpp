@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace adore::agore {
 
@@ -187,6 +188,12 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   const Vec3 second = axis.cross(first);
   constexpr int kSides = 28;
   const int parts = shape.crown > 0.0 ? 10 : 1;
+  // Corners are chamfers here.
+  std::vector<double> stations;
+  if (shape.corner[0] > 0.0) stations.push_back(-shape.half);
+  const double first_u = shape.corner[0] - shape.half, last_u = shape.half - shape.corner[1];
+  for (int j = 0; j <= parts; ++j) stations.push_back(first_u + (last_u - first_u) * j / parts);
+  if (shape.corner[1] > 0.0) stations.push_back(shape.half);
   const auto round = [&](int i) {
     const double a = 2.0 * kPi * (i - 0.5) / kSides;
     return Vec3(std::cos(a) * first + std::sin(a) * second);
@@ -194,9 +201,8 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   for (int i = 0; i < kSides; ++i) {
     const Shades& colour = i == 0 && first.squaredNorm() > 0.0 ? mark : shades;
     const Vec3 n = round(i), o = round(i + 1);
-    for (int j = 0; j < parts; ++j) {
-      const double u = shape.half * (2.0 * j / parts - 1.0),
-                   w = shape.half * (2.0 * (j + 1) / parts - 1.0);
+    for (std::size_t j = 1; j < stations.size(); ++j) {
+      const double u = stations[j - 1], w = stations[j];
       const double ru = shape.side(u), rw = shape.side(w);
       m.canvas().quad(m.at(middle + u * axis + ru * n, n), m.at(middle + w * axis + rw * n, n),
                       m.at(middle + w * axis + rw * o, o), m.at(middle + u * axis + ru * o, o),

@@ -196,17 +196,23 @@ void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal l
       join(i);
     else
       ++i;
+  // Without the last one, which may be shortened.
   const auto length = [&] {
-    qreal all = -kApart;
-    for (const MarkName& name : names) all += name.width + kApart;
+    qreal all = 0.0;
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) all += names[i].width + kApart;
     return all;
   };
-  while (names.size() > 1 && length() > right - left) join(names.size() - 2);
+  constexpr qreal kShort = 45.0;
+  const auto crowded = [&] {
+    return length() + std::min(names.back().width, kShort) > right - left;
+  };
+  while (names.size() > 1 && crowded()) join(names.size() - 2);
+  if (!names.empty() && length() + names.back().width > right - left) {
+    MarkName& last = names.back();
+    last.text = metrics.elidedText(last.text, Qt::ElideRight, right - left - length());
+    last.width = metrics.horizontalAdvance(last.text);
+  }
   for (MarkName& name : names) {
-    if (name.width > right - left) {
-      name.text = metrics.elidedText(name.text, Qt::ElideRight, right - left);
-      name.width = metrics.horizontalAdvance(name.text);
-    }
     name.left = std::max(left, name.line - 0.5 * name.width);
   }
   for (std::size_t i = 1; i < names.size(); ++i)
