@@ -18,6 +18,7 @@
 #include "deck/lookup.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/file_drops.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/theme.hpp"
@@ -71,7 +72,7 @@ QScrollArea* scrolled(QWidget* panel) {
 }  // namespace
 
 DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
-  setAcceptDrops(true);
+  desktop::take_files_anywhere(*this);
   desktop::open_at_size(*this, {1280, 860});
   check_ = new QTimer(this);
   check_->setSingleShot(true);

@@ -1,5 +1,7 @@
 #include "adrinput/run_panel.hpp"
 
+#include "adrinput/viewers.hpp"
+#include "adrinput/window_words.hpp"
 #include "base/duration.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
@@ -303,7 +305,7 @@ void RunPanel::show(const RunEnd& end) {
     view_->setPlainText(text);
   } else {
     headline_ = tr("The deck was not run, for this reason:");
-    view_->setPlainText(from(end.reason));
+    view_->setPlainText(from(in_window_words(end.reason)));
   }
   view_->show();
   showNote();
@@ -355,17 +357,8 @@ QStringList RunPanel::plotFiles() const {
 }
 
 void RunPanel::view(const QString& program, const QStringList& files) {
-  try {
-    const QString project = desktop::folder_of(file_);  // new folders of runs are part of it
-    QStringList arguments;
-    for (const QString& file : files)  // the window may have been started elsewhere
-      arguments << (file.startsWith("--") ? file
-                                          : QDir::cleanPath(QFileInfo(file).absoluteFilePath()));
-    if (desktop::hand_over(program, project, arguments)) return;  // it has its window already
-    launch(program, QStringList{"--project", project} + arguments);
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-  }
+  // New folders of runs are part of it.
+  show_in_viewer(this, launch, program, desktop::folder_of(file_), files);
 }
 
 void RunPanel::openPlots() {

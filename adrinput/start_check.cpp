@@ -1,5 +1,6 @@
 #include "adrinput/start_check.hpp"
 
+#include "adrinput/window_words.hpp"
 #include "facade/rehearsal.hpp"
 
 #include <exception>
@@ -33,6 +34,10 @@ void StartCheck::start(Document::Candidate candidate) {
           input.option_values = candidate.options;
           input.stop = stop;
           *answer = facade::refusals_of_run(std::move(input));
+          for (Issue& issue : **answer) {
+            issue.message = in_window_words(std::move(issue.message));
+            issue.remedy = in_window_words(std::move(issue.remedy));
+          }
         } catch (const std::exception&) {
           answer->reset();  // given up
         }

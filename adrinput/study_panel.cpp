@@ -1,8 +1,10 @@
 #include "adrinput/study_panel.hpp"
 
+#include "adrinput/viewers.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/theme.hpp"
 
 #include <QBoxLayout>
@@ -267,11 +269,9 @@ void StudyPanel::showStatus() {
 
 void StudyPanel::openResults() {
   std::filesystem::path folder = document_.path();
-  try {
-    launch("adrplot", {from(folder.replace_extension(".study").string())});
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-  }
+  const QString project = desktop::folder_of(folder);
+  show_in_viewer(this, launch, "adrplot", project,
+                 {from(folder.replace_extension(".study").string())});
 }
 
 }  // namespace adore::adrinput

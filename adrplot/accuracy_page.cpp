@@ -48,7 +48,7 @@ desktop::ChartPage page_of(const std::vector<Point>& points, const std::string& 
   page.x_title = "Computing time";
   page.x_unit = "s";
   page.log_x = page.points = true;
-  desktop::ChartPanel panel{error_title, "", {}};
+  desktop::ChartPanel panel{error_title, "%", {}};
   panel.log = true;
   for (const Point& point : points) page.x.push_back(point.seconds);
   if (!points.empty()) {  // no point on the frame
@@ -64,7 +64,7 @@ desktop::ChartPage page_of(const std::vector<Point>& points, const std::string& 
       fresh.y.assign(points.size(), std::nan(""));
       curve = panel.curves.insert(curve, std::move(fresh));
     }
-    curve->y[i] = points[i].error;
+    curve->y[i] = 100.0 * points[i].error;
   }
   if (points.empty()) panel.message = "No run of the study came to its end with an error above 0.";
   page.panels.push_back(std::move(panel));

@@ -62,6 +62,9 @@ KnownValues KnownColumns::values(const std::string& id) const {
     for (std::size_t i = 0; i < std::min(where.size(), out.values.size()); ++i)
       if (absent(where[i])) out.values[i] = kNone;
   };
+  const std::vector<double> y = stored("cage.y_over_clearance"),
+                            z = stored("cage.z_over_clearance");
+  const auto in_the_middle = [&](std::size_t i) { return y[i] == 0.0 && z[i] == 0.0; };
   const auto is_zero = [](double v) { return v == 0.0; };
   const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
   if (is("contact.film.")) {
@@ -74,6 +77,10 @@ KnownValues KnownColumns::values(const std::string& id) const {
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
       if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))
         drop(stored("contact.load" + behind(id, channel)), is_zero);
+    const auto known = std::count_if(out.values.begin(), out.values.end(),
+                                     [](double v) { return std::isfinite(v); });
+    if (known > 0 && known < std::ssize(out.values))
+      out.why_gaps = "no contact where its curve breaks off";
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),
@@ -86,7 +93,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
     if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
       nothing(fmt::format("This cage has no guide land {}.", land.back()));
     else if (id.ends_with("_angle"))  // a cage in the middle is nowhere nearest
-      for (std::size_t i = 0; i < out.values.size() && out.values[i] == 0.0; ++i)
+      for (std::size_t i = 0; i < out.values.size() && out.values[i] == 0.0 && in_the_middle(i);
+           ++i)
         out.values[i] = kNone;
   } else if (is("pocket.position.")) {
     // Where a roller that lies along a wall is nearest to it is a matter of rounding.

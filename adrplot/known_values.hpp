@@ -14,7 +14,8 @@ namespace adore::adrplot {
 struct KnownValues {
   std::vector<double> values;  ///< one per step, in the file's unit; NaN: none
   std::string unit;
-  std::string why_none;  ///< a sentence when the column holds no number that means anything
+  std::string why_none;       ///< a sentence when the column holds no number that means anything
+  std::string why_gaps = {};  ///< why some steps have none beside others that do
 };
 
 /// Rules, each only where the stored numbers leave no other meaning:
@@ -24,6 +25,7 @@ struct KnownValues {
 /// - a flange gap of exactly 0: no flange there, or the roller's end is nowhere near it;
 /// - contact angle, spin to roll and slip at a load of exactly 0: the contact is open;
 /// - a life of 0: no life model, or none computed yet; 9.99E+30: infinite (N77);
+/// - the angle of a land of exactly 0 while the cage has not left its middle;
 /// - an average wear rate at time 0: there is no time to average over.
 class KnownColumns {
  public:

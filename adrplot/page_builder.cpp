@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,7 @@ bool any_value(const std::vector<double>& values) {
 /// reason in the panel, or in the page's note beside curves that have some.
 void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   const KnownColumns columns(file);
+  std::vector<std::string> gaps;
   for (const auto& spec : page.panels) {
     ChartPanel panel{spec.title, columns.unit(spec.curves.front().column), {}, spec.wraps};
     std::string reason;
@@ -56,6 +58,12 @@ void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
       if (!known.why_none.empty() && !any_value(known.values)) {
         reason = known.why_none;
         if (spec.curves.size() > 1) reason = curve.name + ": " + reason;
+      }
+      if (!known.why_gaps.empty() && any_value(known.values)) {
+        std::string gap =
+            (curve.name.empty() ? spec.title : curve.name) + ": " + known.why_gaps + ".";
+        gap[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(gap[0])));
+        if (std::find(gaps.begin(), gaps.end(), gap) == gaps.end()) gaps.push_back(std::move(gap));
       }
       panel.curves.push_back({curve.name, std::move(known.values), {}});
     }
@@ -69,6 +77,7 @@ void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
     }
     chart.panels.push_back(std::move(panel));
   }
+  for (const std::string& gap : gaps) add_note(chart, gap);
 }
 
 /// Components of one force, moment or acceleration: what is below a ten-millionth of the largest is

@@ -137,6 +137,10 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   else
     slip.note = "The integral of load times slip " + missing;
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
+  if (!ball) {
+    slip.note += slip.note.empty() ? "" : " ";
+    slip.note += "Slip velocity: the largest of the slices; it steps where another one takes over.";
+  }
   pages.push_back(std::move(slip));
 
   PageSpec heat = history("Race interactions 3: heat and temperature",

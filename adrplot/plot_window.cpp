@@ -2,6 +2,7 @@
 
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/file_drops.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QAction>
@@ -21,7 +22,7 @@ namespace adore::adrplot {
 
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
-  setAcceptDrops(true);
+  desktop::take_files_anywhere(*this);
   desktop::open_at_size(*this, {1280, 860});
 
   tree_ = new QTreeWidget(this);
@@ -83,7 +84,8 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   connect(view_, &desktop::ChartView::readoutChanged, this,
-          [this](const QString& text) { readout_->setText(text); });
+          [this](const QString& text) { readout_->setText(fittedReadout(text)); });
+  connect(view_, &desktop::ChartView::curvesChanged, this, &PlotWindow::fitReadout);
   showCurrent();
 }
 
@@ -183,7 +185,30 @@ void PlotWindow::fitReadout() {
       height = std::max(
           height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
     }
-  readout_->setFixedHeight(height + 2);
+  // The chart stays the larger part beside what very many curves tell.
+  readout_->setFixedHeight(
+      std::min(height + 2, std::max(metrics.lineSpacing() + 2, this->height() / 5)));
+}
+
+/// As many values as there is room for, and how many are left out.
+QString PlotWindow::fittedReadout(const QString& text) const {
+  const QFontMetrics metrics(readout_->font());
+  constexpr int kMostHeight = 100000;
+  const auto fits = [&](const QString& words) {
+    const QRect room(0, 0, std::max(100, readout_->width()), kMostHeight);
+    return metrics.boundingRect(room, Qt::TextWordWrap, words).height() <= readout_->height();
+  };
+  if (fits(text)) return text;
+  const QStringList values = text.split(", ");
+  const auto cut = [&](qsizetype count) {
+    return values.first(count).join(", ") + tr(" … %1 more").arg(values.size() - count);
+  };
+  qsizetype most = 1;
+  for (qsizetype beyond = values.size(); beyond - most > 1;) {
+    const qsizetype middle = (most + beyond) / 2;
+    (fits(cut(middle)) ? most : beyond) = middle;
+  }
+  return cut(most);
 }
 
 /// What the cursors tell, in a third of the window at most.

@@ -100,6 +100,7 @@ class PlotWindow : public QMainWindow {
   void fillTree();
   void showCurrent();
   void fitReadout();
+  [[nodiscard]] QString fittedReadout(const QString& text) const;
   void fitCursors();
   void askForRange(const QString& path);
   [[nodiscard]] Document* document();

@@ -3,6 +3,7 @@
 #include "agore/render.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/file_drops.hpp"
 #include "desktop/mp4_writer.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
@@ -40,7 +41,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AGORE");
   desktop::open_at_size(*this, {1320, 820});
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
-  setAcceptDrops(true);
+  desktop::take_files_anywhere(*this);
   canvas_ = new PictureWidget(this);
   auto* centre = new QWidget(this);
   auto* row = new QHBoxLayout(centre);

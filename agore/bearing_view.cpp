@@ -156,9 +156,11 @@ void cage_view(const Scene& s) {
     const auto& p = s.animation.part(i, s.segment()).position;
     orbit.emplace_back(p[1], p[2]);
   }
-  const double enlargement =
+  const auto [enlargement, now] =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
-  s.sketch.frame(cage, s.cage_angle(), 0.66 * g.cage_inner_radius, t.green);
+  // Where the orbit is, so that one picture has one centre of the cage.
+  s.sketch.frame(enlargement > 0.0 ? now : cage, s.cage_angle(), 0.5 * g.cage_inner_radius,
+                 t.green);
   draw_land_arrows(s);
   draw_contact_marks(s);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")

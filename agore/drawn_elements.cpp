@@ -40,6 +40,11 @@ QString longest_load(const Scene& s, double load) {
                                 desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 
+std::string arrow_remark(const Scene& s, double length) {
+  constexpr double kSeen = 4.0;  // pixels
+  return length * s.sketch.scale() < kSeen ? ", too small for its arrow" : "";
+}
+
 std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
   constexpr std::size_t kMost = 400;
   const double pitch = 2.0 * kPi / std::max(1, s.animation.file.elements);

@@ -28,19 +28,22 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
   for (std::size_t j = 0; j < 2; ++j) {
     const double side = j == 0 ? 1.0 : -1.0;  // the outer race presses from outside
     const QColor colour = s.sketch.theme().curves[j];
-    if (contact.load[j] > 0.0 && all.largest_load > 0.0) {
-      const double length = longest * contact.load[j] / all.largest_load;
+    const double length =
+        all.largest_load > 0.0 ? longest * contact.load[j] / all.largest_load : 0.0;
+    if (length > 0.0) {
       const QPointF tip = centre + side * radius * outward;
       const QPointF tail = tip + side * length * outward;
       s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
     }
     key.push_back(
-        {colour, QString::fromStdString(
-                     contact.load[j] > 0.0
-                         ? fmt::format("{}: load {}, slip {}", names[j],
-                                       desktop::pretty_quantity(contact.load[j], all.load_unit, 4),
-                                       desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
-                         : fmt::format("{}: no contact", names[j]))});
+        {contact.load[j] > 0.0 ? colour : QColor(),
+         QString::fromStdString(
+             contact.load[j] > 0.0
+                 ? fmt::format("{}: load {}{}, slip {}", names[j],
+                               desktop::pretty_quantity(contact.load[j], all.load_unit, 4),
+                               arrow_remark(s, length),
+                               desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
+                 : fmt::format("{}: no contact", names[j]))});
   }
 }
 

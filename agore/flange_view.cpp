@@ -1,3 +1,4 @@
+#include "agore/roller_outline.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -48,9 +49,6 @@ void flange_view(const Scene& s) {
       std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), std::abs(axis.x()));
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
-  QPainterPath roller;
-  roller.addRoundedRect(QRectF(-0.5 * length, -radius, length, 2.0 * radius), 0.1 * radius,
-                        0.1 * radius);
   QTransform turned = to_picture;
   turned.rotateRadians(skew);
   QLinearGradient shade(to_picture.map(QPointF(0, radius)), to_picture.map(QPointF(0, -radius)));
@@ -59,7 +57,7 @@ void flange_view(const Scene& s) {
   shade.setColorAt(1.0, t.steel_dark);
   p.setPen(QPen(t.steel_dark.darker(150), 1));
   p.setBrush(shade);
-  p.drawPath(turned.map(roller));
+  p.drawPath(turned.map(roller_profile(s.animation).outline()));
   std::vector<KeyEntry> key;
   for (std::size_t side = 0; side < 2; ++side) {
     if (!has_flange(s.animation, race, side)) continue;
@@ -81,22 +79,22 @@ void flange_view(const Scene& s) {
       s.sketch.arrow(s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0), t.red, 3.2);
     }
     const std::string unit = s.animation.file.units[0];
-    key.push_back(
-        {t.red, QString::fromStdString(fmt::format(
-                    "flange at {}x: {}", side == 0 ? "−" : "+",
-                    !near ? std::string("the roller's end is nowhere near")
-                          : fmt::format("{}, gap {}",
-                                        force > 0.0 ? desktop::pretty_quantity(
-                                                          force, s.animation.file.units[2], 3)
-                                                    : std::string("no contact"),
-                                        desktop::pretty_quantity(gap, unit, 3))))});
+    key.push_back({force > 0.0 ? t.red : QColor(),
+                   QString::fromStdString(fmt::format(
+                       "flange at {}x: {}", side == 0 ? "−" : "+",
+                       !near ? std::string("the roller's end is nowhere near")
+                             : fmt::format("{}, gap {}",
+                                           force > 0.0 ? desktop::pretty_quantity(
+                                                             force, s.animation.file.units[2], 3)
+                                                       : std::string("no contact"),
+                                           desktop::pretty_quantity(gap, unit, 3))))});
   }
   draw_key(s, key,
            QString::fromStdString(fmt::format(
-               "roller {} at the {} race  ·  gaps × {}  ·  skew {:.3f}°, to scale  ·  seen from "
+               "roller {} at the {} race  ·  gaps × {}  ·  skew {}°, to scale  ·  seen from "
                "outside, +x to the right",
                k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
-               std::round(1e3 * skew * 180.0 / kPi) / 1e3 + 0.0)));  // no -0.000
+               desktop::tick_text(skew * 180.0 / kPi, 3))));
 }
 
 }  // namespace adore::agore

@@ -14,29 +14,43 @@
 namespace adore::agore {
 namespace {
 
+constexpr int kSmall = 11;  // letters of two lines where else one is
 constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
 
-/// Value of each curve nearest to a time, as text under the data area's title; where there is no
-/// room for the names, the values in the order of the legends.
-QString present_values(const desktop::ChartPage& page, double time, double width) {
+/// Value of each curve nearest to a time, as text under the data area's title: one line or, where
+/// that is too narrow, two; the values alone in the order of the legends where these are as well.
+QStringList present_values(const desktop::ChartPage& page, double time, double width) {
   QStringList parts, values;
   const std::size_t at = desktop::nearest_index(page.x, time);
   for (const auto& panel : page.panels)
     for (const auto& curve : panel.curves) {
       if (at >= curve.y.size()) continue;
-      const std::string& name = curve.name.empty() ? panel.title : curve.name;
+      const bool first = &curve == &panel.curves.front();
+      const std::string name = curve.name.empty()                ? panel.title
+                               : first && page.panels.size() > 1 ? panel.title + " " + curve.name
+                                                                 : curve.name;
       // Below an atom's size stands rounding.
       const bool nothing = std::abs(curve.y[at]) < desktop::least_span_of(panel.unit);
       const std::string value =
           desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3);
-      parts << QString::fromStdString(name + " " + value);
+      parts << QString::fromStdString(name + ": " + value);
       values << QString::fromStdString(value);
     }
-  const QFontMetricsF metrics(desktop::ui_font(12));
+  const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
   const QString whole = parts.join("   ");
-  return metrics.horizontalAdvance(whole) <= width
-             ? whole
-             : metrics.elidedText(values.join(" · "), Qt::ElideRight, width);
+  if (metrics.horizontalAdvance(whole) <= width) return {whole};
+  QStringList lines;
+  for (const QString& part : parts) {
+    const QString longer = lines.isEmpty() ? part : lines.back() + "   " + part;
+    if (!lines.isEmpty() && small.horizontalAdvance(longer) <= width)
+      lines.back() = longer;
+    else
+      lines << part;
+  }
+  const bool fit = lines.size() <= 2 && std::all_of(lines.begin(), lines.end(), [&](const auto& l) {
+                     return small.horizontalAdvance(l) <= width;
+                   });
+  return fit ? lines : QStringList{metrics.elidedText(values.join(" · "), Qt::ElideRight, width)};
 }
 
 /// The run's own speed: the name of a deck may say that of another one.
@@ -233,9 +247,17 @@ void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size
   }
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
-  painter.drawText(QRectF(area.left() + 12, area.top() + 26, area.width() - 20, 18),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   present_values(data_.page(), animation_.time.at(frame), area.width() - 20));
+  const QStringList lines =
+      present_values(data_.page(), animation_.time.at(frame), area.width() - 20);
+  const bool two = lines.size() > 1;
+  if (two || QFontMetricsF(painter.font()).horizontalAdvance(lines.front()) > area.width() - 20)
+    painter.setFont(desktop::ui_font(kSmall));
+  const double height = two ? 12.0 : 18.0;
+  for (qsizetype i = 0; i < lines.size(); ++i)
+    painter.drawText(
+        QRectF(area.left() + 12, area.top() + (two ? 23.0 : 26.0) + height * static_cast<double>(i),
+               area.width() - 12, height),
+        Qt::AlignLeft | Qt::AlignVCenter, lines[i]);
 }
 
 void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
@@ -252,10 +274,11 @@ void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
   const QRectF line(bar.left(), bar.top() - 21, bar.width(), 18);
-  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                   QString::fromStdString(fmt::format("t = {}   ·   {:.3f} rev   ·   step {}",
-                                                      desktop::pretty_quantity(now.time, "s", 5),
-                                                      now.revolutions, now.step)));
+  painter.drawText(
+      line, Qt::AlignLeft | Qt::AlignVCenter,
+      QString::fromStdString(fmt::format("t = {}   ·   {} rev   ·   step {}",
+                                         desktop::pretty_quantity(now.time, "s", 5),
+                                         desktop::tick_text(now.revolutions, 3), now.step)));
   painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
                    QString("frame %1 of %2").arg(frame + 1).arg(frames()));
 }

@@ -6,7 +6,7 @@
 
 namespace adore::agore {
 
-double draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {
+DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {
   QPointF middle(0.0, 0.0);
   if (!(reference > 0.0)) {
     double left = orbit[0].x(), right = left, low = orbit[0].y(), high = low;
@@ -21,7 +21,7 @@ double draw_orbit(const Scene& s, double radius, double reference, std::vector<Q
     p -= middle;
     largest = std::max(largest, std::hypot(p.x(), p.y()));
   }
-  if (!(largest > desktop::least_span_of(s.animation.file.units[0]))) return 0.0;
+  if (!(largest > desktop::least_span_of(s.animation.file.units[0]))) return {};
   const double enlargement = radius / largest;
   const auto& t = s.sketch.theme();
   if (reference > 0.0)
@@ -50,7 +50,7 @@ double draw_orbit(const Scene& s, double radius, double reference, std::vector<Q
   p.setPen(QPen(t.surface, 1.5));
   p.setBrush(t.curves[0]);
   p.drawEllipse(line.back(), 5.5, 5.5);
-  return enlargement;
+  return {enlargement, orbit[s.index] * enlargement};
 }
 
 }  // namespace adore::agore

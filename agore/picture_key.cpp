@@ -95,10 +95,12 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
     y -= line;
   }
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    write(entry->text, x + kKeyIndent);
-    p.setPen(QPen(entry->colour, 3));
-    p.drawLine(QPointF(x, y - 4), QPointF(x + 18, y - 4));
+    const bool drawn = entry->colour.isValid();
+    write(entry->text, drawn ? x + kKeyIndent : x);
     y -= line;
+    if (!drawn) continue;
+    p.setPen(QPen(entry->colour, 3));
+    p.drawLine(QPointF(x, y + line - 4), QPointF(x + 18, y + line - 4));
   }
   return box;
 }

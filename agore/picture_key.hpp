@@ -16,7 +16,7 @@ namespace adore::agore {
 class Sketch;
 
 struct KeyEntry {
-  QColor colour;
+  QColor colour;  ///< invalid: words about what is not drawn
   QString text;
   bool operator==(const KeyEntry&) const = default;
 };

@@ -1,17 +1,16 @@
 #include "agore/pocket_outline.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace adore::agore {
-namespace {
-
-constexpr double kEndRoom = 1.06;  // of a window, over the roller's length
-
-}  // namespace
-
 QSizeF pocket_half(const PocketOutline& p) {
   const double half = p.radius + 0.5 * p.clearance_1;
-  if (p.roller_length > 0.0) return {half, 0.5 * kEndRoom * p.roller_length};
+  if (p.roller_length > 0.0) {
+    const double high = 0.5 * (p.roller_length + p.clearance_1);
+    return {half + std::abs(p.taper) * high, high};
+  }
   switch (p.code) {
     case 2:  // elongated round the bearing
       return {half + 0.5 * p.clearance_2, half};
@@ -30,7 +29,14 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   const QSizeF half = pocket_half(p);
   const QRectF box(-half.width(), -half.height(), 2.0 * half.width(), 2.0 * half.height());
   QPainterPath path;
-  if (p.roller_length > 0.0 || p.code == 3)
+  if (p.roller_length > 0.0) {
+    const double middle = p.radius + 0.5 * p.clearance_1, high = half.height();
+    QPolygonF window;
+    for (const auto& [side, up] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
+      window.append({side * (middle + p.taper * up * high), up * high});
+    path.addPolygon(window);
+    path.closeSubpath();
+  } else if (p.code == 3)
     path.addRect(box);
   else
     path.addRoundedRect(box, half.height(), half.height());
@@ -43,14 +49,6 @@ QPainterPath pocket_far_edge(const PocketOutline& p) {
   if (p.code != kConical || p.roller_length > 0.0 || p.clearance_1 == p.clearance_2) return path;
   const double narrow = p.radius + 0.5 * std::min(p.clearance_1, p.clearance_2);
   path.addEllipse(QPointF(0.0, 0.0), narrow, narrow);
-  return path;
-}
-
-QPainterPath roller_side(const PocketOutline& p) {
-  QPainterPath path;
-  const double corner = 0.12 * p.radius;
-  path.addRoundedRect(QRectF(-p.radius, -0.5 * p.roller_length, 2.0 * p.radius, p.roller_length),
-                      corner, corner);
   return path;
 }
 

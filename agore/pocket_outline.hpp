@@ -9,11 +9,12 @@ struct PocketOutline {
   int code = 0;                                 ///< kPocType
   double radius = 0.0;                          ///< of the element
   double roller_length = 0.0;                   ///< 0: balls
+  double taper = 0.0;                           ///< of a roller and its window, along the axis
   double clearance_1 = 0.0, clearance_2 = 0.0;  ///< diametral, as drawn
 };
 
-/// The hole. Lengths in one unit of the caller's. Windows of rollers are drawn a little longer than
-/// these.
+/// The hole. Lengths in one unit of the caller's. A roller has half of clearance I at its sides and
+/// at its ends (decision 213), and its window its taper.
 [[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
 
 /// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
@@ -21,8 +22,5 @@ struct PocketOutline {
 
 /// Half sizes of it, the way round and along the axis.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
-
-/// The roller itself, its axis upright.
-[[nodiscard]] QPainterPath roller_side(const PocketOutline& pocket);
 
 }  // namespace adore::agore

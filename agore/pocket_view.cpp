@@ -1,4 +1,6 @@
 #include "agore/pocket_outline.hpp"
+#include "agore/roller_outline.hpp"
+#include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -26,6 +28,7 @@ PocketOutline pocket_of(const Animation& animation) {
   if (animation.contacts) {
     pocket.code = animation.contacts->pocket_code;
     pocket.roller_length = animation.contacts->roller_length;
+    if (animation.file.bearing_type != 1) pocket.taper = roller_profile(animation).slope;
   } else if (animation.file.bearing_type != 1) {
     pocket.roller_length = 2.0 * g.element_radius;
   }
@@ -77,8 +80,10 @@ void pocket_view(const Scene& s) {
     const Vec3 axis = rotation(element.angles).col(0);
     const double skew =
         std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), axis.x());
+    // As much larger as its way out of the middle, so that what touches is seen to.
+    const double drawn = std::atan(factor * std::tan(skew));
     QTransform turned = to_picture;
-    turned.translate(centre.x(), centre.y()).rotateRadians(-skew);
+    turned.translate(centre.x(), centre.y()).rotateRadians(0.5 * kPi - drawn);  // the axis upright
     QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
                           to_picture.map(centre + QPointF(g.element_radius, 0)));
     shade.setColorAt(0.0, t.steel_dark);
@@ -86,7 +91,7 @@ void pocket_view(const Scene& s) {
     shade.setColorAt(1.0, t.steel_dark);
     p.setPen(QPen(t.steel_dark.darker(150), 1));
     p.setBrush(shade);
-    p.drawPath(turned.map(roller_side(pocket)));
+    p.drawPath(turned.map(roller_profile(s.animation).outline()));
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
@@ -98,7 +103,8 @@ void pocket_view(const Scene& s) {
                  s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
   // A small picture has no room for it below the view's title.
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
-  if (above.y() > s.sketch.area().top() - 2.0) s.sketch.label(above, "cage rotation", t.muted, 13);
+  const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
+  if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
   if (element.pocket_force > 0.0) {
     const double way = std::hypot(centre.x(), centre.y());
     // The wall that is touched lies where the element has gone; without a way out, the stored angle
@@ -113,17 +119,21 @@ void pocket_view(const Scene& s) {
   }
   const std::string force =
       desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
-  draw_key(s,
-           {{t.red, element.pocket_force > 0.0
-                        ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
-                                                             element.pocket_angle * 180.0 / kPi))
-                        : QString("no contact")}},
-           QString::fromStdString(fmt::format(
-               "pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up{}", k + 1,
-               s.frame.elements.size(), desktop::pretty_number(factor, 3),
-               shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
-               : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
-                         : "  ·  drawn round: SOL8 does not hold the pocket's shape")));
+  draw_key(
+      s,
+      {{element.pocket_force > 0.0 ? t.red : QColor(),
+        element.pocket_force > 0.0 ? QString::fromStdString(fmt::format(
+                                         "contact: {} at {}°", force,
+                                         desktop::tick_text(element.pocket_angle * 180.0 / kPi, 0)))
+                                   : QString("no contact")}},
+      QString::fromStdString(fmt::format(
+          "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}", k + 1,
+          s.frame.elements.size(), rollers ? "clearance and skew" : "clearance",
+          desktop::pretty_number(factor, 3),
+          arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
+          shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
+          : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
+                    : "  ·  drawn round: SOL8 does not hold the pocket's shape")));
 }
 
 }  // namespace adore::agore

@@ -45,8 +45,8 @@ void race_view(const Scene& s) {
   std::vector<QPointF> orbit;
   for (const auto& frame : s.animation.file.frames)
     orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
-  const double enlargement = draw_orbit(s, 0.45 * low, 0.0, orbit);
-  s.sketch.frame({0, 0}, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
+  const auto [enlargement, now] = draw_orbit(s, 0.45 * low, 0.0, orbit);
+  s.sketch.frame(now, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
   draw_key(s, {{t.blue, "frame of the race"}, {t.curves[0], "path of the race centre"}},
            QString::fromStdString(
                (enlargement > 0.0 ? fmt::format("path about its middle × {}",

@@ -23,12 +23,6 @@ double size_length(const Animation& animation, const char* name, double otherwis
   return value > 0.0 ? value / length_unit(animation) : otherwise;
 }
 
-double RollerProfile::side(double u) const {
-  const double drop =
-      crown > half ? crown - std::sqrt(crown * crown - std::min(u * u, 0.99 * crown * crown)) : 0.0;
-  return radius + u * slope - drop;
-}
-
 QPointF leaned(double x, double r, double lean, double u, double v) {
   return {x + u * std::cos(lean) - v * std::sin(lean), r + u * std::sin(lean) + v * std::cos(lean)};
 }
@@ -45,22 +39,6 @@ AxisAngles axis_angles(const results::Sol8Element& element) {
 double nominal_lean(const Animation& animation) {
   if (animation.file.bearing_type == 1) return 0.0;
   return axis_angles(animation.frame(0).elements.at(0)).lean;
-}
-
-RollerProfile roller_profile(const Animation& animation) {
-  const auto& g = animation.file.geometry;
-  const bool tapered = animation.file.bearing_type >= 4;
-  const double sign =
-      nominal_lean(animation) * size_number(animation, "contact_angle") < 0.0 ? -1.0 : 1.0;
-  RollerProfile out;
-  out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
-  out.radius = g.element_radius;
-  if (tapered) out.slope = std::tan(sign * size_number(animation, "roller_half_angle"));
-  // What a crown of metres takes away cannot be seen.
-  const double crown = size_length(animation, "roller_crown_radius");
-  if (crown < 40.0 * out.half) out.crown = crown;
-  out.mass_centre = size_number(animation, "roller_mass_offset") / length_unit(animation);
-  return out;
 }
 
 namespace {
@@ -122,7 +100,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   // Across the axis, from the roller's middle: the raceway, and beyond its ends the flanges.
   std::vector<QPointF> line;
   const auto add = [&](double u, double lower) {
-    line.push_back(leaned(middle_x, middle_r, lean, u, up * (roller.side(u) - lower)));
+    line.push_back(leaned(middle_x, middle_r, lean, u, up * (roller.line(u) - lower)));
   };
   const double reach = roller.crown > 0.0
                            ? 0.9 * roller.crown
@@ -136,9 +114,9 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   for (const std::size_t side : {0U, 1U}) {
     if (!(height(side) > 0.0)) continue;
     const double end = side == 0 ? -roller.half : roller.half;
-    const double lower = roller.side(end) - height(side);
+    const double lower = roller.line(end) - height(side);
     std::vector<QPointF> flange;
-    for (const auto& [u, v] : {std::pair{end, roller.side(end)},
+    for (const auto& [u, v] : {std::pair{end, roller.line(end)},
                                {1.0001 * end, lower},
                                {side == 0 ? -reach : reach, lower}})
       flange.push_back(leaned(middle_x, middle_r, lean, u, up * v));
@@ -189,6 +167,11 @@ std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {
   return out;
 }
 
+double CageProfile::hole_at(double across) const {
+  if (round > 0.0) return std::sqrt(std::max(round * round - across * across, 0.0));
+  return hole + flare * (across - 0.5 * (low + high));
+}
+
 CageProfile cage_profile(const Animation& animation) {
   CageProfile out;
   if (!animation.has_cage) return out;
@@ -196,12 +179,22 @@ CageProfile cage_profile(const Animation& animation) {
   const bool balls = animation.file.bearing_type == 1;
   const double cone = size_number(animation, "pocket_cone_angle");
   if (!balls) out.lean = nominal_lean(animation) < 0.0 ? -std::abs(cone) : std::abs(cone);
-  const double hole = balls
-                          ? g.element_radius
-                          : 0.53 * size_length(animation, "roller_length", 2.0 * g.element_radius);
   out.half_width = std::max(0.5 * size_length(animation, "cage_width"), 0.0);
-  if (!(out.half_width > 0.0)) out.half_width = 1.2 * hole;
-  out.half_hole = std::min(hole, 0.96 * out.half_width);
+  const double half_1 = 0.5 * g.pocket_clearance_1, half_2 = 0.5 * g.pocket_clearance_2;
+  // Rollers have half of clearance I at each end (decision 213).
+  out.hole =
+      half_1 + (balls ? g.element_radius
+                      : 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius));
+  const auto shape = balls ? static_cast<int>(size_number(animation, "pocket_code")) : 0;
+  constexpr int kSphere = 1, kRectangle = 3, kCone = 4;  // kPocType of balls
+  if (shape == kSphere) out.round = out.hole;
+  if (shape == kRectangle) out.hole = g.element_radius + half_2;
+  if (shape == kCone) {  // clearance I inside, II outside
+    out.hole = g.element_radius + 0.5 * (half_1 + half_2);
+    out.flare = (half_2 - half_1) / std::max(g.cage_outer_radius - g.cage_inner_radius, 1e-12);
+  }
+  if (!(out.half_width > 0.0)) out.half_width = 1.2 * out.hole;
+  out.hole = std::min(out.hole, 0.96 * out.half_width);
   out.low = g.cage_inner_radius - 0.5 * g.pitch_diameter;
   out.high = g.cage_outer_radius - 0.5 * g.pitch_diameter;
   return out;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agore/animation.hpp"
+#include "agore/roller_outline.hpp"
 
 #include <QPointF>
 
@@ -30,13 +31,6 @@ struct RingColumn {
 /// overhangs, columns go back, and the far side would be drawn there three times.
 [[nodiscard]] std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile);
 
-/// A roller along its axis u from mid length: half length, radius at mid length, taper, crown.
-struct RollerProfile {
-  double half = 0.0, radius = 0.0, slope = 0.0, crown = 0.0, mass_centre = 0.0;
-  [[nodiscard]] double side(double u) const;  ///< its radius there
-};
-[[nodiscard]] RollerProfile roller_profile(const Animation& animation);
-
 /// Lean of the rollers' axes outwards [rad] as the run began; 0 for balls.
 [[nodiscard]] double nominal_lean(const Animation& animation);
 /// Of one roller at a frame: lean outwards and skew (turned towards increasing azimuth) [rad].
@@ -51,8 +45,12 @@ struct AxisAngles {
 /// The cut through the cage, its corners in turn about (0, pitch radius); a conical cage leans as
 /// its rollers do. Empty without a cage.
 struct CageProfile {
-  double lean = 0.0, half_width = 0.0, half_hole = 0.0;
+  double lean = 0.0, half_width = 0.0;
   double low = 0.0, high = 0.0;  ///< from the pitch radius, across
+  /// Half of a pocket along its axis: `hole` in the middle of the cage's height; a sphere of
+  /// `round` or a cone of `flare` over the height is less or more elsewhere.
+  double hole = 0.0, round = 0.0, flare = 0.0;
+  [[nodiscard]] double hole_at(double across) const;
 };
 [[nodiscard]] CageProfile cage_profile(const Animation& animation);
 

@@ -58,14 +58,11 @@ void draw_roller(const Scene& s, const Cut& cut, std::size_t k) {
   const auto& e = s.frame.elements.at(k);
   const RollerProfile shape = roller_profile(s.animation);
   const double lean = axis_angles(e).lean;
-  constexpr int kParts = 24;
   QPolygonF body;
-  for (const double up : {1.0, -1.0})
-    for (int i = 0; i <= kParts; ++i) {
-      const double u = shape.half * (2.0 * i / kParts - 1.0) * up;
-      const QPointF p = leaned(e.x, e.r, lean, u - shape.mass_centre, up * shape.side(u));
-      body.append(cut.at(p.x(), p.y()));
-    }
+  for (const QPointF& point : shape.outline().toFillPolygon()) {
+    const QPointF p = leaned(e.x, e.r, lean, point.x() - shape.mass_centre, point.y());
+    body.append(cut.at(p.x(), p.y()));
+  }
   QPainterPath path;
   path.addPolygon(body);
   path.closeSubpath();
@@ -80,13 +77,17 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
   const double x = s.animation.cage_of(s.index, k).position[0];
   for (const double side : {-1.0, 1.0}) {
     QPolygonF bar;
-    for (const auto& [u, v] : {std::pair{cage.half_hole, cage.low},
-                               {cage.half_hole, cage.high},
-                               {cage.half_width, cage.high},
-                               {cage.half_width, cage.low}}) {
+    const auto corner = [&](double u, double v) {
       const QPointF p = leaned(x, s.pitch_radius(), cage.lean, side * u, v);
       bar.append(cut.at(p.x(), p.y()));
+    };
+    constexpr int kParts = 16;
+    for (int i = 0; i <= kParts; ++i) {
+      const double v = cage.low + (cage.high - cage.low) * i / kParts;
+      corner(std::min(cage.hole_at(v), cage.half_width), v);
     }
+    corner(cage.half_width, cage.high);
+    corner(cage.half_width, cage.low);
     QPainterPath path;
     path.addPolygon(bar);
     path.closeSubpath();
@@ -127,7 +128,7 @@ void section_view(const Scene& s) {
     const auto& contact = s.animation.contacts->frames.at(s.index).at(k);
     const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
     if (!(contact.load[j] > 0.0)) {
-      key.push_back({t.curves[j], QString("%1: no contact").arg(names[j])});
+      key.push_back({{}, QString("%1: no contact").arg(names[j])});
       continue;
     }
     const double way = j == 0 ? 1.0 : -1.0;
@@ -139,15 +140,16 @@ void section_view(const Scene& s) {
     s.sketch.painter().drawLine(cut.at(e.x, e.r), cut.at(tip.x(), tip.y()));
     s.sketch.arrow(cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
     key.push_back({t.curves[j], QString::fromStdString(fmt::format(
-                                    "{}: {} at {:.2f}°", names[j],
+                                    "{}: {} at {}°{}", names[j],
                                     desktop::pretty_quantity(contact.load[j],
                                                              s.animation.contacts->load_unit, 4),
-                                    angle * 180.0 / kPi))});
+                                    desktop::tick_text(angle * 180.0 / kPi, 2),
+                                    arrow_remark(s, 0.75 * part * g.element_radius)))});
   }
   draw_key(s, key,
-           QString::fromStdString(
-               fmt::format("element {} at {:.1f}°, to scale  ·  +x to the right, outwards up",
-                           k + 1, std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi)));
+           QString::fromStdString(fmt::format(
+               "element {} at {}°, to scale  ·  +x to the right, outwards up", k + 1,
+               desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1))));
 }
 
 }  // namespace adore::agore

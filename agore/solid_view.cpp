@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace adore::agore {
 
@@ -158,7 +159,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     r.edge_angle = a * pocket.half_angle;
     r.edge_u = b * cage.half_width;
     const double size = pocket.round ? std::hypot(a, b) : 1.0;
-    r.hole_u = b / size * cage.half_hole;
+    r.hole_u = b / size * cage.hole;
     const double limit = 0.96 * pocket.half_angle * pitch_radius;
     r.hole_angle =
         std::min(limit, pocket.half_round + pocket.taper * r.hole_u) * a / size / pitch_radius;
@@ -187,6 +188,12 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   const Vec3 second = axis.cross(first);
   constexpr int kSides = 28;
   const int parts = shape.crown > 0.0 ? 10 : 1;
+  // Corners are chamfers here.
+  std::vector<double> stations;
+  if (shape.corner[0] > 0.0) stations.push_back(-shape.half);
+  const double first_u = shape.corner[0] - shape.half, last_u = shape.half - shape.corner[1];
+  for (int j = 0; j <= parts; ++j) stations.push_back(first_u + (last_u - first_u) * j / parts);
+  if (shape.corner[1] > 0.0) stations.push_back(shape.half);
   const auto round = [&](int i) {
     const double a = 2.0 * kPi * (i - 0.5) / kSides;
     return Vec3(std::cos(a) * first + std::sin(a) * second);
@@ -194,9 +201,8 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   for (int i = 0; i < kSides; ++i) {
     const Shades& colour = i == 0 && first.squaredNorm() > 0.0 ? mark : shades;
     const Vec3 n = round(i), o = round(i + 1);
-    for (int j = 0; j < parts; ++j) {
-      const double u = shape.half * (2.0 * j / parts - 1.0),
-                   w = shape.half * (2.0 * (j + 1) / parts - 1.0);
+    for (std::size_t j = 1; j < stations.size(); ++j) {
+      const double u = stations[j - 1], w = stations[j];
       const double ru = shape.side(u), rw = shape.side(w);
       m.canvas().quad(m.at(middle + u * axis + ru * n, n), m.at(middle + w * axis + rw * n, n),
                       m.at(middle + w * axis + rw * o, o), m.at(middle + u * axis + ru * o, o),
@@ -265,7 +271,7 @@ void add_cage(Modeller& m, const Scene& s) {
   PocketMesh pocket{kPi / static_cast<double>(std::max<std::size_t>(n, 1)), s.pocket_radius(),
                     s.animation.file.bearing_type == 1, roller.slope};
   CageProfile drawn = profile;
-  if (pocket.round) drawn.half_hole = std::min(s.pocket_radius(), 0.96 * profile.half_width);
+  if (pocket.round) drawn.hole = std::min(s.pocket_radius(), 0.96 * profile.half_width);
   constexpr double kGap = 0.006, kMost = 0.3;  // between segments, of tilts [rad]
   for (std::size_t k = 0; k < n; ++k) {
     const int part = s.animation.pocket_part[k];
@@ -410,14 +416,16 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   if (s.options.colour != ColourBy::None)
     draw_scale(s.sketch, colouring(s.animation, s.index, s.options.colour));
   // The bearing's axes, in the upper left corner.
-  const double arm = s.sketch.area().height() < 420.0 ? 18.0 : 30.0;
+  const double high = s.sketch.area().height();
+  const double arm = high < 200.0 ? 10.0 : high < 420.0 ? 18.0 : 30.0;
+  const int letters = high < 200.0 ? 9 : 12;
   const QPointF corner = s.sketch.area().topLeft() + 1.6 * QPointF(arm, arm);
   const std::array<std::pair<Vec3, const char*>, 3> axes{
       {{Vec3::UnitX(), "x"}, {Vec3::UnitY(), "y"}, {Vec3::UnitZ(), "z"}}};
   for (const auto& [axis, name] : axes) {
     const QPointF way(axis.dot(eye.right), -axis.dot(eye.up));
     s.sketch.arrow(corner, corner + arm * way, t.muted, 1.8);
-    s.sketch.label(corner + (arm + 9.0) * way, name, t.muted, 12, true);
+    s.sketch.label(corner + (arm + 0.75 * letters) * way, name, t.muted, letters, true);
   }
   std::string remark = s.animation.has_cage ? fmt::format("clearances across × {}",
                                                           desktop::pretty_number(s.factor, 3))

@@ -72,6 +72,9 @@ struct TrailPoint {
 /// not be in the frame that is drawn.
 [[nodiscard]] QString longest_load(const Scene& scene, double load);
 
+/// What a key adds to a load whose arrow of `length` is too short to be seen.
+[[nodiscard]] std::string arrow_remark(const Scene& scene, double length);
+
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});
 /// All of them, coloured as the options ask, with the scale.
@@ -80,8 +83,14 @@ void draw_elements(const Scene& scene);
 void draw_contact_marks(const Scene& scene);
 /// Orbit of a body's centre, enlarged to `radius` of the picture's lengths; returns the
 /// enlargement. Without a reference length it is drawn about its middle, which is not magnified:
-/// only motion is. A body that moves less than an atom's size stands still: 0.
-double draw_orbit(const Scene& scene, double radius, double reference, std::vector<QPointF> orbit);
+/// only motion is. A body that moves less than an atom's size stands still: 0. `now`: where its
+/// centre is there.
+struct DrawnOrbit {
+  double enlargement = 0.0;
+  QPointF now{0.0, 0.0};
+};
+DrawnOrbit draw_orbit(const Scene& scene, double radius, double reference,
+                      std::vector<QPointF> orbit);
 
 class SolidLayer;
 

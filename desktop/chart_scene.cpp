@@ -1,24 +1,17 @@
 #include "desktop/chart_scene.hpp"
 
 #include "desktop/chart_scene_parts.hpp"
-#include "desktop/dense_line.hpp"
 #include "desktop/study_picture.hpp"
 
 #include <QChart>
 #include <QFontMetricsF>
-#include <QGraphicsItem>
 #include <QGraphicsLayout>
-#include <QGraphicsLineItem>
-#include <QGraphicsTextItem>
 #include <QImage>
 #include <QPainter>
-#include <QTextDocument>
 #include <QValueAxis>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <tuple>
 
 namespace adore::desktop {
@@ -28,25 +21,6 @@ ChartScene::Metrics ChartScene::metrics() const {
   const qreal note =
       18.0 * static_cast<qreal>(noteLines(28).size()) + (noteLines(28).isEmpty() ? 0 : 2);
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
-}
-
-/// The page's note as lines of the page's width, three at most.
-QStringList ChartScene::noteLines(qreal right) const {
-  if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kFont = 13, kLeft = 24, kMost = 3;
-  const QFontMetricsF metrics(ui_font(kFont));
-  const qreal width = size_.width() - kLeft - right;
-  QStringList lines{QString()};
-  for (const QString& word : text_of(page_.note).split(' ')) {
-    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
-    if (lines.size() < kMost && !lines.back().isEmpty() &&
-        metrics.horizontalAdvance(longer) > width)
-      lines << word;
-    else
-      lines.back() = longer;
-  }
-  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, width);
-  return lines;
 }
 
 ChartScene::ChartScene(ChartStyle style, QObject* parent)
@@ -185,6 +159,16 @@ std::vector<long> ChartScene::runsAt(QPointF position) const {
   return page_.study ? runs_at(*page_.study, size_, position) : std::vector<long>();
 }
 
+namespace {
+
+/// "outer race 400 N", "land 1: 400 N".
+QString told(const std::string& name, const QString& value) {
+  const bool number = !name.empty() && name.back() >= '0' && name.back() <= '9';
+  return text_of(name) + (number ? ": " : " ") + value;
+}
+
+}  // namespace
+
 QString ChartScene::readout(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
     return (
@@ -199,11 +183,15 @@ QString ChartScene::readout(QPointF position) const {
     for (const auto& curve : panel.curves) {
       if (i >= curve.y.size() || curve.hidden) continue;
       const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, 5));
-      values << (curve.name.empty() ? value : text_of(curve.name) + " " + value);
+      values << (curve.name.empty() ? value : told(curve.name, value));
     }
     if (values.isEmpty()) continue;
     const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
-    text += "   " + (titled ? text_of(panel.title) + " " : QString()) + values.join(", ");
+    const bool named = !panel.curves.front().name.empty();
+    const QString all = values.join(", ");
+    text += "   " + (!titled ? all
+                     : named ? text_of(panel.title) + " " + all
+                             : told(panel.title, all));
   }
   return text;
 }
@@ -246,32 +234,10 @@ void ChartScene::rebuild() {
   }
 }
 
-void ChartScene::addHeading(const Metrics& m) {
-  const auto line = [&](const QString& text, const QFont& font, const QColor& colour, qreal y) {
-    if (text.isEmpty()) return;
-    const qreal left = style_ == ChartStyle::Compact ? 12 : 24;
-    auto* item =
-        addSimpleText(fitted_line(text, QFontMetricsF(font), size_.width() - left - m.right), font);
-    item->setBrush(colour);
-    item->setPos(left, y);
-  };
-  if (style_ == ChartStyle::Compact) {
-    line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 8);
-    return;
-  }
-  line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
-  line(text_of(page_.subtitle), ui_font(m.text_font), theme_->muted, 40);
-  qreal y = 60;
-  for (const QString& text : noteLines(m.right)) {
-    line(text, ui_font(m.text_font), theme_->accent, y);
-    y += 18;
-  }
-}
-
-void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m) {
+AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) const {
   const ChartPanel& panel = page_.panels[index];
   Extent extent;
-  bool any = false;
+  any = false;
   const auto [from, to] = rising_ ? places_between(page_.x, low_, high_)
                                   : std::pair<std::size_t, std::size_t>(0, page_.x.size());
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
@@ -297,8 +263,9 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const double least = std::max(panel.least_span, least_span_of(panel.unit));
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
     // Beside a larger value such noise is a constant; about zero the axis shows how small it is.
+    constexpr double kSeen = 0.03;  // of an axis as short as the noise: less is a straight line
     const double middle = 0.5 * (extent.low + extent.high);
-    const bool nothing = std::max(std::abs(extent.low), std::abs(extent.high)) < 1e-3 * least;
+    const bool nothing = std::max(std::abs(extent.low), std::abs(extent.high)) < kSeen * least;
     const double half = std::abs(middle) > 500.0 * least ? 0.0 : 0.5 * least;
     extent = {middle - half, middle + half};
     // What is 0 but for rounding gets a scale that bearings have, not one of atoms.
@@ -308,11 +275,18 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const auto& chosen = panel_views_[index];
   const double low = chosen ? chosen->first : extent.low,
                high = chosen ? chosen->second : extent.high;
-  const AxisScale y_axis = panel.log ? log_axis(low, high, panel.unit, chosen.has_value())
-                           : chosen  ? tight_axis(low, high, panel.unit, parts)
-                                     : value_axis(low, high, panel.unit, parts);
+  return panel.log ? log_axis(low, high, panel.unit, chosen.has_value())
+         : chosen  ? tight_axis(low, high, panel.unit, parts)
+                   : value_axis(low, high, panel.unit, parts);
+}
+
+void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m) {
+  const ChartPanel& panel = page_.panels[index];
+  bool any = false;
+  const AxisScale y_axis = panelAxis(index, area, any);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  const qreal legend = addLegend(panel, area, m);
+  const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis);
+  const qreal legend = addLegend(panel, shown, area, m);
   // A title too long for the side of its panel, even without its unit, stands above it.
   QString y_title = with_unit(text_of(panel.title), y_axis);
   qreal head = area.left();
@@ -328,86 +302,21 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     y_title.clear();
   }
   addChart(area, x_axis_, y_axis, x_title, y_title, bottom, m);
-  int colour = -1;
   std::vector<QPolygonF> drawn;
-  for (const auto& curve : panel.curves) {
-    colour = panel.one_colour ? 0 : colour + 1;
-    if (curve.hidden) continue;
-    if (!curve.low.empty()) addBand(curve, area, y_axis, colour, drawn);
-    std::vector<double> positive;
-    if (panel.log) {
-      positive = curve.y;
-      for (double& value : positive)
-        if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto pieces = drawable_pieces(
-        page_.x, panel.log ? positive : curve.y, low_, high_, static_cast<int>(area.width()),
-        panel.wraps,
-        blocks_.empty() || panel.log
-            ? nullptr
-            : &blocks_[index][static_cast<std::size_t>(&curve - panel.curves.data())]);
-    for (const auto& piece : pieces) {
-      drawn.push_back(addCurve(piece, area, x_axis_, y_axis, penOf(colour, m.line, curve.dashed)));
-      // A value between gaps has no line: it is a point.
-      if (page_.points || piece.x.size() == 1)
-        addPoints(piece, area, x_axis_, y_axis, colour, m.line);
-    }
+  for (const ShownCurve& one : shown) {
+    const ChartCurve& curve = panel.curves[one.curve];
+    if (!curve.low.empty()) addBand(curve, area, y_axis, one.colour, drawn);
+    addShown(one, panel, area, y_axis, m);
+    drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
   if (!any)
     addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
-  else if (panel.log && std::all_of(panel.curves.begin(), panel.curves.end(), nothing_above_0))
+  else if (panel.log && std::none_of(panel.curves.begin(), panel.curves.end(), any_above_0))
     addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
   if (!y_axis.offset_text.empty()) addBase(y_axis, area, head, legend, drawn, m);
   if (any) addMarks(area, index == 0, legend, m);  // lines across a message hide its words
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
-}
-
-/// The extremes between the values, as a pale area that the lowest and highest value of each column
-/// of pixels bound.
-void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis,
-                         int colour, std::vector<QPolygonF>& drawn) {
-  const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
-  struct Column {
-    qreal x = 0.0;
-    double low = 0.0, high = 0.0;
-  };
-  std::vector<Column> columns;
-  const auto flush = [&] {
-    if (columns.size() < 2) {
-      columns.clear();
-      return;
-    }
-    const auto height = [&](double value) {
-      const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
-      return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
-    };
-    QPolygonF outline;
-    for (const Column& c : columns) outline.append({c.x, height(c.high)});
-    for (auto c = columns.rbegin(); c != columns.rend(); ++c)
-      outline.append({c->x, height(c->low)});
-    QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
-    fill.setAlpha(70);
-    addPolygon(outline, QPen(Qt::NoPen), fill);
-    drawn.push_back(std::move(outline));
-    columns.clear();
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (page_.x[i] < low_ || page_.x[i] > high_) continue;
-    if (!is_drawable(curve.low[i]) || !is_drawable(curve.high[i])) {
-      flush();
-      continue;
-    }
-    const qreal x = area.left() + (x_axis_.shown(page_.x[i]) - x_axis_.min) /
-                                      (x_axis_.max - x_axis_.min) * area.width();
-    if (columns.size() > 1 && std::floor(x) == std::floor(columns.back().x)) {
-      columns.back().low = std::min(columns.back().low, curve.low[i]);
-      columns.back().high = std::max(columns.back().high, curve.high[i]);
-    } else {
-      columns.push_back({x, curve.low[i], curve.high[i]});
-    }
-  }
-  flush();
 }
 
 QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
@@ -452,225 +361,6 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
   lines_.push_back(0);
   if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
   return chart;
-}
-
-// Our own tick labels and titles: Qt Charts writes "-0.0", cuts long labels, and sets titles at a
-// different place in each panel.
-void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
-                           const QString& x_title, const QString& y_title, bool x_labels,
-                           const Metrics& m) {
-  const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
-  const QFontMetricsF metrics(font), title_metrics(title_font);
-  const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
-                       QPointF position) {
-    auto* item = addSimpleText(text, used);
-    item->setBrush(colour);
-    item->setPos(position);
-    return item;
-  };
-  for (const auto& [value, label] : axis_ticks(y_scale)) {
-    const QString text = text_of(label);
-    const qreal y =
-        area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
-    add(text, font, theme_->muted,
-        {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
-  }
-  if (x_labels)
-    for (const auto& [value, label] : axis_ticks(x_scale)) {
-      const QString text = text_of(label);
-      const qreal x =
-          area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
-      const qreal width = metrics.horizontalAdvance(text);
-      add(text, font, theme_->muted,
-          {std::min(x - 0.5 * width, size_.width() - width - 2), area.bottom() + 7});
-    }
-  if (x_labels) {
-    const qreal width = title_metrics.horizontalAdvance(x_title);
-    add(x_title, title_font, theme_->text,
-        {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
-  }
-  // A title longer than its panel may use the gaps above and below; then its unit gets a line of
-  // its own, which is never shortened.
-  const qreal room = title_room(area, m.gap);
-  const auto write = [&](const QString& text, qreal left) {
-    auto* title = add(text, title_font, theme_->text, {});
-    title->setRotation(-90);
-    title->setPos(left, area.center().y() + 0.5 * title_metrics.horizontalAdvance(text));
-  };
-  const qsizetype unit = y_title.lastIndexOf(" [");
-  if (title_metrics.horizontalAdvance(y_title) <= room || unit < 0) {
-    write(title_metrics.elidedText(y_title, Qt::ElideRight, room), area.left() - m.left + 8);
-    return;
-  }
-  write(title_metrics.elidedText(y_title.left(unit), Qt::ElideRight, room),
-        area.left() - m.left + 1);
-  write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
-}
-
-namespace {
-
-/// A line of a chart, not beyond its area.
-class LineItem : public QGraphicsItem {
- public:
-  LineItem(QPolygonF line, const QRectF& area, QPen pen)
-      : line_(std::move(line)), area_(area), pen_(std::move(pen)) {}
-  [[nodiscard]] QRectF boundingRect() const override { return area_; }
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    draw_line(*painter, line_, area_, pen_);
-  }
-
- private:
-  QPolygonF line_;
-  QRectF area_;
-  QPen pen_;
-};
-
-}  // namespace
-
-QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
-  QPen pen(theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()], width);
-  pen.setJoinStyle(Qt::BevelJoin);  // a round one takes five times as long
-  if (dashed) pen.setDashPattern({4.0, 4.0});
-  return pen;
-}
-
-QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                               const AxisScale& y_axis, QPen pen) {
-  QPolygonF points;
-  points.reserve(static_cast<qsizetype>(line.x.size()));
-  // Far outside a picture numbers are too large for the painter.
-  constexpr double kFar = 1e5;
-  for (std::size_t i = 0; i < line.x.size(); ++i) {
-    const double x = (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min),
-                 y = (y_axis.shown(line.y[i]) - y_axis.min) / (y_axis.max - y_axis.min);
-    points.append({area.left() + std::clamp(x * area.width(), -kFar, kFar),
-                   area.bottom() - std::clamp(y * area.height(), -kFar, kFar)});
-  }
-  addItem(new LineItem(points, area.adjusted(-1, -1, 1, 1), std::move(pen)));
-  if (!lines_.empty()) ++lines_.back();
-  return points;
-}
-
-void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                           const AxisScale& y_axis, int colour, qreal width) {
-  const QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
-  const qreal r = 1.6 * width;
-  for (std::size_t i = 0; i < line.x.size(); ++i) {
-    if (line.x[i] < low_ || line.x[i] > high_) continue;
-    const qreal x = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /
-                                      (x_axis.max - x_axis.min) * area.width();
-    const qreal y = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
-                                        (y_axis.max - y_axis.min) * area.height();
-    if (y < area.top() || y > area.bottom()) continue;  // beyond the chosen range
-    addEllipse(QRectF(x - r, y - r, 2 * r, 2 * r), QPen(Qt::NoPen), fill)->setZValue(5);
-  }
-}
-
-qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m) {
-  if (panel.curves.size() < 2 || panel.one_colour) return area.right();
-  const QFont font = ui_font(m.text_font);
-  const QFontMetricsF metrics(font);
-  // What has no room shares it: first the lines get short, then long names are shortened alike.
-  const auto count = static_cast<qreal>(panel.curves.size());
-  const auto name_of = [&](const ChartCurve& curve) {
-    return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
-                                               : text_of(curve.name);
-  };
-  qreal names = 0.0;
-  for (const auto& curve : panel.curves) names += metrics.horizontalAdvance(name_of(curve));
-  const qreal room = area.right() - 8.0;  // also over the labels of the axis
-  const bool narrow = names + count * (24.0 + 16.0) > room;
-  const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
-  const qreal most =
-      names + count * (line + gap) <= room ? room : std::max(0.0, room / count - line - gap);
-  const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
-  qreal x = area.right();
-  for (std::size_t i = panel.curves.size(); i-- > 0;) {
-    const ChartCurve& curve = panel.curves[i];
-    const QString name = metrics.elidedText(name_of(curve), Qt::ElideMiddle, most);
-    x -= metrics.horizontalAdvance(name);
-    auto* label = addSimpleText(name, font);
-    label->setBrush(curve.hidden ? theme_->muted : theme_->text);
-    label->setToolTip(name_of(curve));
-    label->setPos(x, area.top() - metrics.height() - 3);
-    const qreal middle = area.top() - 0.5 * metrics.height() - 3;
-    QPen pen(curve.hidden ? theme_->frame : theme_->curves[i % theme_->curves.size()], 2.4);
-    if (curve.dashed) pen.setDashPattern({2.0, 1.5});
-    addLine(QLineF(x - line, middle, x - 6, middle), pen);
-    legend_.push_back({QRectF(x - line, area.top() - metrics.height() - 3,
-                              metrics.horizontalAdvance(name) + line, metrics.height()),
-                       index, i});
-    x -= line + gap;
-  }
-  return x;
-}
-
-void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m) {
-  std::vector<ChartMark> marks = page_.marks;
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
-  const QFont font = ui_font(m.tick_font);
-  const QFontMetricsF metrics(font);
-  // Lines too close for a name each have theirs in one text, in their order.
-  struct Names {
-    QString text;
-    qreal left = 0.0, right = 0.0;
-    bool one = true;
-  };
-  std::vector<Names> names;
-  const auto place = [&](Names& group) {
-    group.text = metrics.elidedText(group.text, Qt::ElideRight, area.width());
-    const qreal width = metrics.horizontalAdvance(group.text);
-    group.left = std::clamp(group.left, area.left(), area.right() - width);
-    group.right = group.left + width;
-  };
-  constexpr qreal kApart = 8.0;
-  for (const auto& mark : marks) {
-    const double shown = x_axis_.shown(mark.x);
-    if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
-    const qreal x =
-        area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
-    addLine(QLineF(x, area.top(), x, area.bottom()), QPen(theme_->muted, 1, Qt::DashLine));
-    if (!label) continue;
-    const QString text = text_of(mark.label);
-    names.push_back({text, x - 0.5 * metrics.horizontalAdvance(text)});
-    place(names.back());
-    while (names.size() > 1 && names.back().left < names[names.size() - 2].right + kApart) {
-      Names& before = names[names.size() - 2];
-      before.text += ", " + names.back().text;
-      before.one = false;
-      names.pop_back();
-      place(names.back());
-    }
-  }
-  for (Names& group : names) {
-    // Several names that meet the legend end before it: they would cover the curves below it.
-    const qreal until = free_until - kApart - group.left;
-    if (!group.one && group.left + metrics.horizontalAdvance(group.text) > free_until - kApart &&
-        free_until < area.right() && until > 0.5 * (group.right - group.left)) {
-      group.text = metrics.elidedText(group.text, Qt::ElideRight, until);
-      group.right = group.left + metrics.horizontalAdvance(group.text) - 1.0;
-    }
-    auto* item = addSimpleText(group.text, font);
-    item->setBrush(theme_->muted);
-    const bool above = free_until >= area.right() || group.right + kApart < free_until;
-    const qreal aside = above || !group.one ? 0.0 : -0.5 * (group.right - group.left) - 3.0;
-    item->setPos(group.left + aside, area.top() + (above ? -metrics.height() - 3.0 : 2.0));
-    if (above || group.one) continue;
-    QColor paper = theme_->surface;  // its own lines pass there
-    paper.setAlpha(215);
-    item->setZValue(1.0);
-    addRect(item->sceneBoundingRect(), Qt::NoPen, paper);
-  }
-}
-
-void ChartScene::addMessage(const QRectF& area, const QString& text, const Metrics& m) {
-  auto* item = addText(text, ui_font(m.text_font + 1));
-  item->setDefaultTextColor(theme_->muted);
-  item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
-  QTextOption option(Qt::AlignCenter);
-  item->document()->setDefaultTextOption(option);
-  item->setPos(area.center() - item->boundingRect().center());
 }
 
 void ChartScene::paintPage(QPainter& painter, const QRectF& target) {

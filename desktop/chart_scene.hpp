@@ -86,10 +86,19 @@ class ChartScene : public QGraphicsScene {
 
  private:
   struct Metrics;
+  struct ShownCurve;
   [[nodiscard]] Metrics metrics() const;
   [[nodiscard]] QStringList noteLines(qreal right) const;
   void rebuild();
   void addHeading(const Metrics& m);
+  /// Range of the values in the view, not finer than a bearing's numbers are.
+  [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any) const;
+  /// What is drawn of a panel's curves; who would hide whom is found out.
+  [[nodiscard]] std::vector<ShownCurve> shownCurves(std::size_t index, const QRectF& area,
+                                                    const AxisScale& y_axis) const;
+  /// Draws one. What would hide another curve leaves every second stretch of the way to it.
+  void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
+                const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
   /// Appends the outlines that it has drawn.
   void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour,
@@ -101,8 +110,10 @@ class ChartScene : public QGraphicsScene {
   void addOrbit(const QRectF& space, const Metrics& m);
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
   /// Returns its left end.
-  qreal addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m);
-  /// `free_until`: where the names, if any, meet the legend.
+  qreal addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown, const QRectF& area,
+                  const Metrics& m);
+  /// Names stand above the panel, as near to their lines as they have room; a step leads from a
+  /// name to a line that is not below it. `free_until`: where they meet the legend.
   void addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m);
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
@@ -114,6 +125,7 @@ class ChartScene : public QGraphicsScene {
   /// mouse, which takes most of the time of moving along a long run. Returns it in the scene.
   QPolygonF addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                      const AxisScale& y_axis, QPen pen);
+  void addWay(QPolygonF line, const QRectF& area, QPen pen);
   [[nodiscard]] QPen penOf(int colour, qreal width, bool dashed = false) const;
   void studyCurves();
   void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,

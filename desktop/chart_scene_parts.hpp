@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 /// What the sources of ChartScene share.
@@ -26,11 +27,14 @@ inline QString with_unit_and_base(const QString& title, const AxisScale& axis) {
   return axis.offset_text.empty() ? text : text + " from " + text_of(axis.offset_text);
 }
 
+inline bool any_above_0(const ChartCurve& curve) {
+  return std::any_of(curve.y.begin(), curve.y.end(),
+                     [](double value) { return value > 0.0 && is_drawable(value); });
+}
+
 /// Has a curve values, and none that a logarithmic axis could show?
 inline bool nothing_above_0(const ChartCurve& curve) {
-  return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) &&
-         std::none_of(curve.y.begin(), curve.y.end(),
-                      [](double value) { return value > 0.0 && is_drawable(value); });
+  return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) && !any_above_0(curve);
 }
 
 struct Extent {
@@ -42,6 +46,19 @@ struct Extent {
     high = std::max(high, value);
   }
   [[nodiscard]] bool empty() const { return low > high; }
+};
+
+/// A curve of a panel as it is drawn.
+struct ChartScene::ShownCurve {
+  std::size_t curve = 0;  ///< of the panel
+  int colour = 0;
+  std::vector<Polyline> pieces = {};
+  std::vector<QPolygonF> lines = {};  ///< the same in the scene
+  /// The first of the curves that this one would hide in the view, and how many others lie between;
+  /// `equal`: its values are the same, not only what can be seen of them.
+  std::optional<std::size_t> hides = {};
+  int later = 0;
+  bool equal = false;
 };
 
 struct ChartScene::Metrics {

@@ -166,9 +166,13 @@ QString ChartView::cursorReport() const {
       if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit));
       if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit));
       if (a && b) {
-        std::vector<double> values = curve.y;
-        for (double& v : values) v -= curve.lift;
-        const CurveStatistics s = statistics_between(page.x, values, cursors_[0], cursors_[1]);
+        std::vector<double> lowered;
+        if (curve.lift != 0.0) {
+          lowered = curve.y;
+          for (double& v : lowered) v -= curve.lift;
+        }
+        const CurveStatistics s = statistics_between(page.x, lowered.empty() ? curve.y : lowered,
+                                                     cursors_[0], cursors_[1]);
         line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
         if (s.count > 0)
           line += tr("  min %1  max %2  mean %3  RMS %4")
@@ -214,6 +218,7 @@ bool ChartView::toggleLegend(QPointF position) {
     const LegendEntry found = entry;  // the scene makes its legend anew
     scene_->showCurve(found.panel, found.curve,
                       scene_->page().panels[found.panel].curves[found.curve].hidden);
+    emit curvesChanged();
     return true;
   }
   return false;

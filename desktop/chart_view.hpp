@@ -49,6 +49,8 @@ class ChartView : public QGraphicsView {
  signals:
   void readoutChanged(const QString& text);
   void cursorsChanged();
+  /// A curve was shown or hidden by its name.
+  void curvesChanged();
   /// A point, cell or line in a picture of a study was clicked.
   void runsChosen(const std::vector<long>& runs);
 

@@ -113,7 +113,12 @@ QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal wid
   if (metrics.horizontalAdvance(text) <= width) return text;
   QString closer = text;
   closer.replace("   ·   ", " · ");
-  return metrics.elidedText(closer, Qt::ElideRight, width);
+  const qsizetype first = closer.indexOf(" · ");
+  const QString rest = first < 0 ? QString() : closer.mid(first);
+  const qreal room = width - metrics.horizontalAdvance(rest);
+  constexpr qreal kLeast = 60.0;
+  if (first < 0 || room < kLeast) return metrics.elidedText(closer, Qt::ElideRight, width);
+  return metrics.elidedText(closer.left(first), Qt::ElideRight, room) + rest;
 }
 
 }  // namespace adore::desktop

@@ -37,7 +37,7 @@ ThemeKind desktop_preference();
 QFont ui_font(int pixel_size, bool bold = false);
 
 /// A line whose parts stand apart by "   ·   ", as wide as there is room: closer together, and with
-/// dots at its end where that is not enough.
+/// dots in its first part, a name, or at its end where that is not enough.
 QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width);
 
 }  // namespace adore::desktop

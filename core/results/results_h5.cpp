@@ -163,6 +163,12 @@ std::array<double, 2> add_rollers(const bearing::Bearing& bearing,
   out["roller_half_angle"] = rollers.half_angle;
   out["roller_mass_offset"] = bearing.roller_mass_offset;
   out["roller_crown_radius"] = rollers.crown_radius;
+  out["roller_central_length"] =
+      rollers.shape == bearing::RollerShape::Crowned ? rollers.central_length : 0.0;
+  for (const auto& [side, end] : {std::pair{0U, "minus_x"}, {1U, "plus_x"}}) {
+    out[fmt::format("roller_{}_corner_radius", end)] = rollers.corner_radius[side];
+    out[fmt::format("roller_{}_end_radius", end)] = rollers.end_radius[side];  // 0: flat
+  }
   out["outer_race_angle"] = rollers.race_angle[0];
   out["inner_race_angle"] = rollers.race_angle[1];
   out["outer_race_crown_radius"] = rollers.race_crown_radius[0];  // 0: none

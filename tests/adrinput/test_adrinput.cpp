@@ -5,12 +5,12 @@
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
+#include "support/drops.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -175,13 +175,12 @@ TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[g
   std::ofstream(path) << deck::template_text("tapered");
   DeckWindow window;
   window.show();
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(folder.path())});
-  QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window, &enter);
-  CHECK(enter.isAccepted());
-  QDropEvent drop(QPointF(9, 9), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&window, &drop);
+  for (const QPoint& place : test::places_of(window)) {  // on a field as well: no text for it
+    INFO(place.x() << ", " << place.y());
+    window.newDeck("ball");
+    CHECK(test::drop_on(window, folder.path(), {"."}, place));
+    CHECK(window.document().deck() == deck::new_deck("tapered"));
+  }
   CHECK(window.document().deck() == deck::new_deck("tapered"));
   CHECK(window.windowTitle().startsWith("DATA.txt"));
 

@@ -1,7 +1,9 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/window_words.hpp"
 #include "deck/templates.hpp"
+#include "facade/rehearsal.hpp"
 #include "support/qt_app.hpp"
 
 #include <QCheckBox>
@@ -108,8 +110,11 @@ TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
-  const fs::path before = fs::current_path();
-  fs::current_path(folder.path().toStdString());
+  const struct Elsewhere {
+    explicit Elsewhere(const fs::path& folder) { fs::current_path(folder); }
+    ~Elsewhere() { fs::current_path(before); }
+    fs::path before = fs::current_path();
+  } elsewhere(folder.path().toStdString());
   {
     DeckWindow window;
     Launches launches;
@@ -125,7 +130,31 @@ TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
       for (const QString& file : arguments.mid(2)) CHECK(file.startsWith(folder.path() + "/SOL"));
     }
   }
-  fs::current_path(before);
+}
+
+TEST_CASE("what ends a run is told in the window's words", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  // An output that the run may not replace, in the sentence of the command line and in ours.
+  fs::create_directory(folder.filePath("SOL1").toStdString());
+  facade::LoadedDeck input;
+  input.path = folder.filePath("DATA.txt").toStdString();
+  input.deck = deck::new_deck("ball");
+  const std::vector<Issue> refused = facade::refusals_of_run(input);
+  REQUIRE_FALSE(refused.empty());
+  CHECK(refused.front().text().find("--out") != std::string::npos);
+  const std::string ours = in_window_words(refused.front().text());
+  CHECK(ours.find("--") == std::string::npos);
+  CHECK(ours.find("a new folder (Shift+F7)") != std::string::npos);
+  DeckWindow window;
+  window.show();
+  window.document().save(input.path);
+  REQUIRE(
+      QTest::qWaitFor([&] { return window.document().deck_state() == DeckState::Refused; }, 60000));
+  for (const Problem& problem : window.document().problems()) {
+    INFO(problem.issue.text());
+    CHECK(problem.issue.text().find("--") == std::string::npos);
+  }
 }
 
 TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {

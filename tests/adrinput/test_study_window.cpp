@@ -7,6 +7,7 @@
 #include "adrinput/study_window.hpp"
 #include "base/errors.hpp"
 #include "deck/templates.hpp"
+#include "desktop/one_window.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_text.hpp"
 #include "support/paths.hpp"
@@ -215,6 +216,33 @@ TEST_CASE("what is typed into a study outlives a program that is cut off, and cl
   CHECK_FALSE(fs::exists(window.document().unsaved_path()));
   // The remarks of the example are still there.
   CHECK_THAT(bytes_of(bench.path("a.json")), Contains("\"// budget\""));
+}
+
+TEST_CASE("results of a study go to the one window of plots that its project has",
+          "[gui][adrinput][studies]") {
+  test::use_qt();
+  const Bench bench;
+  std::ofstream(bench.path("a.json")) << studies::example_study("sweep");
+  StudyWindow window;
+  window.show();
+  REQUIRE(window.openFile(bench.path("a.json")));
+  std::vector<QStringList> started;
+  window.panel().launch = [&](const QString& program, const QStringList& arguments) {
+    CHECK(program == "adrplot");
+    started.push_back(arguments);
+  };
+  const QString results = QString::fromStdString(bench.path("a.study").string());
+  const QString project = desktop::folder_of(bench.path("a.json"));
+  window.panel().openResults();
+  REQUIRE(started.size() == 1);
+  CHECK(started.front() == QStringList{"--project", project, results});
+  QStringList shown;
+  const desktop::OneWindow plots("adrplot", project, nullptr,
+                                 [&](const QStringList& names) { shown = names; });
+  REQUIRE(plots.listens());
+  window.panel().openResults();
+  CHECK(QTest::qWaitFor([&] { return shown == QStringList{results}; }, 5000));
+  CHECK(started.size() == 1);
 }
 
 TEST_CASE("a study file that is no JSON is mended in its text", "[gui][adrinput][studies]") {

@@ -1,3 +1,4 @@
+#include "adrplot/own_chart.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/range_dialog.hpp"
 #include "adrplot/render.hpp"
@@ -6,6 +7,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "results/channels.hpp"
+#include "support/drops.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -13,12 +15,12 @@
 #include <QApplication>
 #include <QChart>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -506,17 +508,9 @@ TEST_CASE("plot_window: a dropped file asks for its range, several are opened at
   test::write_text(base / "SOL1", text);
   test::write_text(base / "SOL2", text);
   PlotWindow window;
+  window.show();
   const auto drop = [&](const QStringList& names) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& name : names) urls << QUrl::fromLocalFile(folder.filePath(name));
-    data.setUrls(urls);
-    QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &enter);
-    CHECK(enter.isAccepted());
-    QDropEvent event({9.0, 9.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &event);
-    CHECK(event.isAccepted());
+    CHECK(test::drop_on(window, folder.path(), names));
   };
   drop({"SOL1", "SOL2"});
   CHECK(window.fileCount() == 2);
@@ -525,6 +519,19 @@ TEST_CASE("plot_window: a dropped file asks for its range, several are opened at
   REQUIRE(dialog != nullptr);
   dialog->reject();
   CHECK(window.fileCount() == 2);
+  // Anywhere: on the chart, the tree of files, the menu, the tool bar, and a folder as well.
+  QDir(folder.path()).mkdir("run");
+  test::write_text(base / "run" / "SOL1", text);
+  int more = 2;
+  for (const QPoint& place : test::places_of(window)) {
+    INFO(place.x() << ", " << place.y());
+    CHECK(test::drop_on(window, folder.path(), {"SOL1", "run"}, place));
+    CHECK(window.fileCount() > more);
+    more = window.fileCount();
+  }
+  QMimeData words;
+  words.setText("SOL1");
+  CHECK_FALSE(test::drop_on(window, words, window.view().geometry().center()));
 }
 
 TEST_CASE("range_dialog: starts with the whole run and keeps the end behind the start", "[gui]") {
@@ -599,6 +606,53 @@ TEST_CASE("plot_window: the values of all panels under the mouse are read whole,
         }
       }
   }
+}
+
+TEST_CASE(
+    "plot_window: a chart of sixty curves keeps most of the window, and says what it leaves out",
+    "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  PlotDocument document;
+  document.path = "many";
+  document.pages = {{"Many", PageKind::History}};
+  document.build = [](int, const PageOptions&) {
+    desktop::ChartPage page;
+    page.x_title = "Time", page.x_unit = "s";
+    page.x = {0.0, 1.0, 2.0};
+    page.panels = {{"Load", "N", {}}};
+    for (int c = 0; c < 60; ++c)
+      page.panels[0].curves.push_back(
+          {"rolling element " + std::to_string(c + 1), {1.0 + c, 2.0 + c, 3.0 + c}, {}});
+    return page;
+  };
+  std::vector<CurvePick> picks;
+  for (std::size_t c = 0; c < 60; ++c) picks.push_back({&document, 1, 0, c});
+  window.addChart(picks, Combine::Overlay);
+  window.show();
+  auto* label = window.findChild<QLabel*>("readout");
+  auto& scene = window.view().chartScene();
+  const auto read = [&](QSize size) {
+    window.resize(size);
+    QCoreApplication::processEvents();
+    const QRectF area = scene.plotAreas().front();
+    emit window.view().readoutChanged(scene.readout(area.center()));
+    CHECK(label->height() <= window.height() / 5 + 2);
+    const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 5000),
+                                                           Qt::TextWordWrap, label->text());
+    CHECK(needed.height() <= label->height());
+    return label->text();
+  };
+  const QString small = read({700, 450}), large = read({1264, 770});
+  CHECK(QRegularExpression(" … [0-9]+ more$").match(small).hasMatch());
+  CHECK(large.size() > small.size());
+  // Without most of them the line is as low as what is left.
+  const int high = label->height();
+  for (int c = 1; c < 60; ++c) scene.showCurve(0, static_cast<std::size_t>(c), false);
+  emit window.view().curvesChanged();
+  CHECK(label->height() < high / 2);
+  CHECK(read({1264, 770}).contains("rolling element 1"));
+  CHECK(label->text().endsWith(" 2 N"));
 }
 
 TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") {

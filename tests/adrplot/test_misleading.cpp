@@ -105,9 +105,37 @@ TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
   const auto columns = results::sol_columns(file.header);
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id == "cage.land1_angle") file.steps[0].values[c] = 0.0;
-  const auto page = page_with(file, "land 1");
-  CHECK(std::isnan(page.panels.at(2).curves.at(0).y.at(0)));
-  CHECK(std::isfinite(page.panels.at(2).curves.at(0).y.at(1)));
+  const auto first = [&](double y_of_cage) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (columns[c].id == "cage.y_over_clearance") file.steps[0].values[c] = y_of_cage;
+      if (columns[c].id == "cage.z_over_clearance") file.steps[0].values[c] = 0.0;
+    }
+    const auto page = page_with(file, "land 1");
+    CHECK(std::isfinite(page.panels.at(2).curves.at(0).y.at(1)));
+    return page.panels.at(2).curves.at(0).y.at(0);
+  };
+  CHECK(std::isnan(first(0.0)));
+  CHECK(first(-0.3) == 0.0);  // beside the middle an angle of 0 is one
+}
+
+TEST_CASE("pages: curves that break off where a contact opens say so, and slip says what steps",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  set(file, "contact.load.", 100.0);
+  set(file, "contact.angle.", 0.1);
+  const auto note = [&](const std::string& page) { return page_with(file, page).note; };
+  CHECK(note("load and angle").find("no contact where") == std::string::npos);
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "contact.load.inner")
+      for (std::size_t i = file.steps.size() / 2; i < file.steps.size(); ++i)
+        file.steps[i].values[c] = 0.0;
+  CHECK(note("load and angle").find("Inner race: no contact where its curve breaks off.") !=
+        std::string::npos);
+  CHECK(note("load and angle").find("Outer race: no contact") == std::string::npos);
+  CHECK(note("slip").find("largest of the slices") == std::string::npos);  // balls have none
+  file.header.bearing_type = 2;
+  CHECK(note("slip").find("largest of the slices") != std::string::npos);
 }
 
 TEST_CASE("pages: rounding of a force fills no axis beside its large components",

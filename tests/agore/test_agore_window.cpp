@@ -1,11 +1,11 @@
 #include "agore/agore_window.hpp"
 #include "agore/short_run.hpp"
+#include "support/drops.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
 #include <QAction>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
@@ -195,17 +195,9 @@ TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui
   const std::filesystem::path base = folder.path().toStdString();
   test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(20))));
   AgoreWindow window;
+  window.show();
   const auto drop = [&](const QStringList& names) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& name : names) urls << QUrl::fromLocalFile(folder.filePath(name));
-    data.setUrls(urls);
-    QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &enter);
-    CHECK(enter.isAccepted());
-    QDropEvent event({9.0, 9.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &event);
-    CHECK(event.isAccepted());
+    CHECK(test::drop_on(window, folder.path(), names));
   };
   drop({"SOL8", "SOL9"});
   CHECK(take_message(window).contains("single SOL8"));
@@ -215,12 +207,13 @@ TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui
   drop({"SOL8"});
   CHECK(take_message(window).isEmpty());
   CHECK(window.frameCount() == 20);
+  for (const QPoint& place : test::places_of(window)) {  // also with a picture in it
+    INFO(place.x() << ", " << place.y());
+    CHECK(test::drop_on(window, folder.path(), {"SOL8"}, place));
+  }
   QMimeData text;
   text.setText("SOL8");
-  QDragEnterEvent enter({9, 9}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
-  enter.ignore();
-  QCoreApplication::sendEvent(&window, &enter);
-  CHECK_FALSE(enter.isAccepted());
+  CHECK_FALSE(test::drop_on(window, text));
 }
 
 TEST_CASE("agore_window: slow motion follows the simulated time, and repeats when asked", "[gui]") {

@@ -1,6 +1,7 @@
 #include "agore/motion_picture.hpp"
 #include "agore/pocket_outline.hpp"
 #include "agore/render.hpp"
+#include "agore/ring_profile.hpp"
 #include "agore/short_run.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_options.hpp"
@@ -202,10 +203,64 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
     CHECK(box.width() == Approx(2.0 * half(with(code)).width()));
     CHECK(box.height() == Approx(2.0 * half(with(code)).height()));
   }
+  // A roller has half of clearance I at its sides and at its ends (decision 213).
   PocketOutline roller = ball;
   roller.roller_length = 14.0;
-  CHECK(agore::pocket_hole(roller).contains(agore::roller_side(roller).boundingRect()));
-  CHECK(agore::roller_side(roller).boundingRect().size() == QSizeF(10.0, 14.0));
+  CHECK(half(roller) == QSizeF(5.5, 7.5));
+  agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
+  shape.corner = {0.5, 1.0};
+  const QPainterPath upright = QTransform().rotate(90).map(shape.outline());
+  CHECK(agore::pocket_hole(roller).contains(upright));
+  CHECK(upright.boundingRect().width() == Approx(10.0));
+  CHECK(upright.boundingRect().height() == Approx(14.0));
+  // Its window has its taper: as wide as the roller and the clearance at both ends.
+  roller.taper = -0.1;
+  const QPainterPath window = agore::pocket_hole(roller);
+  CHECK(window.contains(QPointF(6.2, -7.4)));
+  CHECK_FALSE(window.contains(QPointF(4.9, 7.4)));
+  CHECK(window.contains(QPointF(4.7, 7.4)));
+}
+
+TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes", "[unit][agore]") {
+  agore::RollerProfile r{.half = 7.0, .radius = 5.0, .slope = -0.1};
+  CHECK(r.side(-7.0) == Approx(5.7));
+  CHECK(r.side(7.0) == Approx(4.3));
+  r.corner = {0.5, 1.0};
+  CHECK(r.side(-6.5) == Approx(5.65));
+  CHECK(r.side(-7.0) == Approx(5.2));
+  CHECK(r.side(6.0) == Approx(4.4));
+  CHECK(r.side(6.5) == Approx(4.35 - (1.0 - std::sqrt(0.75))));
+  CHECK(r.side(7.0) == Approx(3.3));
+  // Where the outline passes: on the side, and at the middle of its ends.
+  const auto rightmost = [](const agore::RollerProfile& of) { return of.outline().boundingRect(); };
+  CHECK(rightmost(r).left() == Approx(-7.0));
+  CHECK(rightmost(r).right() == Approx(7.0));
+  CHECK(r.outline().contains(QPointF(-6.9, 0.99 * r.side(-6.9))));
+  CHECK_FALSE(r.outline().contains(QPointF(-6.9, 1.01 * r.side(-6.9))));
+  // A barrel of radius 10 over 6 from its middle: 10 - 8.
+  agore::RollerProfile barrel{.half = 6.0, .radius = 5.0, .crown = 10.0};
+  CHECK(barrel.side(6.0) == Approx(3.0));
+  CHECK(barrel.side(-6.0) == Approx(3.0));
+  barrel.central = 4.0;  // straight as far as 2
+  CHECK(barrel.side(2.0) == Approx(5.0));
+  CHECK(barrel.side(6.0) == Approx(5.0 - (10.0 - std::sqrt(84.0))));
+  // A dome of radius 13 has fallen by 1 at 5 from its crest.
+  agore::RollerProfile domed{.half = 7.0, .radius = 5.0};
+  domed.dome = {0.0, 13.0};
+  CHECK_FALSE(domed.outline().contains(QPointF(6.1, 4.9)));
+  CHECK(domed.outline().contains(QPointF(5.9, 4.9)));
+  CHECK(domed.outline().contains(QPointF(6.95, 0.1)));
+  CHECK(domed.outline().contains(QPointF(-6.95, 4.9)));
+}
+
+TEST_CASE("the section's cage leaves its pocket as open as it is", "[unit][agore][pocket]") {
+  agore::CageProfile cage{.half_width = 9.0, .low = -3.0, .high = 3.0, .hole = 5.0};
+  CHECK(cage.hole_at(-3.0) == 5.0);
+  cage.round = 5.0;  // a sphere
+  CHECK(cage.hole_at(3.0) == Approx(4.0));
+  cage.round = 0.0, cage.flare = 0.1;  // a cone that opens outwards
+  CHECK(cage.hole_at(3.0) == Approx(5.3));
+  CHECK(cage.hole_at(-3.0) == Approx(4.7));
 }
 
 TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {

@@ -224,3 +224,50 @@ TEST_CASE("one program starts another that lies beside it, and says when there i
   CHECK_THROWS_WITH(adore::desktop::start_program("no-such-viewer", {}),
                     Catch::Contains("no-such-viewer") && Catch::Contains("PATH"));
 }
+
+TEST_CASE("beside --project stand files alone; everything of a first window is refused by name",
+          "[gui][apps]") {
+  adore::test::use_qt();
+  const QString folder = run_folder();
+  struct Try {
+    const char* program;
+    QString file;
+    QStringList options;
+  };
+  std::vector<Try> tries;
+  const QString sol1 = folder + "/SOL1", sol8 = folder + "/SOL8";
+  const QList<QStringList> of_plots{{"--render", folder + "/pictures"},
+                                    {"--from", "2"},
+                                    {"--to", "9"},
+                                    {"--every", "2"},
+                                    {"--abscissa", "time"}};
+  const QList<QStringList> of_motion{{"--render", folder + "/pictures"},
+                                     {"--view", "cage"},
+                                     {"--beside", "section"},
+                                     {"--element", "2"},
+                                     {"--race", "outer"},
+                                     {"--colour", "load"},
+                                     {"--contacts"},
+                                     {"--trails"}};
+  for (const QStringList& options : of_plots) tries.push_back({"adrplot", sol1, options});
+  for (const QStringList& options : of_motion) tries.push_back({"agore", sol8, options});
+  for (const Try& one : tries) {
+    const Ended ended =
+        start(one.program, QStringList{"--project", folder, one.file} + one.options);
+    INFO(one.program << ' ' << one.options.join(' ').toStdString() << ": "
+                     << ended.output.toStdString());
+    CHECK(ended.code == 2);
+    CHECK(ended.output.contains("--project"));
+    CHECK(ended.output.contains(one.options.front()));
+    CHECK_FALSE(QDir(folder).exists("pictures"));
+  }
+  for (const char* program : {"adrplot", "agore"}) {
+    INFO(program);
+    const Ended alone = start(program, {"--project", folder});
+    CHECK(alone.code == 2);
+    CHECK(alone.output.contains(program == std::string("agore") ? "SOL8" : "FILE"));
+    const Ended nowhere = start(program, {"--project", folder + "/nowhere", sol1});
+    CHECK(nowhere.code == 2);
+    CHECK(nowhere.output.contains("nowhere"));
+  }
+}

@@ -57,7 +57,7 @@ class Desk {
     return desk;
   }
   ~Desk() {
-    for (QProcess* process : {&program_, &manager_, &server_}) {
+    for (QProcess* process : {&source_, &program_, &manager_, &server_}) {
       process->terminate();
       if (!process->waitForFinished(5000)) process->kill();
       process->waitForFinished(5000);
@@ -124,6 +124,28 @@ class Desk {
     });
   }
 
+  /// A window from which these files can be dragged, above all others.
+  void offer(const QStringList& files) {
+    source_.setProcessEnvironment(environment_);
+    source_.start(QString::fromStdString(adore::test::program("drag_source").string()), files);
+    REQUIRE(source_.waitForStarted());
+    window("drag-source");
+    QTest::qWait(500);
+  }
+  void drag(QPoint from, QPoint to) {
+    const auto go = [&](const QPoint& to_place) {
+      xdotool({"mousemove", QString::number(to_place.x()), QString::number(to_place.y())});
+      QTest::qWait(150);
+    };
+    go(from);
+    xdotool({"mousedown", "1"});
+    constexpr int kSteps = 8;
+    for (int i = 1; i <= kSteps; ++i) go(from + (to - from) * i / kSteps);
+    QTest::qWait(500);
+    xdotool({"mouseup", "1"});
+    QTest::qWait(300);
+  }
+
   bool ends() {
     return (program_.state() == QProcess::NotRunning || program_.waitForFinished(20000)) &&
            program_.exitStatus() == QProcess::NormalExit && program_.exitCode() == 0;
@@ -140,7 +162,7 @@ class Desk {
   }
   QTemporaryDir home_;
   QProcessEnvironment environment_;
-  QProcess server_, manager_, program_;
+  QProcess server_, manager_, program_, source_;
 };
 
 /// Deck and results of a short run, made once.
@@ -227,5 +249,34 @@ TEST_CASE("real windows of all three programs open within a small screen and end
       desk->keys({"ctrl+q"});
       CHECK(desk->ends());
     }
+  }
+}
+
+TEST_CASE("real windows: files that are dragged from another program open where they are dropped",
+          "[gui][apps][window][slow]") {
+  adore::test::use_qt();
+  struct Try {
+    const char *program, *file, *title;
+  };
+  for (const auto& [program, file, title] : {Try{"adrplot", "SOL3", "SOL3"},
+                                             {"agore", "SOL8", "SOL8"},
+                                             {"adrinput", "DATA.txt", "DATA.txt"}}) {
+    INFO(program);
+    const auto desk = Desk::make("1280x800x24");
+    if (!desk) return;
+    desk->start(program, {});
+    const QRect place = desk->place(desk->window("A(drPlot|drInput|GORE)"));
+    if (program != std::string("adrinput")) {  // it asks for a file by itself
+      QTest::qWait(1000);
+      desk->keys({"Escape"});
+    }
+    desk->offer({results() + "/" + file});
+    const QRect icon = desk->place(desk->window("drag-source"));
+    desk->drag(icon.center(), {place.left() + 2 * place.width() / 5, place.center().y()});
+    if (program == std::string("adrplot")) {  // the range of its steps
+      QTest::qWait(1000);
+      desk->keys({"Return"});
+    }
+    CHECK(desk->shows(title));
   }
 }

@@ -15,6 +15,8 @@
 #include <QFile>
 #include <QFontInfo>
 #include <QGraphicsItem>
+#include <QGraphicsLineItem>
+#include <QGraphicsTextItem>
 #include <QImage>
 #include <QImageReader>
 #include <QLabel>
@@ -27,6 +29,7 @@
 #include <QtEndian>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -257,7 +260,11 @@ TEST_CASE("a line too long for its place is drawn closer before it is cut", "[gu
   CHECK(fitted_line(text, metrics, 2000.0) == text);
   const qreal close = metrics.horizontalAdvance("a file · page 2 of 9 · all digits");
   CHECK(fitted_line(text, metrics, close + 1.0) == "a file · page 2 of 9 · all digits");
-  CHECK(fitted_line(text, metrics, close - 20.0).endsWith(QChar(0x2026)));
+  const QString named = fitted_line("a long name of a file" + text.mid(6), metrics, close + 60.0);
+  CHECK(named.startsWith("a long"));
+  CHECK(named.contains(QString(QChar(0x2026)) + " · page 2 of 9 · all digits"));
+  CHECK(metrics.horizontalAdvance(named) <= close + 60.0);
+  CHECK(fitted_line(text, metrics, close - 30.0).endsWith(QChar(0x2026)));
 }
 
 TEST_CASE("chart_scene: every marked frequency has its name, however close the lines are",
@@ -289,6 +296,141 @@ TEST_CASE("chart_scene: every marked frequency has its name, however close the l
       }
       CHECK(text_faults(scene).empty());
     }
+}
+
+TEST_CASE("chart_scene: a step leads from a name to its line where others take its place",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  for (int i = 0; i <= 100; ++i) page.x.push_back(300.0 * i);
+  page.panels = {{"Amplitude", "N", {{"", page.x, {}}}}};
+  page.marks = {{41.0, "FTF"}, {100.0, "shaft"}, {230.0, "BSF"}, {420.0, "BPFO"}, {610.0, "BPFI"}};
+  ChartScene scene;
+  for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450)}) {
+    scene.setPageSize(size);
+    scene.setPage(page);
+    const QRectF area = scene.plotAreas().front();
+    struct Step {
+      double from, to, y;
+    };
+    std::vector<Step> steps;
+    std::vector<double> feet;
+    for (auto* item : scene.items())
+      if (auto* line = dynamic_cast<QGraphicsLineItem*>(item)) {
+        if (line->parentItem() != nullptr) continue;  // of the axes
+        const QLineF l = line->line();
+        if (l.y1() == l.y2() && l.y1() > area.top() && l.y1() < area.bottom())
+          steps.push_back({l.x1(), l.x2(), l.y1()});
+        if (l.x1() == l.x2() && l.y1() < area.top()) feet.push_back(l.x1());
+      }
+    REQUIRE(steps.size() >= 3);
+    std::sort(steps.begin(), steps.end(), [](auto& a, auto& b) { return a.from < b.from; });
+    std::size_t mark = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i, ++mark) {
+      // From below its name to its line, in their order; each below the one before, so that none
+      // crosses it.
+      while (mark < page.marks.size() &&
+             std::abs(steps[i].to - scene.positionOf(page.marks[mark].x)) > 0.01)
+        ++mark;
+      CHECK(mark < page.marks.size());
+      CHECK(std::find(feet.begin(), feet.end(), steps[i].from) != feet.end());
+      if (i > 0) CHECK(steps[i].y > steps[i - 1].y + 1.0);
+    }
+    CHECK(text_faults(scene).empty());
+  }
+}
+
+TEST_CASE("chart_scene: curves that would hide another say so and leave it half of the way",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Time", page.x_unit = "s";
+  std::vector<double> wave, near, other;
+  for (int i = 0; i <= 400; ++i) {
+    page.x.push_back(0.01 * i);
+    wave.push_back(100.0 * std::sin(0.05 * i));
+    near.push_back(wave.back() + 0.01 * std::cos(0.3 * i));  // less than a pixel
+    other.push_back(wave.back() + (i > 200 && i < 220 ? 20.0 : 0.0));
+  }
+  const auto words = [](const ChartScene& scene) {
+    QStringList out;
+    for (auto* item : scene.items())
+      if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item)) out << text->text();
+    return out;
+  };
+  const auto inked = [](const ChartScene& scene, const QImage& image, int curve) {
+    const QRect area = scene.plotAreas().front().toRect();
+    int out = 0;
+    for (int y = area.top(); y < area.bottom(); ++y)
+      for (int x = area.left(); x < area.right(); ++x) {
+        const QColor seen = image.pixelColor(x, y), wanted = theme(ThemeKind::Light).curves[curve];
+        out += std::abs(seen.red() - wanted.red()) + std::abs(seen.green() - wanted.green()) +
+                   std::abs(seen.blue() - wanted.blue()) <
+               30;
+      }
+    return out;
+  };
+  ChartScene scene;
+  scene.setTheme(theme(ThemeKind::Light));
+  const auto look = [&](const std::vector<double>& second) {
+    page.panels = {{"Force", "N", {{"land 1", wave, {}}, {"land 2", second, {}}}}};
+    scene.setPage(page);
+    return scene.image({1280, 800});
+  };
+  const QImage alone = look(other);
+  CHECK(words(scene).contains("land 2"));
+  const QImage both = look(wave);
+  CHECK(words(scene).contains("land 2 (= land 1)"));
+  CHECK(scene.linesOf(0) == 2);
+  const int first = inked(scene, both, 0), second = inked(scene, both, 1);
+  CHECK(first > 200);
+  CHECK(second > 200);
+  CHECK(inked(scene, alone, 0) < first / 3);  // it is hidden where the curves coincide
+  look(near);
+  CHECK(words(scene).contains("land 2 (≈ land 1)"));
+  scene.setPanelView(0, std::pair(-1.0, 1.0));  // there they part
+  CHECK(words(scene).contains("land 2"));
+  // A curve that is switched off hides nothing.
+  look(wave);
+  scene.showCurve(0, 0, false);
+  CHECK(words(scene).contains("land 2"));
+  // Three of a kind, and a long run, whose curves are thinned.
+  std::vector<double> noise;
+  page.x.clear();
+  for (int i = 0; i < 200000; ++i) {
+    page.x.push_back(1e-5 * i);
+    noise.push_back(std::sin(0.01 * i) + 0.3 * std::sin(1.7 * i));
+  }
+  page.panels = {{"Force", "N", {{"a", noise, {}}, {"b", noise, {}}, {"c", noise, {}}}}};
+  scene.setPage(page);
+  const QImage three = scene.image({1280, 800});
+  CHECK(words(scene).contains("b (= a)"));
+  CHECK(words(scene).contains("c (= a)"));
+  for (const int curve : {0, 1, 2}) CHECK(inked(scene, three, curve) > 1000);
+}
+
+TEST_CASE("chart_scene: a logarithmic panel without a value above 0 says so beside an empty curve",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x = {0.0, 1.0, 2.0};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  page.panels = {{"Load", "N", {{"a", {0.0, 0.0, -1.0}, {}}, {"b", {none, none, none}, {}}}}};
+  page.panels[0].log = true;
+  ChartScene scene;
+  scene.setPage(page);
+  const auto said = [&] {
+    const QList<QGraphicsItem*> items = scene.items();
+    return std::any_of(items.begin(), items.end(), [](QGraphicsItem* item) {
+      auto* text = dynamic_cast<QGraphicsTextItem*>(item);
+      return text != nullptr && text->toPlainText().startsWith("No value is above 0");
+    });
+  };
+  CHECK(said());
+  page.panels[0].curves[0].y[1] = 1.0;
+  scene.setPage(page);
+  CHECK_FALSE(said());
 }
 
 TEST_CASE("chart_scene: a page without panels shows its sentence, in both themes", "[gui]") {

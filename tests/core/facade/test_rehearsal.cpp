@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <exception>
 #include <tuple>
 #include <unistd.h>
@@ -133,14 +134,23 @@ TEST_CASE("a folder that cannot be written into is told before the run, in the l
           "[unit][rehearsal]") {
   // The superuser writes anywhere: then as somebody else.
   const bool super = ::geteuid() == 0;
-  constexpr uid_t kNobody = 65534;
+  static constexpr uid_t kNobody = 65534;
   std::string name = "/tmp/adore-read-only-XXXXXX";
   REQUIRE(::mkdtemp(name.data()) != nullptr);
   const fs::path folder = name;
   const deck::Deck deck = deck::new_deck("ball");
+  struct Nobody {  // until a check fails as well
+    explicit Nobody(bool wanted) : changed(wanted && ::seteuid(kNobody) == 0) {}
+    ~Nobody() { back(); }
+    void back() const {
+      if (changed && ::geteuid() != 0 && ::seteuid(0) != 0) std::abort();
+    }
+    bool changed;
+  };
   const auto found = [&](fs::perms permissions) {
     fs::permissions(folder, permissions);
-    if (super) REQUIRE(::seteuid(kNobody) == 0);
+    const Nobody nobody(super);
+    REQUIRE(nobody.changed == super);
     const std::vector<Issue> said = rehearsed(deck, folder / "DATA.txt", {});
     std::string lock;
     try {
@@ -148,7 +158,7 @@ TEST_CASE("a folder that cannot be written into is told before the run, in the l
     } catch (const InputError& error) {
       lock = error.what();
     }
-    if (super) REQUIRE(::seteuid(0) == 0);
+    nobody.back();
     CHECK(said.empty() == lock.empty());
     for (const Issue& issue : said) CHECK_THAT(lock, Catch::Contains(issue.message));
     return said.size();

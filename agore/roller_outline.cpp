@@ -1,0 +1,104 @@
+#include "agore/roller_outline.hpp"
+
+#include "agore/ring_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::agore {
+namespace {
+
+/// How far a circle has left its tangent at distance `at` from where it touches; a radius of 0: not
+/// at all.
+double sagitta(double radius, double at) {
+  if (!(radius > 0.0)) return 0.0;
+  const double reach = std::min(std::abs(at), 0.99 * radius);
+  return reach * reach / (radius + std::sqrt(radius * radius - reach * reach));
+}
+
+}  // namespace
+
+double RollerProfile::line(double u) const {
+  return radius + u * slope - sagitta(crown, std::max(0.0, std::abs(u) - 0.5 * central));
+}
+
+double RollerProfile::side(double u) const {
+  const double round = corner[u < 0.0 ? 0 : 1];
+  const double into = std::clamp(std::abs(u) - (half - round), 0.0, round);
+  return line(u) - (round - std::sqrt(round * round - into * into));
+}
+
+std::vector<QPointF> RollerProfile::meridian() const {
+  constexpr int kBody = 24, kCorner = 6, kFace = 8;
+  std::vector<QPointF> out;
+  // An end from its corner inwards; a dome stands back by what it has dropped there.
+  const auto end = [&](std::size_t k) {
+    const double way = k == 0 ? -1.0 : 1.0, round = corner[k];
+    const double at = line(way * half);
+    const auto face = [&](double r) { return half - sagitta(dome[k], r); };
+    std::vector<QPointF> points;
+    for (int i = 1; round > 0.0 && i <= kCorner; ++i) {
+      const double phi = 0.5 * std::numbers::pi * i / kCorner;
+      const double r = at - round * (1.0 - std::cos(phi));
+      points.emplace_back(way * std::min(half - round * (1.0 - std::sin(phi)), face(r)), r);
+    }
+    const double rim = at - round;
+    const int parts = dome[k] > 0.0 ? kFace : 1;
+    for (int i = 0; i <= parts; ++i) {
+      const double r = rim * (parts - i) / parts;
+      points.emplace_back(way * face(r), r);
+    }
+    return points;
+  };
+  out = end(0);
+  std::reverse(out.begin(), out.end());
+  const double first = -half + corner[0], last = half - corner[1];
+  for (int i = 0; i <= kBody; ++i) {
+    const double u = first + (last - first) * i / kBody;
+    out.emplace_back(u, line(u));
+  }
+  const std::vector<QPointF> right = end(1);
+  out.insert(out.end(), right.begin(), right.end());
+  return out;
+}
+
+QPainterPath RollerProfile::outline() const {
+  const std::vector<QPointF> upper = meridian();
+  QPolygonF polygon;
+  for (const QPointF& p : upper) polygon.append(p);
+  for (auto p = upper.rbegin(); p != upper.rend(); ++p) polygon.append({p->x(), -p->y()});
+  QPainterPath path;
+  path.addPolygon(polygon);
+  path.closeSubpath();
+  return path;
+}
+
+RollerProfile roller_profile(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  const bool tapered = animation.file.bearing_type >= 4;
+  const double sign =
+      nominal_lean(animation) * size_number(animation, "contact_angle") < 0.0 ? -1.0 : 1.0;
+  RollerProfile out;
+  out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
+  out.radius = g.element_radius;
+  if (tapered) out.slope = std::tan(sign * size_number(animation, "roller_half_angle"));
+  // What a crown of metres takes away cannot be seen.
+  const double crown = size_length(animation, "roller_crown_radius");
+  if (crown > out.half && crown < 40.0 * out.half) {
+    out.crown = crown;
+    out.central = size_length(animation, "roller_central_length");
+  }
+  const double most = 0.4 * std::min(out.half, out.radius);
+  const char* const names[] = {"roller_minus_x_corner_radius", "roller_plus_x_corner_radius"};
+  const char* const domes[] = {"roller_minus_x_end_radius", "roller_plus_x_end_radius"};
+  for (std::size_t end = 0; end < 2; ++end) {
+    out.corner[end] = std::min(size_length(animation, names[end]), most);
+    const double dome = size_length(animation, domes[end]);
+    if (dome > out.radius) out.dome[end] = dome;
+  }
+  out.mass_centre = size_number(animation, "roller_mass_offset") / length_unit(animation);
+  return out;
+}
+
+}  // namespace adore::agore

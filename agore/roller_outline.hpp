@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QPainterPath>
+#include <QPointF>
+
+#include <array>
+#include <vector>
+
+namespace adore::agore {
+
+struct Animation;
+
+/// A roller along its axis u from mid length, in the file's length: what RESULTS.h5 says of it. A
+/// barrel or a crowned end is an arc beside the cone, without the second-order difference between
+/// a drop across the axis and one across the cone (contact/roller_profile.hpp has it). Ends 0 and 1
+/// are those at -u and +u.
+struct RollerProfile {
+  double half = 0.0, radius = 0.0;            ///< of the length over all; at mid length
+  double slope = 0.0;                         ///< of the cone
+  double crown = 0.0, central = 0.0;          ///< radius, 0: straight; length of the straight part
+  std::array<double, 2> corner{}, dome{};     ///< radii by end; 0: sharp, flat
+  double mass_centre = 0.0;                   ///< along u
+  [[nodiscard]] double line(double u) const;  ///< its radius there, as if it had no corners
+  [[nodiscard]] double side(double u) const;  ///< its radius there
+  /// The half meridian from the middle of the end at -u to that of the end at +u: (u, radius).
+  [[nodiscard]] std::vector<QPointF> meridian() const;
+  /// Its silhouette with u to the right.
+  [[nodiscard]] QPainterPath outline() const;
+};
+[[nodiscard]] RollerProfile roller_profile(const Animation& animation);
+
+}  // namespace adore::agore

@@ -1,0 +1,264 @@
+#include "desktop/chart_scene_parts.hpp"
+#include "desktop/dense_line.hpp"
+
+#include <QChart>
+#include <QGraphicsItem>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+/// The curves of a panel: lines, points and bands.
+namespace adore::desktop {
+namespace {
+
+/// A line of a chart, not beyond its area.
+class LineItem : public QGraphicsItem {
+ public:
+  LineItem(QPolygonF line, const QRectF& area, QPen pen)
+      : line_(std::move(line)), area_(area), pen_(std::move(pen)) {}
+  [[nodiscard]] QRectF boundingRect() const override { return area_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    draw_line(*painter, line_, area_, pen_);
+  }
+
+ private:
+  QPolygonF line_;
+  QRectF area_;
+  QPen pen_;
+};
+
+}  // namespace
+
+QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
+  QPen pen(theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()], width);
+  pen.setJoinStyle(Qt::BevelJoin);  // a round one takes five times as long
+  if (dashed) pen.setDashPattern({4.0, 4.0});
+  return pen;
+}
+
+namespace {
+
+QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                 const AxisScale& y_axis) {
+  QPolygonF points;
+  points.reserve(static_cast<qsizetype>(line.x.size()));
+  // Far outside a picture numbers are too large for the painter.
+  constexpr double kFar = 1e5;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    const double x = (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min),
+                 y = (y_axis.shown(line.y[i]) - y_axis.min) / (y_axis.max - y_axis.min);
+    points.append({area.left() + std::clamp(x * area.width(), -kFar, kFar),
+                   area.bottom() - std::clamp(y * area.height(), -kFar, kFar)});
+  }
+  return points;
+}
+
+constexpr qreal kSame = 0.75;  // pixels: lines closer than this lie on one another
+
+/// Does every point of `line` lie on the way of `other`: within kSame of where that passes a pixel
+/// to either side? Both go to the right.
+bool lies_on(const QPolygonF& line, const QPolygonF& other) {
+  const auto height = [&other](qsizetype i, qreal x) {  // of the stroke that ends at point i
+    const QPointF &a = other[i - 1], &b = other[i];
+    return b.x() > a.x() ? a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()) : b.y();
+  };
+  const auto on_a_stroke = [&other](qsizetype i) { return i > 0 && i < other.size(); };
+  qsizetype first = 0;
+  for (const QPointF& p : line) {
+    const qreal left = p.x() - 1.0, right = p.x() + 1.0;
+    while (first < other.size() && other[first].x() < left) ++first;
+    Extent passed;
+    if (on_a_stroke(first)) passed.include(height(first, left));
+    qsizetype last = first;
+    for (; last < other.size() && other[last].x() <= right; ++last) passed.include(other[last].y());
+    if (on_a_stroke(last)) passed.include(height(last, right));
+    if (passed.empty() || p.y() < passed.low - kSame || p.y() > passed.high + kSame) return false;
+  }
+  return true;
+}
+
+bool coincide(const std::vector<QPolygonF>& a, const std::vector<QPolygonF>& b) {
+  if (a.empty() || a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i].front().x() - b[i].front().x()) > 1.0 ||
+        std::abs(a[i].back().x() - b[i].back().x()) > 1.0 || !lies_on(a[i], b[i]) ||
+        !lies_on(b[i], a[i]))
+      return false;
+  }
+  return true;
+}
+
+/// The parts of a line that are left to the curve that lies above: every `of`-th of stripes across
+/// the picture, so that a spike shows both. They stand upright where the line is so long, a dense
+/// run back and forth, that its parts were very many.
+std::vector<QPolygonF> stretches(const QPolygonF& line, int of) {
+  constexpr qreal kWide = 9.0, kLong = 20000.0;
+  qreal length = 0.0;
+  for (qsizetype i = 1; i < line.size(); ++i) length += std::abs(line[i].y() - line[i - 1].y());
+  const qreal slant = length < kLong ? 1.0 : 0.0;
+  std::vector<QPolygonF> out;
+  QPolygonF piece;
+  const auto mine = [of](long stripe) { return (stripe % of + of) % of == of - 1; };
+  const auto flush = [&] {
+    if (piece.size() > 1) out.push_back(piece);
+    piece.clear();
+  };
+  for (qsizetype i = 0; i < line.size(); ++i) {
+    const QPointF q = line[i];
+    const qreal to = (q.x() + slant * q.y()) / kWide;
+    if (i > 0) {
+      const QPointF p = line[i - 1];
+      const qreal from = (p.x() + slant * p.y()) / kWide;
+      const long last = static_cast<long>(std::floor(to)), way = to > from ? 1 : -1;
+      for (long s = static_cast<long>(std::floor(from)); s != last; s += way) {
+        const qreal edge = static_cast<qreal>(way > 0 ? s + 1 : s);
+        const QPointF at = p + (edge - from) / (to - from) * (q - p);
+        if (mine(s)) piece.append(at);
+        flush();
+        if (mine(s + way)) piece.append(at);
+      }
+    }
+    if (mine(static_cast<long>(std::floor(to)))) piece.append(q);
+  }
+  flush();
+  return out;
+}
+
+/// The same values in the view, to the digits of a file.
+bool equal_values(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to) {
+  constexpr double kDigits = 1e-6;
+  for (std::size_t i = from; i < std::min({to, a.y.size(), b.y.size()}); ++i) {
+    const double p = a.y[i], q = b.y[i];
+    if (std::isnan(p) && std::isnan(q)) continue;
+    if (!(std::abs(p - q) <= kDigits * std::max(std::abs(p), std::abs(q)))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, const QRectF& area,
+                                                            const AxisScale& y_axis) const {
+  const ChartPanel& panel = page_.panels[index];
+  std::vector<ShownCurve> out;
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    const ChartCurve& curve = panel.curves[c];
+    if (curve.hidden) continue;
+    ShownCurve shown{.curve = c, .colour = panel.one_colour ? 0 : static_cast<int>(c)};
+    std::vector<double> positive;
+    if (panel.log) {
+      positive = curve.y;
+      for (double& value : positive)
+        if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
+    }
+    shown.pieces = drawable_pieces(page_.x, panel.log ? positive : curve.y, low_, high_,
+                                   static_cast<int>(area.width()), panel.wraps,
+                                   blocks_.empty() || panel.log ? nullptr : &blocks_[index][c]);
+    for (const Polyline& piece : shown.pieces)
+      shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
+    if (rising_ && !panel.one_colour)
+      for (ShownCurve& before : out) {
+        if (before.hides || !coincide(before.lines, shown.lines)) continue;
+        const auto [from, to] = places_between(page_.x, low_, high_);
+        shown.hides = before.curve;
+        shown.equal = equal_values(panel.curves[before.curve], curve, from, to);
+        shown.later = ++before.later;
+        break;
+      }
+    out.push_back(std::move(shown));
+  }
+  return out;
+}
+
+void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
+                          const AxisScale& y_axis, const Metrics& m) {
+  const QPen pen = penOf(shown.colour, m.line, panel.curves[shown.curve].dashed);
+  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
+    if (shown.hides)
+      for (QPolygonF& part : stretches(shown.lines[i], shown.later + 1))
+        addWay(std::move(part), area, pen);
+    else
+      addWay(shown.lines[i], area, pen);
+    if (!lines_.empty()) ++lines_.back();
+    // A value between gaps has no line: it is a point.
+    if (page_.points || shown.pieces[i].x.size() == 1)
+      addPoints(shown.pieces[i], area, x_axis_, y_axis, shown.colour, m.line);
+  }
+}
+
+void ChartScene::addWay(QPolygonF line, const QRectF& area, QPen pen) {
+  addItem(new LineItem(std::move(line), area.adjusted(-1, -1, 1, 1), std::move(pen)));
+}
+
+QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                               const AxisScale& y_axis, QPen pen) {
+  QPolygonF points = placed(line, area, x_axis, y_axis);
+  addWay(points, area, std::move(pen));
+  if (!lines_.empty()) ++lines_.back();
+  return points;
+}
+
+void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                           const AxisScale& y_axis, int colour, qreal width) {
+  const QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
+  const qreal r = 1.6 * width;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    if (line.x[i] < low_ || line.x[i] > high_) continue;
+    const qreal x = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /
+                                      (x_axis.max - x_axis.min) * area.width();
+    const qreal y = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
+                                        (y_axis.max - y_axis.min) * area.height();
+    if (y < area.top() || y > area.bottom()) continue;  // beyond the chosen range
+    addEllipse(QRectF(x - r, y - r, 2 * r, 2 * r), QPen(Qt::NoPen), fill)->setZValue(5);
+  }
+}
+
+/// The extremes between the values, as a pale area that the lowest and highest value of each column
+/// of pixels bound.
+void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis,
+                         int colour, std::vector<QPolygonF>& drawn) {
+  const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
+  struct Column {
+    qreal x = 0.0;
+    double low = 0.0, high = 0.0;
+  };
+  std::vector<Column> columns;
+  const auto flush = [&] {
+    if (columns.size() < 2) {
+      columns.clear();
+      return;
+    }
+    const auto height = [&](double value) {
+      const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
+      return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
+    };
+    QPolygonF outline;
+    for (const Column& c : columns) outline.append({c.x, height(c.high)});
+    for (auto c = columns.rbegin(); c != columns.rend(); ++c)
+      outline.append({c->x, height(c->low)});
+    QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
+    fill.setAlpha(70);
+    addPolygon(outline, QPen(Qt::NoPen), fill);
+    drawn.push_back(std::move(outline));
+    columns.clear();
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (page_.x[i] < low_ || page_.x[i] > high_) continue;
+    if (!is_drawable(curve.low[i]) || !is_drawable(curve.high[i])) {
+      flush();
+      continue;
+    }
+    const qreal x = area.left() + (x_axis_.shown(page_.x[i]) - x_axis_.min) /
+                                      (x_axis_.max - x_axis_.min) * area.width();
+    if (columns.size() > 1 && std::floor(x) == std::floor(columns.back().x)) {
+      columns.back().low = std::min(columns.back().low, curve.low[i]);
+      columns.back().high = std::max(columns.back().high, curve.high[i]);
+    } else {
+      columns.push_back({x, curve.low[i], curve.high[i]});
+    }
+  }
+  flush();
+}
+
+}  // namespace adore::desktop

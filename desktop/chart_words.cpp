@@ -1,0 +1,293 @@
+#include "desktop/chart_scene_parts.hpp"
+
+#include <QFontMetricsF>
+#include <QGraphicsTextItem>
+#include <QTextDocument>
+#include <QTextOption>
+
+#include <algorithm>
+#include <cmath>
+
+/// What is written on a page of charts: heading, note, ticks, titles, legends, names of marks.
+namespace adore::desktop {
+
+/// The page's note as lines of the page's width, three at most.
+QStringList ChartScene::noteLines(qreal right) const {
+  if (page_.note.empty() || page_.panels.empty()) return {};
+  constexpr int kFont = 13, kLeft = 24, kMost = 3;
+  const QFontMetricsF metrics(ui_font(kFont));
+  const qreal width = size_.width() - kLeft - right;
+  QStringList lines{QString()};
+  for (const QString& word : text_of(page_.note).split(' ')) {
+    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
+    if (lines.size() < kMost && !lines.back().isEmpty() &&
+        metrics.horizontalAdvance(longer) > width)
+      lines << word;
+    else
+      lines.back() = longer;
+  }
+  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, width);
+  return lines;
+}
+
+void ChartScene::addHeading(const Metrics& m) {
+  const auto line = [&](const QString& text, const QFont& font, const QColor& colour, qreal y) {
+    if (text.isEmpty()) return;
+    const qreal left = style_ == ChartStyle::Compact ? 12 : 24;
+    auto* item =
+        addSimpleText(fitted_line(text, QFontMetricsF(font), size_.width() - left - m.right), font);
+    item->setBrush(colour);
+    item->setPos(left, y);
+  };
+  if (style_ == ChartStyle::Compact) {
+    line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 8);
+    return;
+  }
+  line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
+  line(text_of(page_.subtitle), ui_font(m.text_font), theme_->muted, 40);
+  qreal y = 60;
+  for (const QString& text : noteLines(m.right)) {
+    line(text, ui_font(m.text_font), theme_->accent, y);
+    y += 18;
+  }
+}
+
+// Our own tick labels and titles: Qt Charts writes "-0.0", cuts long labels, and sets titles at a
+// different place in each panel.
+void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
+                           const QString& x_title, const QString& y_title, bool x_labels,
+                           const Metrics& m) {
+  const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
+  const QFontMetricsF metrics(font), title_metrics(title_font);
+  const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
+                       QPointF position) {
+    auto* item = addSimpleText(text, used);
+    item->setBrush(colour);
+    item->setPos(position);
+    return item;
+  };
+  for (const auto& [value, label] : axis_ticks(y_scale)) {
+    const QString text = text_of(label);
+    const qreal y =
+        area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
+    add(text, font, theme_->muted,
+        {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
+  }
+  if (x_labels)
+    for (const auto& [value, label] : axis_ticks(x_scale)) {
+      const QString text = text_of(label);
+      const qreal x =
+          area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
+      const qreal width = metrics.horizontalAdvance(text);
+      add(text, font, theme_->muted,
+          {std::min(x - 0.5 * width, size_.width() - width - 2), area.bottom() + 7});
+    }
+  if (x_labels) {
+    const qreal width = title_metrics.horizontalAdvance(x_title);
+    add(x_title, title_font, theme_->text,
+        {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
+  }
+  // A title longer than its panel may use the gaps above and below; then its unit gets a line of
+  // its own, which is never shortened.
+  const qreal room = title_room(area, m.gap);
+  const auto write = [&](const QString& text, qreal left) {
+    auto* title = add(text, title_font, theme_->text, {});
+    title->setRotation(-90);
+    title->setPos(left, area.center().y() + 0.5 * title_metrics.horizontalAdvance(text));
+  };
+  const qsizetype unit = y_title.lastIndexOf(" [");
+  if (title_metrics.horizontalAdvance(y_title) <= room || unit < 0) {
+    write(title_metrics.elidedText(y_title, Qt::ElideRight, room), area.left() - m.left + 8);
+    return;
+  }
+  write(title_metrics.elidedText(y_title.left(unit), Qt::ElideRight, room),
+        area.left() - m.left + 1);
+  write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
+}
+
+qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown,
+                            const QRectF& area, const Metrics& m) {
+  if (panel.curves.size() < 2 || panel.one_colour) return area.right();
+  const QFont font = ui_font(m.text_font);
+  const QFontMetricsF metrics(font);
+  // What has no room shares it: first the lines get short, then long names are shortened alike.
+  const auto count = static_cast<qreal>(panel.curves.size());
+  const auto drawn = [&](std::size_t i) {  // null: not
+    const auto found = std::find_if(shown.begin(), shown.end(),
+                                    [i](const ShownCurve& one) { return one.curve == i; });
+    return found == shown.end() ? nullptr : &*found;
+  };
+  const auto name_of = [&](std::size_t i, bool whole) {
+    const ChartCurve& curve = panel.curves[i];
+    const ShownCurve* const one = drawn(i);
+    if (whole && one != nullptr && one->hides)
+      return tr("%1 (%2 %3)")
+          .arg(text_of(curve.name), one->equal ? "=" : "≈",
+               text_of(panel.curves[*one->hides].name));
+    return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
+                                               : text_of(curve.name);
+  };
+  const auto length = [&](bool whole) {
+    qreal all = 0.0;
+    for (std::size_t i = 0; i < panel.curves.size(); ++i)
+      all += metrics.horizontalAdvance(name_of(i, whole));
+    return all;
+  };
+  const qreal room = area.right() - 8.0;  // also over the labels of the axis
+  // Where there is no room to say what a curve hides, its broken line does.
+  constexpr qreal kNarrow = 900.0;  // there the names of marks need it
+  const bool marked = &panel == &page_.panels.front() && !page_.marks.empty();
+  const bool whole =
+      length(true) + count * (14.0 + 8.0) <= room && !(marked && area.width() < kNarrow);
+  const qreal names = length(whole);
+  const bool narrow = names + count * (24.0 + 16.0) > room;
+  const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
+  const qreal most =
+      names + count * (line + gap) <= room ? room : std::max(0.0, room / count - line - gap);
+  const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
+  qreal x = area.right();
+  for (std::size_t i = panel.curves.size(); i-- > 0;) {
+    const ChartCurve& curve = panel.curves[i];
+    const QString name = metrics.elidedText(name_of(i, whole), Qt::ElideMiddle, most);
+    x -= metrics.horizontalAdvance(name);
+    auto* label = addSimpleText(name, font);
+    label->setBrush(curve.hidden ? theme_->muted : theme_->text);
+    label->setToolTip(name_of(i, true));
+    label->setPos(x, area.top() - metrics.height() - 3);
+    const qreal middle = area.top() - 0.5 * metrics.height() - 3;
+    const auto colour = [&](std::size_t of) { return theme_->curves[of % theme_->curves.size()]; };
+    QPen pen(curve.hidden ? theme_->frame : colour(i), 2.4);
+    if (curve.dashed) pen.setDashPattern({2.0, 1.5});
+    if (const ShownCurve* const one = drawn(i); one != nullptr && one->hides) {
+      addLine(QLineF(x - line, middle, x - 6, middle), QPen(colour(*one->hides), 2.4));
+      pen.setDashPattern({2.0, 2.0});
+      pen.setCapStyle(Qt::FlatCap);
+    }
+    addLine(QLineF(x - line, middle, x - 6, middle), pen);
+    legend_.push_back({QRectF(x - line, area.top() - metrics.height() - 3,
+                              metrics.horizontalAdvance(name) + line, metrics.height()),
+                       index, i});
+    x -= line + gap;
+  }
+  return x;
+}
+
+namespace {
+
+/// A name over a panel, and the line that it belongs to.
+struct MarkName {
+  QString text;
+  qreal line = 0.0, left = 0.0, width = 0.0;
+  /// Where the way from the name to its line leaves it.
+  [[nodiscard]] qreal foot() const { return std::clamp(line, left + 3.0, left + width - 3.0); }
+};
+
+/// Side by side from `left` to `right`, each as near to its line as the others let it be. Names of
+/// one line, and the last of too many, share a text.
+void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal left, qreal right) {
+  constexpr qreal kApart = 8.0, kOneLine = 1.5;
+  const auto join = [&](std::size_t i) {  // the next one to it
+    names[i].text += ", " + names[i + 1].text;
+    names[i].width = metrics.horizontalAdvance(names[i].text);
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  };
+  for (std::size_t i = 0; i + 1 < names.size();)
+    if (names[i + 1].line - names[i].line < kOneLine)
+      join(i);
+    else
+      ++i;
+  // Without the last one, which may be shortened.
+  const auto length = [&] {
+    qreal all = 0.0;
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) all += names[i].width + kApart;
+    return all;
+  };
+  constexpr qreal kShort = 45.0;
+  const auto crowded = [&] {
+    return length() + std::min(names.back().width, kShort) > right - left;
+  };
+  while (names.size() > 1 && crowded()) join(names.size() - 2);
+  if (!names.empty() && length() + names.back().width > right - left) {
+    MarkName& last = names.back();
+    last.text = metrics.elidedText(last.text, Qt::ElideRight, right - left - length());
+    last.width = metrics.horizontalAdvance(last.text);
+  }
+  for (MarkName& name : names) {
+    name.left = std::max(left, name.line - 0.5 * name.width);
+  }
+  for (std::size_t i = 1; i < names.size(); ++i)
+    names[i].left = std::max(names[i].left, names[i - 1].left + names[i - 1].width + kApart);
+  qreal end = right;
+  for (auto name = names.rbegin(); name != names.rend(); ++name) {
+    name->left = std::min(name->left, end - name->width);
+    end = name->left - kApart;
+  }
+}
+
+}  // namespace
+
+void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m) {
+  std::vector<ChartMark> marks = page_.marks;
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
+  const QFont font = ui_font(m.tick_font);
+  const QFontMetricsF metrics(font);
+  std::vector<MarkName> names;
+  for (const auto& mark : marks) {
+    const double shown = x_axis_.shown(mark.x);
+    if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
+    const qreal x =
+        area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+    const QString text = text_of(mark.label);
+    names.push_back({text, x, 0.0, metrics.horizontalAdvance(text)});
+  }
+  const QPen pen(theme_->muted, 1, Qt::DashLine);
+  if (!label) {
+    for (const MarkName& name : names)
+      addLine(QLineF(name.line, area.top(), name.line, area.bottom()), pen);
+    return;
+  }
+  const std::vector<MarkName> lines = names;
+  constexpr qreal kBeforeLegend = 8.0, kLeast = 60.0;
+  // A legend as wide as the panel leaves them the first line in it.
+  const bool above = free_until - kBeforeLegend - area.left() > kLeast;
+  arrange(names, metrics, area.left(),
+          above && free_until < area.right() ? free_until - kBeforeLegend : area.right());
+  const qreal top = area.top() + (above ? 0.0 : metrics.height() + 5.0);
+  // Steps below each other, so that none crosses another: of names to the right of their lines the
+  // last one goes deepest, of names to the left the first.
+  const qreal step =
+      std::clamp(0.3 * area.height() / std::max<qreal>(1.0, qreal(names.size())), 1.5, 5.0);
+  std::vector<qreal> depth(names.size(), 0.0);
+  const auto aside = [&](std::size_t i) { return names[i].foot() - names[i].line; };
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (aside(i) > 0.5) depth[i] = step + (i > 0 ? depth[i - 1] : 0.0);
+  for (std::size_t i = names.size(); i-- > 0;)
+    if (aside(i) < -0.5) depth[i] = step + (i + 1 < names.size() ? depth[i + 1] : 0.0);
+  for (std::size_t i = 0, line = 0; i < names.size(); ++i) {
+    const MarkName& name = names[i];
+    auto* item = addSimpleText(name.text, font);
+    item->setBrush(theme_->muted);
+    item->setPos(name.left, top - metrics.height() - 3.0);
+    const qreal from = top + depth[i];
+    if (depth[i] > 0.0) {
+      addLine(QLineF(name.foot(), top - 3.0, name.foot(), from), QPen(theme_->muted, 1));
+      addLine(QLineF(name.foot(), from, name.line, from), QPen(theme_->muted, 1));
+    }
+    // All lines whose names it has.
+    const qreal next = i + 1 < names.size() ? names[i + 1].line : area.right() + 1.0;
+    for (; line < lines.size() && lines[line].line < next; ++line)
+      addLine(QLineF(lines[line].line, from, lines[line].line, area.bottom()), pen);
+  }
+}
+
+void ChartScene::addMessage(const QRectF& area, const QString& text, const Metrics& m) {
+  auto* item = addText(text, ui_font(m.text_font + 1));
+  item->setDefaultTextColor(theme_->muted);
+  item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
+  QTextOption option(Qt::AlignCenter);
+  item->document()->setDefaultTextOption(option);
+  item->setPos(area.center() - item->boundingRect().center());
+}
+
+}  // namespace adore::desktop
