@@ -164,7 +164,8 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
                  Contains(std::to_string(recorded) + " known before"));
   CHECK(studies::study_status(study).done == 120);
   window.findChild<QPushButton*>("study-results")->click();
-  CHECK(opened == QStringList({"adrplot", QString::fromStdString(bench.path("sweep.study"))}));
+  CHECK(opened == QStringList({"adrplot", "--project", desktop::folder_of(bench.path("sweep.json")),
+                               QString::fromStdString(bench.path("sweep.study"))}));
 }
 
 TEST_CASE("a study over its budget starts only when the user wants it all the same",
