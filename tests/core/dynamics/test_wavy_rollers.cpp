@@ -177,58 +177,41 @@ TEST_CASE("rollers on wavy races: the race's force shows the textbook orders and
   using namespace wave_record;
   constexpr int Z = 8;
   constexpr double amplitude = 2e-7;
-  for (bearing::Bearing b :
-       {roller_bearings::cylindrical(3000.0, -2e-5), roller_bearings::tapered(3000.0)}) {
-    const bool cones = b.type == bearing::Type::Tapered;
-    b.rollers()->count = Z;
-    if (!cones) b.rollers()->flange = {};
-    b.constraints.load = {cones ? 2000.0 : 0.0, 0.0, 0.0, 0.0, 0.0};
-    statics::RollerOptions options;
-    options.slices = 9;
-    const statics::RollerSolution rest = statics::solve_roller_statics(b, options);
-    b.constraints.displacement_given.fill(true);
-    b.constraints.displacement = rest.displacement;
-    roller_scene::add_friction(b);
-    for (const int race : {0, 1}) {
-      double line = 0.0;
-      for (const int n : {7, 9, 8, 5}) {
-        RaceErrors e;
-        e.roundness = RaceErrors::Roundness::Sinusoidal;
-        e.variation = {amplitude, static_cast<double>(n), 0.0};
-        b.imperfections.race = {};
-        b.imperfections.race[static_cast<std::size_t>(race)] = e;
-        using enum scene::Effect;
-        Scene s = roller_scene::scene_of(
-            b, roller_scene::plan_of({RaceContact, RaceTraction, FlangeContact, ElementBalance}),
-            9);
-        const Record r = record_of(s.system, 4.0);
-        const double passing = race == 0 ? r.cage : r.shaft - r.cage;
-        const int q = (n + 2) / Z, p = n - q * Z;
-        const auto axial = about_mean(r.axial);
-        const auto radial = about_mean(r.radial);
-        const double turned = race == 0 ? 0.0 : p * r.shaft;
-        const double radial_peak =
-            std::sqrt(std::max(Record::power(radial, r.step, q * Z * passing + turned),
-                               Record::power(radial, r.step, -(q * Z * passing + turned))));
-        const double axial_peak = 2.0 * std::sqrt(Record::power(axial, r.step, q * Z * passing));
-        INFO("type " << static_cast<int>(b.type) << ", race " << race << ", " << n
-                     << " waves: axial " << axial_peak << " of " << rms(axial) * std::sqrt(2.0)
-                     << " N, radial " << radial_peak << " of " << rms(radial) << " N");
-        line = std::max(line, radial_peak);
-        REQUIRE(line > 1.0);
-        if (p == 1 || p == -1) {
-          CHECK(radial_peak == Approx(rms(radial)).epsilon(0.05));
-          CHECK(rms(axial) < 0.02 * radial_peak);
-        } else {
-          CHECK(rms(radial) < 0.02 * line);
-        }
-        if (p == 0 && cones) {
-          CHECK(axial_peak > 1.0);
-          CHECK(axial_peak == Approx(rms(axial) * std::sqrt(2.0)).epsilon(0.05));
-        } else {
-          CHECK(rms(axial) < 0.02 * line);
-        }
-      }
+  bearing::Bearing b = roller_bearings::cylindrical(3000.0, -2e-5);
+  b.rollers()->count = Z;
+  b.rollers()->flange = {};
+  b.constraints.load.fill(0.0);
+  b.constraints.displacement_given.fill(true);
+  b.constraints.displacement.fill(0.0);
+  roller_scene::add_friction(b);
+  for (const int race : {0, 1}) {
+    double line = 0.0;
+    for (const int n : {7, 9, 8, 5}) {
+      RaceErrors e;
+      e.roundness = RaceErrors::Roundness::Sinusoidal;
+      e.variation = {amplitude, static_cast<double>(n), 0.0};
+      b.imperfections.race = {};
+      b.imperfections.race[static_cast<std::size_t>(race)] = e;
+      using enum scene::Effect;
+      Scene s = roller_scene::scene_of(
+          b, roller_scene::plan_of({RaceContact, RaceTraction, ElementBalance}), 9);
+      const Record r = record_of(s.system, 4.0);
+      const double passing = race == 0 ? r.cage : r.shaft - r.cage;
+      const int q = (n + 2) / Z, p = n - q * Z;
+      const auto radial = about_mean(r.radial);
+      const double turned = race == 0 ? 0.0 : p * r.shaft;
+      const double peak =
+          std::sqrt(std::max(Record::power(radial, r.step, q * Z * passing + turned),
+                             Record::power(radial, r.step, -(q * Z * passing + turned))));
+      INFO("race " << race << ", " << n << " waves: radial " << peak << " of " << rms(radial)
+                   << " N");
+      line = std::max(line, peak);
+      REQUIRE(line > 1.0);
+      if (p == 1 || p == -1)
+        CHECK(peak == Approx(rms(radial)).epsilon(0.05));
+      else
+        CHECK(rms(radial) < 0.02 * line);
+      CHECK(rms(about_mean(r.axial)) < 0.02 * line);
     }
   }
 }
