@@ -106,9 +106,9 @@ void LubricantPanel::showPage() {
   try {
     desktop::ChartPage page =
         desktop::lubricant_pages(*contact).at(static_cast<std::size_t>(pages_->currentIndex()));
-    // There is little room: what is drawn stands in the list above, conditions may take two lines.
+    // There is little room: what is drawn stands in the list above, doubts come before conditions.
     page.title = page.title.substr(0, page.title.rfind(": "));
-    page.note = page.subtitle + (page.note.empty() ? "" : "; ") + page.note;
+    page.note += (page.note.empty() ? "" : "; ") + page.subtitle;
     page.subtitle.clear();
     chart_->showPage(page);
   } catch (const InputError& error) {
