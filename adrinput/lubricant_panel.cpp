@@ -16,6 +16,7 @@ namespace adore::adrinput {
 namespace {
 
 constexpr int kPause = 300;  // ms
+constexpr int kUsers = 9;    // kTrac
 
 /// A value of the deck in SI that is there and in use, else the fallback.
 double value_or(const deck::Deck& deck, const char* name, double fallback) {
@@ -36,7 +37,6 @@ desktop::ChartPage sentence(const std::string& text) {
 }  // namespace
 
 std::optional<calculators::LubricantContact> lubricant_contact(const deck::Deck& deck) {
-  constexpr int kUsers = 9;
   const long long code = deck.integer("kTrac");
   if (code < 1 || code == kUsers) return std::nullopt;
   calculators::LubricantContact out;
@@ -46,9 +46,9 @@ std::optional<calculators::LubricantContact> lubricant_contact(const deck::Deck&
   out.roughness = value_or(deck, "rmsAspHt2", out.roughness);
   out.critical_film = value_or(deck, "reRaceFilm", out.critical_film);
   out.meniscus = value_or(deck, "strParam", out.meniscus);
-  if (deck.integer("kTracType") == 1)
-    for (std::size_t n = 0; n < out.metal.size(); ++n)
-      out.metal[n] = value_or(deck, ("reRaceTC" + std::to_string(n + 1)).c_str(), out.metal[n]);
+  out.metal_type = static_cast<int>(deck.integer("kTracType"));
+  for (std::size_t n = 0; n < out.metal.size(); ++n)
+    out.metal[n] = value_or(deck, ("reRaceTC" + std::to_string(n + 1)).c_str(), out.metal[n]);
   return out;
 }
 
@@ -98,11 +98,19 @@ void LubricantPanel::showPage() {
   if (!isVisible()) return;
   const std::optional<calculators::LubricantContact> contact = lubricant_contact(deck_);
   if (!contact)
-    return chart_->showPage(
-        sentence("kTrac on record 10.0 names no lubricant of the table (1 to 20 but 9)"));
+    return chart_->showPage(sentence(
+        deck_.integer("kTrac") == kUsers
+            ? "kTrac = 9 is the lubricant of records 10.4.0 to 10.4.4: it has no charts here; a "
+              "quasi-static solution (F6) shows its films and friction"
+            : "kTrac on record 10.0 names no lubricant of the table (1 to 20 but 9)"));
   try {
-    chart_->showPage(
-        desktop::lubricant_pages(*contact).at(static_cast<std::size_t>(pages_->currentIndex())));
+    desktop::ChartPage page =
+        desktop::lubricant_pages(*contact).at(static_cast<std::size_t>(pages_->currentIndex()));
+    // There is little room: what is drawn stands in the list above, doubts come before conditions.
+    page.title = page.title.substr(0, page.title.rfind(": "));
+    page.note += (page.note.empty() ? "" : "; ") + page.subtitle;
+    page.subtitle.clear();
+    chart_->showPage(page);
   } catch (const InputError& error) {
     chart_->showPage(sentence(error.what()));
   }

@@ -57,6 +57,10 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
                           std::string(
                               "coefficients above 0.12 are extrapolations: no disc machine "
                               "has measured them, and this law has no limit");
+  if (all.name.find("to 1 GPa") != std::string::npos)
+    for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
+      pages[page].note += (pages[page].note.empty() ? "" : "; ") +
+                          std::string("beyond 1 GPa, where its measurements end, extrapolated");
   if (all.beyond_heating)
     pages.back().note += (pages.back().note.empty() ? "" : "; ") +
                          std::string(

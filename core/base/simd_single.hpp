@@ -32,6 +32,9 @@ struct SimdSingle {
   [[gnu::always_inline]] friend SimdSingle operator/(const SimdSingle& a, const SimdSingle& b) {
     return SimdSingle(F(a.v / b.v));
   }
+  [[gnu::always_inline]] friend SimdSingle operator-(const SimdSingle& a) {
+    return SimdSingle(F(-a.v));
+  }
   [[gnu::always_inline]] friend Mask operator<(const SimdSingle& a, const SimdSingle& b) {
     return a.v < b.v;
   }
@@ -104,6 +107,7 @@ struct ScalarMath<SimdSingle<V>> {
     const F z = log_parts(x.v, k);
     return T(F(k * 0.693147181F + 2.0F * z * atanh_over(z)));
   }
+  [[gnu::always_inline]] static T abs(const T& x) { return T(F(stdx::abs(x.v))); }
   [[gnu::always_inline]] static T min(const T& a, const T& b) { return T(F(stdx::min(a.v, b.v))); }
   [[gnu::always_inline]] static T max(const T& a, const T& b) { return T(F(stdx::max(a.v, b.v))); }
   [[gnu::always_inline]] static T pick(const Mask& condition, const T& a, const T& b) {

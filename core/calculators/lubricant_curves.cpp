@@ -85,9 +85,10 @@ struct Point {
     surface.wall_temperature = contact.temperature;
     surface.race_speed = std::max(contact.speed, 1e-6);
     surface.width_over_pressure = b / contact.pressure;
-    return tribology::film_law(tribology::traction_curve(1, {contact.metal[0], contact.metal[1],
-                                                             contact.metal[2], contact.metal[3]}),
-                               oil, lubrication, surface);
+    return tribology::film_law(
+        tribology::traction_curve(contact.metal_type, {contact.metal[0], contact.metal[1],
+                                                       contact.metal[2], contact.metal[3]}),
+        oil, lubrication, surface);
   }
   [[nodiscard]] double traction(const tribology::TractionLaw& law, double slip) const {
     const tribology::EllipseGeometry g{load, a, b, 0.0, 0.0};

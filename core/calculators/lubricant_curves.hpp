@@ -25,7 +25,8 @@ struct LubricantContact {
   double roughness = 1.0e-7;      ///< of both, root of the sum of squares [m]
   double critical_film = 1.0e-8;  ///< reRaceFilm [m]
   double meniscus = 10.0;         ///< strParam
-  /// Four conditions of record 10.1C for the metal contact.
+  int metal_type = 1;             ///< kTracType of the metal contact
+  /// Its four values, of record 10.1C unless said else.
   std::vector<double> metal{0.0, 0.1, 0.08, 1.0};
 };
 

@@ -25,6 +25,12 @@ struct UserSlices {
   int* vectors_of;                 ///< of each roller
 };
 
+/// What else acts at the same contacts.
+struct RollerRaceAddition {
+  double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
+  double heat;                 ///< [W]
+};
+
 struct RollerKernelInput {
   const contact::RaceSlices* slices;  ///< of each roller, or of all
   bool alike;                         ///< one for all
@@ -38,12 +44,9 @@ struct RollerKernelInput {
   const void* law;
   double slip_floor;       ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
   const UserSlices* user;  ///< of a law of the user; else null
-};
-
-/// What else acts at the same contacts.
-struct RollerRaceAddition {
-  double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
-  double heat;                 ///< [W]
+  /// Of a law with a film: rolling resistance of the oil, of the same films; null: none.
+  const tribology::RollingResistance* rolling;
+  RollerRaceAddition* rolled;  ///< what that is
 };
 
 /// Material damping (contact/roller_race_damping.hpp).
@@ -57,7 +60,7 @@ struct RollerDampingInput {
   double damping;  ///< d [s/m]
 };
 
-/// Rolling resistance of the oil (dynamics/roller_rolling.hpp).
+/// Rolling resistance of the oil beside a traction without a film (dynamics/roller_rolling.hpp).
 struct RollerRollingInput {
   const contact::RaceSlices* slices;  ///< as in RollerKernelInput
   bool alike;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/simd_inverse_roots.hpp"
+#include "base/simd_tiles.hpp"
 #include "contact/roller_race_damping.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_kernel.hpp"
@@ -19,6 +20,16 @@ namespace {
 
 using V = SimdReal;
 using Lanes = contact::SliceLanes<V>;
+
+inline void put_addition(const contact::RollerRaceSums<V>& sums, RollerRaceAddition& out) {
+  out.force[0] = Lanes::sum(sums.force.x);
+  out.force[1] = Lanes::sum(sums.force.y);
+  out.force[2] = Lanes::sum(sums.force.z);
+  out.moment[0] = Lanes::sum(sums.moment.x);
+  out.moment[1] = Lanes::sum(sums.moment.y);
+  out.moment[2] = Lanes::sum(sums.moment.z);
+  out.heat = Lanes::sum(sums.heat);
+}
 
 /// What waits for traction.
 inline void put_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
@@ -95,13 +106,49 @@ inline void evaluate_rollers_asking(const RollerKernelInput& in) {
   }
 }
 
+using AnswerOfOil = SlicesInOil<V>::Answer;
+
+/// Rollers in a lubricant. @param films FilmOnSlices of the law, which `answer` knows
+[[gnu::noinline]] inline void evaluate_rollers_in_oil(const RollerKernelInput& in,
+                                                      const void* films, AnswerOfOil answer) {
+  const bool rolls = in.rolling != nullptr;
+  for (std::size_t i = 0; i < in.n; ++i) {
+    const contact::RollerPose& at = in.rollers[i];
+    in.out[i] = {};
+    if (rolls) in.rolled[i] = {};
+    if (at.open) continue;
+    contact::RollerRaceSums<V> traction, rolling;
+    SlicesInOil<V> slices(films, answer, rolls, at, traction, rolling);
+    const HandsToOil<V> hands{slices};
+    auto sums = in.slopes != nullptr
+                    ? contact::roller_race_sums<V>(in.slices[i], at, hands, in.slopes[i])
+                    : contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, hands);
+    slices.finish();
+    sums.force = sums.force + traction.force;
+    sums.moment = sums.moment + traction.moment;
+    sums.heat = traction.heat;
+    put(sums, in.out[i]);
+    in.out[i].turning = in.slopes != nullptr ? Lanes::sum(sums.turning) : 0.0;
+    if (rolls) put_addition(rolling, in.rolled[i]);
+  }
+}
+
 template <class Law>
 void evaluate_with_law(const RollerKernelInput& in) {
-  if constexpr (std::is_same_v<Law, tribology::UserLaw>)
+  const Law& law = *static_cast<const Law*>(in.law);
+  if constexpr (std::is_same_v<Law, tribology::UserLaw>) {
     evaluate_rollers_asking(in);
-  else
-    with_slice_law<V>(*static_cast<const Law*>(in.law), in.slip_floor,
-                      [&](const auto& traction) { evaluate_rollers(in, traction); });
+  } else if constexpr (tribology::kHasFilm<Law>) {
+    using Films = FilmOnSlices<Law>;
+    const Films films{law, in.slip_floor, in.rolling};
+    evaluate_rollers_in_oil(
+        in, &films, [](const void* of, const WaitingSlices<V>& waiting, V* over_slip, V* F) {
+          static_cast<const Films*>(of)->answer(waiting, over_slip, F);
+        });
+  } else {
+    const auto here = law.at(tribology::ContactPoint<V>{});
+    evaluate_rollers(in, tribology::RoundedLaw<decltype(here)>{here, in.slip_floor});
+  }
 }
 
 template <class... Laws>
@@ -148,13 +195,7 @@ inline void roll_rollers(const RollerRollingInput& in) {
     contact::RollerRaceSums<V> sums;
     const RollingOnSlices<V> rolling{*in.law, at, sums};
     (void)contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, rolling);
-    out.force[0] = Lanes::sum(sums.force.x);
-    out.force[1] = Lanes::sum(sums.force.y);
-    out.force[2] = Lanes::sum(sums.force.z);
-    out.moment[0] = Lanes::sum(sums.moment.x);
-    out.moment[1] = Lanes::sum(sums.moment.y);
-    out.moment[2] = Lanes::sum(sums.moment.z);
-    out.heat = Lanes::sum(sums.heat);
+    put_addition(sums, out);
   }
 }
 

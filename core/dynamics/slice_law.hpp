@@ -1,49 +1,150 @@
 #pragma once
 
 #include "contact/roller_race_sum.hpp"
+#include "dynamics/roller_rolling.hpp"
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_laws.hpp"
 
-/// Laws of traction as the slices of rollers ask for them (contact/roller_race_sum.hpp). Seen by
-/// the roller kernels.
+/// Slices of rollers in a lubricant (contact/roller_race_sum.hpp): each has the film of its own
+/// load per length, speed and slip, the mean traction over its strip along rolling, and the rolling
+/// resistance of the same film (laws/rolling_resistance.hpp), which is formed once. Two vectors of
+/// slices are taken together, by floats where the law's film may be (laws/film_law_of.hpp, decision
+/// 570): relative errors of κ and F are a few 1e-6. Seen by the roller kernels.
 namespace adore::dynamics {
 
-/// A law with a lubricant's film: each slice has the film of its own load per length, speed and
-/// slip, and the mean traction over its strip along rolling.
+/// What waits for its film.
+template <class T>
+struct WaitingSlices {
+  static constexpr int kMost = 2;
+  int count = 0;
+  contact::KeptSlice<T> slice[kMost];
+  contact::SlicePlace<T> place[kMost];
+};
+
 template <class Law>
 struct FilmOnSlices {
   const Law& law;
-  double floor;  ///< ε² of the rounded slip [m²/s²]
+  double floor;                                 ///< ε² of the rounded slip [m²/s²]
+  const tribology::RollingResistance* rolling;  ///< null: none
 
   template <class T>
-  struct Here {
-    const Law& law;
-    const contact::SlicePlace<T>& s;
-    double floor;
-    /// κ(s)/s from u². A call, so that a kernel has one copy of each law.
-    [[gnu::noinline]] T operator()(const T& square) const {
-      const auto here =
-          law.at(tribology::ContactPoint<T>{s.load_per_length, s.peak_pressure, T(0.0),
-                                            s.half_width, s.entrainment, s.slip, s.curvature});
-      const auto strip = here.strip(s.peak_pressure);
-      return tribology::RoundedLaw<decltype(strip)>{strip, floor}(square, s.peak_pressure);
-    }
-  };
+  static tribology::ContactPoint<T> point(const contact::SlicePlace<T>& s) {
+    return {s.load_per_length, s.peak_pressure, T(0.0),     s.half_width,
+            s.entrainment,     s.slip,          s.curvature};
+  }
+  /// κ(s)/s and F per length of all that wait. A call, so that a kernel has one copy of each law.
   template <class T>
-  [[gnu::always_inline]] Here<T> on(const contact::SlicePlace<T>& s) const {
-    return {law, s, floor};
+  [[gnu::noinline]] void answer(const WaitingSlices<T>& at, T* over_slip, T* resistance) const {
+    if (by_floats(at, over_slip, resistance)) return;
+    for (int k = 0; k < at.count; ++k) {
+      const auto contact = point(at.place[k]);
+      const auto inlet = law.film.logs(contact);
+      const auto film = law.film.at(contact, inlet);
+      const auto here = law.at(contact, film);  // to which its strip points
+      const auto strip = here.strip(contact.peak_pressure);
+      over_slip[k] = tribology::RoundedLaw<decltype(strip)>{strip, floor}(at.slice[k].square,
+                                                                          contact.peak_pressure);
+      if (rolling != nullptr) resistance[k] = rolling->force(contact, inlet, film.factor);
+    }
+  }
+
+ private:
+  /// False: the film does not take floats here.
+  template <class T>
+  [[gnu::always_inline]] bool by_floats(const WaitingSlices<T>& at, T* over_slip,
+                                        T* resistance) const {
+    if constexpr (requires { law.fluid.single_until; }) {
+      using M = ScalarMath<T>;
+      using To = SingleOf<T>;
+      using S = typename To::Type;
+      const int b = at.count - 1;  // one alone stands for two
+      const T most = M::max(at.place[0].peak_pressure, at.place[b].peak_pressure);
+      if (law.fluid.single_until < 0.0 || M::any(most > law.fluid.single_until)) return false;
+      const auto first = point(at.place[0]), last = point(at.place[b]);
+      const auto pack = [&](T tribology::ContactPoint<T>::*of) __attribute__((always_inline)) {
+        return To::pack(first.*of, last.*of);
+      };
+      using C = tribology::ContactPoint<T>;
+      const tribology::ContactPoint<S> contact{
+          pack(&C::load),       pack(&C::peak_pressure), S(0.0),
+          pack(&C::half_minor), pack(&C::entrainment),   pack(&C::slip),
+          pack(&C::curvature)};
+      const auto inlet = law.film.logs(contact);
+      const auto film = law.film.at(contact, inlet);
+      T inverse_of[2], slip_of[2], kappa_of[2];
+      for (int k = 0; k < 2; ++k)
+        slip_of[k] = M::root_and_inverse(at.slice[k == 0 ? 0 : b].square + floor, inverse_of[k]);
+      S kappa;
+      if (!law.at(contact, film)
+               .mean_if(contact.peak_pressure, To::pack(slip_of[0], slip_of[1]), kappa))
+        return false;
+      To::unpack(kappa, kappa_of[0], kappa_of[1]);
+      for (int k = 0; k < at.count; ++k) over_slip[k] = kappa_of[k] * inverse_of[k];
+      if (rolling != nullptr) {
+        T F[2];
+        To::unpack(rolling->force(contact, inlet, film.factor), F[0], F[1]);
+        for (int k = 0; k < at.count; ++k) resistance[k] = F[k];
+      }
+      return true;
+    }
+    return false;
   }
 };
 
-/// f(traction) with what roller_race_sums wants of a law on T.
-template <class T, class Law, class F>
-[[gnu::always_inline]] inline decltype(auto) with_slice_law(const Law& law, double floor, F&& f) {
-  if constexpr (tribology::kHasFilm<Law>) {
-    return f(FilmOnSlices<Law>{law, floor});
-  } else {
-    const auto here = law.at(tribology::ContactPoint<T>{});
-    return f(tribology::RoundedLaw<decltype(here)>{here, floor});
+/// Takes the slices of one roller from roller_race_sums; one type for all laws.
+template <class T>
+class SlicesInOil {
+ public:
+  using Answer = void (*)(const void* films, const WaitingSlices<T>&, T* over_slip, T* resistance);
+
+  /// @param traction, rolling forces, moments and heats are added
+  SlicesInOil(const void* films, Answer answer, bool rolls, const contact::RollerPose& roller,
+              contact::RollerRaceSums<T>& traction, contact::RollerRaceSums<T>& rolling)
+      : films_(films),
+        answer_(answer),
+        rolls_(rolls),
+        roller_(roller),
+        traction_(traction),
+        rolling_(rolling) {}
+
+  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
+                                   const contact::SlicePlace<T>& at) {
+    waiting_.slice[waiting_.count] = slice;
+    waiting_.place[waiting_.count] = at;
+    if (++waiting_.count == WaitingSlices<T>::kMost) add();
   }
-}
+  void finish() {
+    if (waiting_.count > 0) add();
+  }
+
+ private:
+  [[gnu::noinline]] void add() {
+    T over_slip[WaitingSlices<T>::kMost], resistance[WaitingSlices<T>::kMost];
+    answer_(films_, waiting_, over_slip, resistance);
+    for (int k = 0; k < waiting_.count; ++k) {
+      contact::add_kept(traction_, waiting_.slice[k], over_slip[k]);
+      if (rolls_)
+        add_rolling(waiting_.slice[k], waiting_.place[k], resistance[k], roller_, rolling_);
+    }
+    waiting_.count = 0;
+  }
+
+  const void* films_;
+  Answer answer_;
+  bool rolls_;
+  const contact::RollerPose& roller_;
+  contact::RollerRaceSums<T>&traction_, &rolling_;
+  WaitingSlices<T> waiting_;
+};
+
+/// What roller_race_sums is given; it takes what it is given as constant.
+template <class T>
+struct HandsToOil {
+  SlicesInOil<T>& to;
+  [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
+                                   const contact::SlicePlace<T>& at) const {
+    to.keep(slice, at);
+  }
+};
 
 }  // namespace adore::dynamics

@@ -1,6 +1,7 @@
 #include "facade/disk_use.hpp"
 
 #include "dynamics/effect_catalogue.hpp"
+#include "facade/run_files.hpp"
 #include "listing/print_file.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
@@ -69,7 +70,8 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   listing::Report report(prepared.bearing.run_id, units);
   listing::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
   const double front = static_cast<double>(report.take().size());
-  listing::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option);
+  listing::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option, {},
+                      race_friction(prepared));
   const double page = static_cast<double>(report.take().size());
   out.files.emplace_back("PRINT.txt", front + page * selected(out.steps, control.print_every));
 

@@ -1,7 +1,5 @@
 #include "facade/film_precision.hpp"
 
-#include "tribology/lubricant.hpp"
-
 #include <string_view>
 
 namespace adore::facade {
@@ -23,9 +21,7 @@ void choose_film_precision(Prepared& prepared) {
   prepared.options.system.single_films =
       prepared.options.single_films && !prepared.options.direct_strips && control.dynamic &&
       prepared.input.deck.integer("mode") == 0 && !(control.light_load_ratio > 0.0) &&
-      control.tolerance >= kLeastTolerance && is_explicit(control.integrator) &&
-      !prepared.as_built.rollers() &&
-      tribology::lubricant_of(*oil).model != tribology::LubricantModel::ViscoElastic;
+      control.tolerance >= kLeastTolerance && is_explicit(control.integrator);
 }
 
 }  // namespace adore::facade

@@ -4,7 +4,7 @@
 
 namespace adore::facade {
 
-/// Decides whether films between balls and races are evaluated by floats (laws/film_law_of.hpp):
+/// Decides whether films between elements and races are evaluated by floats (laws/film_law_of.hpp):
 /// option filmPrecision, a tolerance that does not see errors of a few 1e-6 of a traction, an
 /// explicit method, and no element that is held in balance; Jacobians and balances take
 /// differences. Once for a run, after its settings are known.

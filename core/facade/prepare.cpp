@@ -242,6 +242,14 @@ Prepared prepare_model(LoadedDeck input) {
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
+  if (const double ratio = statics::rolling_over_strips(out.bearing, out.statics);
+      ratio > statics::kTrustedOverStrips)
+    add_remark(out, Severity::Note,
+               fmt::format("the rolling resistance of the balls in oil is {:.2g} times that of "
+                           "strips with the law of lines, which knows the pressure coefficient of "
+                           "the oil: so thick an oil at such a speed is beyond what the law of "
+                           "points was checked for, and its heat may be that much too large",
+                           ratio));
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))

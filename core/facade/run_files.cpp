@@ -3,6 +3,7 @@
 #include "base/version.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/user_session.hpp"
+#include "scene/user_laws.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,15 @@ int cages(const Prepared& prepared) {
 }
 
 }  // namespace
+
+listing::RaceFriction race_friction(const Prepared& prepared) {
+  using listing::RaceFriction;
+  if (!prepared.plan.has(scene::Effect::RaceTraction)) return RaceFriction::None;
+  const auto& user = prepared.options.system.user;
+  if (user && user->traction_of(tribology::TractionKind::ElementRace) != nullptr)
+    return RaceFriction::OfUser;
+  return prepared.bearing.lubrication ? RaceFriction::Film : RaceFriction::Curve;
+}
 
 RunFiles::RunFiles(const Prepared& prepared, fs::path folder)
     : prepared_(prepared),
@@ -97,6 +107,7 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
                                                         channels_, steps.saved)
                     : results::H5Writer::create(path("RESULTS.h5"), prepared_.bearing, channels_);
   }
+  print->show_friction(race_friction(prepared_));
   if (prepared_.user && !prepared_.user->version().empty())
     print->show_version(program_version(prepared_.user.get()));
   if (writes_sol9()) {

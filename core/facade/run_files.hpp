@@ -19,6 +19,9 @@
 /// The growing files of one run: their names, their opening, and which step goes where.
 namespace adore::facade {
 
+/// What the friction of elements and races goes by in this run, as effects/races.cpp takes it.
+[[nodiscard]] listing::RaceFriction race_friction(const Prepared& prepared);
+
 class RunFiles {
  public:
   /// @pre `prepared` lives as long

@@ -115,7 +115,7 @@ void PrintFile::stiffness_table(const std::vector<statics::StiffnessRow>& rows, 
 void PrintFile::step(const scene::Snapshot& snapshot, const StepRecord& record,
                      const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
                      std::optional<long> life_step) {
-  print_step(report_, snapshot, record, bearing, averages, kPrtOpt, life_step);
+  print_step(report_, snapshot, record, bearing, averages, kPrtOpt, life_step, friction_);
   flush();
 }
 

@@ -39,6 +39,14 @@ struct PrintFront {
       options;  ///< named options with the values in force
 };
 
+/// What the friction of elements and races goes by in a run.
+enum class RaceFriction : unsigned char {
+  None,    ///< it is left out
+  Curve,   ///< hypothetical traction curve: no film, no contact temperature
+  OfUser,  ///< routine of the user: likewise
+  Film     ///< a lubricant: 0 is a film that is not there
+};
+
 /// Which sections a step prints (kPrtOpt).
 struct PrintSections {
   int element_interval = 0;  ///< 0: no section 1; n: every n-th element
@@ -60,6 +68,8 @@ class PrintFile {
   /// On the headings of pages from now on, in the place of the program's version; cut at its
   /// column.
   void show_version(std::string version) { version_ = std::move(version); }
+  /// Before steps: whether they have films, and why not.
+  void show_friction(RaceFriction friction) { friction_ = friction; }
   /// A page or part of one of texts, as user routines print them.
   void texts(std::string_view title, const std::vector<std::string>& lines, bool page);
 
@@ -104,6 +114,7 @@ class PrintFile {
   GrowingFile file_;
   Report report_;
   std::string version_;  ///< empty: the program's own
+  RaceFriction friction_ = RaceFriction::None;
 };
 
 // The parts, on any report.
@@ -123,7 +134,7 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
                            double share);
 void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
-                std::optional<long> life_step = {});
+                std::optional<long> life_step = {}, RaceFriction friction = RaceFriction::Curve);
 void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
                    const std::optional<RunLife>& life = std::nullopt);
 

@@ -41,10 +41,18 @@ void element_table(Report& report, const StepRecord& record, int interval,
   report.table("element", columns, rows);
 }
 
-/// Is there a film, a temperature rise anywhere? 0 in all contacts: no model computes it.
-bool is_computed(const StepRecord& record, std::string_view id) {
-  const std::span<const double> values = record[id];
-  return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
+/// Why there are no films and temperatures of contacts.
+std::string_view no_films(RaceFriction friction) {
+  switch (friction) {
+    case RaceFriction::Curve:
+      return "hypothetical traction";
+    case RaceFriction::OfUser:
+      return "user routine ADRX7";
+    case RaceFriction::None:
+    case RaceFriction::Film:
+      break;
+  }
+  return "no friction of the races";
 }
 
 /// Load distribution along roller 1 (page 1a).
@@ -103,15 +111,12 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
 }
 
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
-              int interval) {
-  // Films that have collapsed are 0, and the metal heats all the same; lambda 0 is "none known".
-  const bool film =
-      is_computed(record, "contact.film") || is_computed(record, "contact.temperature_rise");
-  const bool lambda = std::any_of(
-      snapshot.elements.begin(), snapshot.elements.end(), [](const scene::ElementSnapshot& one) {
-        return one.race[0].film_parameter > 0.0 || one.race[1].film_parameter > 0.0;
-      });
-  const bool rise = is_computed(record, "contact.temperature_rise");
+              const bearing::Bearing& bearing, RaceFriction friction, int interval) {
+  // Films that have collapsed or stand still are 0, and so is a rise without slip.
+  const bool film = friction == RaceFriction::Film;
+  const auto& roughness =
+      bearing.rollers() != nullptr ? bearing.rollers()->roughness : bearing.balls().roughness;
+  const bool lambda = roughness[0] > 0.0 || roughness[1] > 0.0;
   const bool rollers = record.shape.rollers;
   report.heading(
       "1. Rolling element parameters: position, velocity, angular velocity (theta, phi in the "
@@ -132,13 +137,16 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                      {"rotation", "element.rotation"},
                                      {"QV outer", "contact.load_slip", 0},
                                      {"QV inner", "contact.load_slip", 1}};
-  if (rise)
+  if (film)
     thermal.insert(thermal.end(), {{"rise outer", "contact.temperature_rise", 0},
                                    {"rise inner", "contact.temperature_rise", 1},
                                    {"temp outer", "contact.temperature", 0},
                                    {"temp inner", "contact.temperature", 1}});
   element_table(report, record, interval, thermal);
-  if (!rise) report.item("Contact temperature and its rise above the race", "not computed");
+  if (!film)
+    report.item(
+        fmt::format("Contact temperature and its rise above the race ({})", no_films(friction)),
+        "not computed");
   if (film) {
     report.heading("Least film of the contacts, and lambda: over the composite roughness");
     std::vector<ChannelColumn> films;
@@ -149,7 +157,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     element_table(report, record, interval, films);
     if (!lambda) report.item("Lambda (no roughness given)", "not computed");
   }
-  if (!film) report.item("Film thickness (hypothetical traction)", "not computed");
+  if (!film) report.item(fmt::format("Film thickness ({})", no_films(friction)), "not computed");
   for (int race = 0; race < 2; ++race) {
     const char* name = race == 0 ? "outer" : "inner";
     report.heading(
@@ -459,11 +467,12 @@ std::string_view take_line(std::string_view& text, std::size_t width) {
 
 void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
-                std::optional<long> life_step) {
+                std::optional<long> life_step, RaceFriction friction) {
   const PrintSections sections = print_sections(kPrtOpt);
   const long step = life_step.value_or(snapshot.step);
   report.new_page(fmt::format("STEP {}", snapshot.step));
-  if (sections.element_interval > 0) elements(report, snapshot, record, sections.element_interval);
+  if (sections.element_interval > 0)
+    elements(report, snapshot, record, bearing, friction, sections.element_interval);
   if (sections.bodies) bodies(report, snapshot, record, step);
   if (sections.applied) applied(report, snapshot, bearing);
   summary(report, snapshot, record, averages, step);

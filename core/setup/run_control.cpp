@@ -271,7 +271,7 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"filmPrecision", "single",
-          "points of films between balls and races (kTrac 1 to 7, 9 to 11, 13 to 20): single (by "
+          "points of films between elements and races (kTrac; of 12 with iTherm never): single (by "
           "floats, a few 1e-6 of the traction, where tol is 1e-6 or more, the method is explicit "
           "and "
           "nothing is held in balance), or double"},

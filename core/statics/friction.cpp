@@ -154,6 +154,25 @@ class Oil {
     const double force = rolling_[j][contact.line ? 1 : 0].force(point);
     return 2.0 * force * contact.speed * (contact.line ? length : 1.0);
   }
+  /// The same of a point contact whose strips along rolling resist as lines do, each under its own
+  /// load, pressure and width: (3 Q/4a)(1 - y²), p √(1 - y²), b √(1 - y²).
+  [[nodiscard]] double rolling_of_strips(std::size_t j,
+                                         const tribology::FilmContact& contact) const {
+    if (!oil_ || !(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
+    constexpr int kStrips = 40;
+    const double a = contact.k * contact.half_width;
+    double sum = 0.0;
+    for (int i = 0; i < kStrips; ++i) {
+      const double y = (2.0 * i + 1.0) / kStrips - 1.0, chord2 = 1.0 - y * y;
+      tribology::FilmContact strip = contact;
+      strip.line = true;
+      strip.load = 0.75 * contact.load / a * chord2;
+      strip.peak_pressure = contact.peak_pressure * std::sqrt(chord2);
+      strip.half_width = contact.half_width * std::sqrt(chord2);
+      sum += rolling(j, strip, 2.0 * a / kStrips);
+    }
+    return sum;
+  }
   [[nodiscard]] const std::string& name() const { return oil_->name; }
   /// Is its shear held to kLimitingRatio of the pressure here, other than in motion?
   [[nodiscard]] bool held() const { return held_; }
@@ -166,6 +185,23 @@ class Oil {
   std::array<double, 2> temperature_{}, modulus_{};
   mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
 };
+
+/// What films read of a loaded contact of a ball.
+tribology::FilmContact film_of(const Bearing& bearing, const StaticBall& ball, std::size_t j) {
+  const bearing::BallGeometry& balls = bearing.balls();
+  const double side = j == 0 ? 1.0 : -1.0;
+  tribology::FilmContact film;
+  film.load = ball.Q[j];
+  film.radius =
+      1.0 /
+      contact::race_curvature(balls, static_cast<int>(j), std::abs(ball.alpha[j])).along_minor;
+  film.k = ball.a[j] / ball.b[j];
+  film.half_width = ball.b[j];
+  film.peak_pressure = ball.p_max[j];
+  film.speed = (bearing.speed[j] - ball.orbital_speed) *
+               (ball.r + side * 0.5 * balls.diameter * std::cos(ball.alpha[j]));
+  return film;
+}
 
 FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
   FrictionEstimate out;
@@ -243,30 +279,33 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       EllipseKinematics m{};
       m.W_n = W_x * n_x + W_r * n_r;
       m.W_c = -W_x * n_r + W_r * n_x;
-      m.entrainment =
-          (bearing.speed[j] - ball.orbital_speed) * (ball.r + side * R * std::cos(alpha));
-      const double along =
-          1.0 / contact::race_curvature(balls, static_cast<int>(j), std::abs(alpha)).along_minor;
-      const double k = ball.a[j] / ball.b[j];
+      const tribology::FilmContact film = film_of(bearing, ball, j);
+      m.entrainment = film.speed;
       const tribology::TractionLaw law =
-          oil.law(j, false, along, ball.b[j] / ball.p_max[j], race_speed);
+          oil.law(j, false, film.radius, ball.b[j] / ball.p_max[j], race_speed);
       const double all = free_heat(law, g, m, rule);
       EllipseGeometry flat = g;
       flat.rho = 0.0;
       one.spin = std::min(free_heat(law, flat, m, rule), all);
       one.sliding = all - one.spin;
-      tribology::FilmContact film;
-      film.load = ball.Q[j];
-      film.radius = along;
-      film.k = k;
-      film.half_width = ball.b[j];
-      film.peak_pressure = ball.p_max[j];
-      film.speed = m.entrainment;
       one.rolling = oil.rolling(j, film, 0.0);
     }
   }
   add_drag(bearing, orbit, spin, out);
   return out;
+}
+
+double rolling_over_strips(const Bearing& bearing, const StaticSolution& solution) {
+  const Oil oil(bearing);
+  double points = 0.0, strips = 0.0;
+  for (const StaticBall& ball : solution.balls)
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!(ball.Q[j] > 0.0)) continue;
+      const tribology::FilmContact film = film_of(bearing, ball, j);
+      points += oil.rolling(j, film, 0.0);
+      strips += oil.rolling_of_strips(j, film);
+    }
+  return strips > 0.0 ? points / strips : 0.0;
 }
 
 FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution& solution) {

@@ -56,6 +56,14 @@ struct FrictionEstimate {
 
 [[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
                                                  const StaticSolution& solution);
+/// Rolling resistance of all balls by the law of points over that of strips with the law of lines,
+/// which knows the pressure coefficient of the oil (laws/rolling_resistance.hpp); 0: neither rolls
+/// in oil.
+[[nodiscard]] double rolling_over_strips(const bearing::Bearing& bearing,
+                                         const StaticSolution& solution);
+/// From which on outputs doubt the law of points [choice]: it is 1.1 to 1.3 where it agrees with
+/// measured torques.
+inline constexpr double kTrustedOverStrips = 2.0;
 [[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
                                                  const RollerSolution& solution);
 

@@ -238,8 +238,8 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
       change = std::max(change, std::abs(now[k] - before[k]));
     before = now;
     if (change < kTried) break;
-    // Nothing above absolute zero is left to evaluate properties at: runaway() says so.
-    if (!runaway(out.bulk).empty()) break;
+    // Nothing above absolute zero is left to evaluate properties at: runaway(), too_cold() say so.
+    if (!runaway(out.bulk).empty() || (flows && !(T_in > 0.0 && T_mean > 0.0))) break;
   }
   if (!(b.envelope.shaft_bore > 0.0))
     out.notes.emplace_back(

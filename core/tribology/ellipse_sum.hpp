@@ -106,7 +106,19 @@ class EllipseSum {
         slip_scale_(slip_scale) {}
 
   [[gnu::always_inline]] EllipseSums<T> run() {
-    if constexpr (takes_several()) {
+    if constexpr (takes_several() && is_of_strip<Law>()) {
+      if (nodes_.minor == 2) {
+        RowsOfFour waiting;
+        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                     __attribute__((always_inline)) {
+                       waiting.row[waiting.count] = row(xi, half_width, load);
+                       waiting.chord[waiting.count] = chord;
+                       if (++waiting.count == 2) add_strips(waiting);
+                     });
+        if (waiting.count > 0) add_strips(waiting);
+        return sum_;
+      }
+    } else if constexpr (takes_several()) {
       if (nodes_.minor == 4) {
         RowsOfFour waiting;
         for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
@@ -360,6 +372,32 @@ class EllipseSum {
         speed += slip[i] * nodes_.weight_v[j];
       }
       add_moments(rows.row[r], g0, g1, g2, speed);
+    }
+    rows.count = 0;
+  }
+
+  /// Two strips of two points, which is what runs have of laws of strips.
+  [[gnu::noinline]] void add_strips(RowsOfFour& rows) {
+    if (rows.count == 1) {
+      rows.row[1] = rows.row[0];
+      rows.chord[1] = rows.chord[0];
+    }
+    T slip[4], inverse[4], kappa[4];
+    const T peak[2] = {peak_pressure_ * rows.chord[0], peak_pressure_ * rows.chord[1]};
+    for (int i = 0; i < 4; ++i) {
+      const Row& r = rows.row[i % 2];
+      const T u_c = cross_slip(r, i / 2);
+      slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, inverse[i]);
+    }
+    law_.law.template several<4, 2>(slip, peak, kappa);
+    for (int r = 0; r < rows.count; ++r) {
+      const int j = r + 2;  // the second point
+      const T g = ScalarMath<T>::over(kappa[r], slip[r], inverse[r]),
+              h = ScalarMath<T>::over(kappa[j], slip[j], inverse[j]);
+      add_moments(rows.row[r], g * nodes_.weight_v[0] + h * nodes_.weight_v[1],
+                  g * nodes_.weight_v1[0] + h * nodes_.weight_v1[1],
+                  g * nodes_.weight_v2[0] + h * nodes_.weight_v2[1],
+                  slip[r] * nodes_.weight_v[0] + slip[j] * nodes_.weight_v[1]);
     }
     rows.count = 0;
   }

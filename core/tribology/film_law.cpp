@@ -66,6 +66,7 @@ FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& 
   out.least_speed2 = least * least;
   out.log_heating = std::log(std::max(mu * oil.base_beta(T) / oil.conductivity.at(T), 1e-30));
   out.meniscus = std::max(lubrication.meniscus, kDryMeniscus);
+  out.log_meniscus = std::log(out.meniscus);
   out.critical = std::max(lubrication.critical_film, kThinnestFilm);
   return out;
 }
@@ -141,6 +142,8 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
     surface = visco_elastic_surface(oil, T, s.width_over_pressure, speed,
                                     surface_error_of(lubrication.tolerance));
   }
+  if (s.single && !lubrication.direct_strips && !lubrication.hot_walls)
+    surface.film.single_until = kSurfacePressure[1];
   if (lubrication.hot_walls) heat_film(surface.film, oil, T, s.walls);
   return {metal, film, surface.film, surface.table};
 }
@@ -171,16 +174,19 @@ std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubricat
   const ViscoElasticSurface at = visco_elastic_surface(
       oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed),
       surface_error_of(lubrication.tolerance));
-  return fmt::format(
-      "stress along each strip from a surface of {} x {} x {} values (pressure to {:g} GPa, slip, "
-      "transit at {:.3g} to {:.3g} m/s; beyond it integrated): {:.2g} % root mean square, {:.2g} % "
-      "at most on {} hold-out points, {:.2g} % and {:.2g} % wanted for this tolerance{}",
-      at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0], at.speed[1],
-      100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
-      100.0 * kLargestOverMean * at.wanted,
-      at.error[1] > at.wanted || at.error[0] > kLargestOverMean * at.wanted
-          ? ", which the finest does not reach"
-          : "");
+  return (floats.empty() || lubrication.hot_walls ? std::string() : floats + "; ") +
+         fmt::format(
+             "stress along each strip from a surface of {} x {} x {} values (pressure to {:g} GPa, "
+             "slip, "
+             "transit at {:.3g} to {:.3g} m/s; beyond it integrated): {:.2g} % root mean square, "
+             "{:.2g} % "
+             "at most on {} hold-out points, {:.2g} % and {:.2g} % wanted for this tolerance{}",
+             at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0],
+             at.speed[1], 100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
+             100.0 * kLargestOverMean * at.wanted,
+             at.error[1] > at.wanted || at.error[0] > kLargestOverMean * at.wanted
+                 ? ", which the finest does not reach"
+                 : "");
 }
 
 }  // namespace adore::tribology

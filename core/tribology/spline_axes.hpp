@@ -19,4 +19,9 @@ namespace adore::tribology {
 /// from each end (quadratic ends: c = 3 c' - 3 c'' + c''').
 void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n);
 
+/// Powers of f and g in each cell of a table of splines, for single precision (base/single.hpp):
+/// 16 of a cell, cell (i, j) behind (i, j - 1); `lines` and `line` coefficients along both.
+void append_tiles(std::vector<float>& tiles, const double* table, std::size_t lines,
+                  std::size_t line);
+
 }  // namespace adore::tribology

@@ -29,30 +29,6 @@ std::pair<double, double> log_heating(double y) {
   return {std::log(asinh) - y - std::log(root), S / (root * asinh) - 1.0 - (S / root) * (S / root)};
 }
 
-/// Powers of f and g in each cell of a table of splines (base/single.hpp).
-std::shared_ptr<const std::vector<float>> tiles_of(const std::vector<double>& table,
-                                                   const Sizes& n) {
-  // Coefficients of the powers of f in the four weights of spline_axis.hpp.
-  constexpr double kPower[4][4] = {{1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0},
-                                   {2.0 / 3.0, 0.0, -1.0, 0.5},
-                                   {1.0 / 6.0, 0.5, 0.5, -0.5},
-                                   {0.0, 0.0, 0.0, 1.0 / 6.0}};
-  const std::size_t line = n.heats + 2;
-  auto tiles = std::make_shared<std::vector<float>>();
-  tiles->reserve((n.rates - 1) * (n.heats - 1) * 16);
-  for (std::size_t i = 0; i + 1 < n.rates; ++i)
-    for (std::size_t j = 0; j + 1 < n.heats; ++j)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t l = 0; l < 4; ++l) {
-          double sum = 0.0;
-          for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b)
-              sum += kPower[a][k] * kPower[b][l] * table[(i + a) * line + j + b];
-          tiles->push_back(static_cast<float>(sum));
-        }
-  return tiles;
-}
-
 ThinningSurface make(double half_power, const Sizes& n) {
   ThinningSurface out;
   out.size = {n.rates, n.heats};
@@ -67,7 +43,9 @@ ThinningSurface make(double half_power, const Sizes& n) {
     to_spline(*table, (i + 1) * line, 1, n.heats);
   }
   for (std::size_t j = 0; j < line; ++j) to_spline(*table, j, line, n.rates);
-  out.tiles = tiles_of(*table, n);
+  auto tiles = std::make_shared<std::vector<float>>();
+  append_tiles(*tiles, table->data(), n.rates + 2, line);
+  out.tiles = std::move(tiles);
   out.table = std::move(table);
   return out;
 }

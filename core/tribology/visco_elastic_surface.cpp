@@ -67,6 +67,12 @@ struct Sizes {  // values, of the spline one more at each end; transits for 6.5 
 };
 constexpr Sizes kLevels[] = {{5, 20, 26, 16, 120}, {8, 32, 40, 24, 180}, {11, 44, 56, 32, 240}};
 
+/// All that a film points at.
+struct Tables {
+  std::vector<double> numbers;
+  std::vector<float> tiles, corner_tiles;
+};
+
 class Builder {
  public:
   /// @param from, to of ln c
@@ -89,9 +95,9 @@ class Builder {
     f.integral = integral;
     const std::size_t slips = n.slips + 2, sheet = (n.pressures + 2) * slips,
                       saturation = (n.transits + 2) * sheet, corners = n.corner_pressures + 2;
-    auto table =
-        std::make_shared<std::vector<double>>(saturation + (n.corner_transits + 2) * corners);
-    std::vector<double>& v = *table;
+    auto tables = std::make_shared<Tables>();
+    std::vector<double>& v = tables->numbers;
+    v.resize(saturation + (n.corner_transits + 2) * corners);
     for (std::size_t i = 0; i < n.corner_transits; ++i)
       for (std::size_t j = 0; j < n.corner_pressures; ++j)
         v[saturation + (i + 1) * corners + j + 1] = std::log(corner_of(
@@ -118,7 +124,12 @@ class Builder {
     for (std::size_t k = 0; k < sheet; ++k) to_spline(v, k, sheet, n.transits);
     f.saturation = v.data();
     f.corner = v.data() + saturation;
-    out.table = std::move(table);
+    for (std::size_t i = 0; i < n.transits + 2; ++i)
+      append_tiles(tables->tiles, v.data() + i * sheet, n.pressures + 2, slips);
+    append_tiles(tables->corner_tiles, f.corner, n.corner_transits + 2, corners);
+    f.tiles = tables->tiles.data();
+    f.corner_tiles = tables->corner_tiles.data();
+    out.table = std::shared_ptr<const std::vector<double>>(tables, &tables->numbers);
     return out;
   }
 

@@ -35,6 +35,14 @@ TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
   CHECK(contact->roughness == Approx(2e-7));
   CHECK(contact->critical_film == Approx(1e-8));
   CHECK(contact->metal[1] == Approx(0.06));  // record 10.1C of the example
+  CHECK(contact->metal_type == 1);
+  deck.set("kTracType", "0");  // two slopes: the curve where the film breaks down is the deck's, too
+  deck.complete();
+  deck.set("reRaceTC2", "0.07");
+  const auto other = adrinput::lubricant_contact(deck);
+  REQUIRE(other);
+  CHECK(other->metal_type == 0);
+  CHECK(other->metal[1] == Approx(0.07));
   CHECK_FALSE(adrinput::lubricant_contact(deck::new_deck("ball")));
 }
 

@@ -40,6 +40,8 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<tribology::RollingResistance, 2>& rolling() const noexcept {
     return rolling_;
   }
+  /// Sums over all elements of race j at this evaluation.
+  [[nodiscard]] const RaceAccount& account(std::size_t j) const noexcept { return account_[j]; }
   /// Places of the race centres in the unloaded bearing [m].
   [[nodiscard]] const std::array<Vec3, 2>& free_centres() const noexcept { return free_centre_; }
   /// Both at t = 0: static place, misalignment and spin.

@@ -66,7 +66,7 @@ contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const Roller
 /// What films of one race read. Inlets and walls have the mean bulk temperature of race and rollers
 /// for the run.
 tribology::FilmSurface film_surface(const bearing::Bearing& bearing, std::size_t race,
-                                    double E_star) {
+                                    double E_star, bool single) {
   const bearing::RollerGeometry& g = *bearing.rollers();
   const double roller = 0.5 * bearing.element_diameter(),
                of_race = g.race_radius(static_cast<int>(race));
@@ -80,14 +80,16 @@ tribology::FilmSurface film_surface(const bearing::Bearing& bearing, std::size_t
   surface.width_over_pressure = 2.0 * surface.radius / E_star;
   surface.walls = {tribology::film_wall(bearing.race_material[race]),
                    tribology::film_wall(bearing.element_material)};
+  surface.single = single;
   return surface;
 }
 
 /// The deck's curve, or its lubricant's film with the curve where it breaks down.
-tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race, double E_star) {
+tribology::TractionLaw law_of(const bearing::Bearing& bearing,
+                              const tribology::FilmSurface& surface) {
   if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
-                             *bearing.lubrication, film_surface(bearing, race, E_star));
+                             *bearing.lubrication, surface);
 }
 
 }  // namespace
@@ -116,21 +118,21 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
+    const tribology::FilmSurface surface =
+        film_surface(scene.bearing, j, model.E_star[j], scene.options.single_films);
     if (scene.plan.has(Effect::RollingResistance))
       of.rolling = tribology::rolling_resistance(
-          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication,
-          film_surface(scene.bearing, j, model.E_star[j]));
+          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
     const tribology::UserTraction* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
     of.law = routine != nullptr
                  ? tribology::TractionLaw(*routine, tribology::TractionKind::ElementRace,
                                           static_cast<int>(j))
-                 : law_of(scene.bearing, j, model.E_star[j]);
+                 : law_of(scene.bearing, surface);
     if (routine == nullptr && scene.bearing.lubrication)
       of.stated = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
-                                       *scene.bearing.lubrication,
-                                       film_surface(scene.bearing, j, model.E_star[j]));
+                                       *scene.bearing.lubrication, surface);
   }
   return out;
 }
@@ -198,13 +200,14 @@ void RollersOnRace::act(Evaluation& e, std::size_t i, const double (&force_on)[3
 }
 
 RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
-                                 RaceAccount& sums)
+                                 bool rolls, RaceAccount& sums)
     : model_(model),
       load_slip_(load_slip),
       sums_(sums),
       kernel_(kernel_of(chosen_instruction_set())),
       rollers_(model, rollers),
-      actions_(rollers) {
+      actions_(rollers),
+      rolled_(rolls ? rollers : 0) {
   std::size_t slices = 0;
   for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
   if (model.law.is_of_user()) user_.emplace(rollers, slices);
@@ -221,9 +224,10 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
   rollers_.place(e);
   kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
            rollers_.slopes(), actions_.data(), model_.traction, model_.law.index(),
-           model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr});
+           model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr,
+           rolled_.empty() ? nullptr : &model_.rolling, rolled_.data()});
   if (rollers_.slopes() != nullptr) lean();
-  sums_.heat = sums_.load_slip = 0.0;
+  sums_.heat = sums_.load_slip = sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
@@ -232,6 +236,10 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
     if (!(a.load > 0.0)) continue;
     rollers_.act(e, i, a.force, a.moment);
+    if (!rolled_.empty()) {
+      rollers_.act(e, i, rolled_[i].force, rolled_[i].moment);
+      sums_.rolling += rolled_[i].heat;
+    }
     e.elastic += a.energy;
     sums_.heat += a.heat;
     sums_.load_slip += a.load_slip;

@@ -38,6 +38,8 @@ struct RollerRaceModel {
   std::string stated;                    ///< SceneEffect::stated of its films
   tribology::RollingResistance rolling;  ///< of the oil, where the scene has it
 
+  /// Is the rolling resistance of the oil that of the films of the traction?
+  [[nodiscard]] bool rolls_in_film() const { return traction && law.has_film(); }
   [[nodiscard]] const contact::RollerRaceSlices& of(std::size_t roller) const {
     return slices[slices.size() == 1 ? 0 : roller];
   }
@@ -93,7 +95,8 @@ class RollersOnRace {
 class RollerRaceBlock final : public EffectBlock {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
-  RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
+  /// @param rolls with the rolling resistance of the oil, of the same films
+  RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip, bool rolls,
                   RaceAccount& sums);
   void apply(Evaluation& e) noexcept override;
 
@@ -106,7 +109,8 @@ class RollerRaceBlock final : public EffectBlock {
   RollerKernel kernel_;
   RollersOnRace rollers_;
   std::vector<RollerKernelAction> actions_;
-  std::optional<SliceScratch> user_;  ///< of a law of the user
+  std::vector<RollerRaceAddition> rolled_;  ///< with rolling resistance
+  std::optional<SliceScratch> user_;        ///< of a law of the user
 };
 
 /// Material damping of the same contacts (contact_damping.cpp); after RollerRaceBlock.
@@ -126,7 +130,7 @@ class RollerRaceDamping final : public EffectBlock {
   std::vector<RollerRaceAddition> actions_;
 };
 
-/// Rolling resistance of the same contacts (rolling_resistance.cpp).
+/// Rolling resistance of the same contacts (rolling_resistance.cpp) where the traction has no film.
 class RollerRaceRolling final : public EffectBlock {
  public:
   /// @param heat on all rollers now [W]

@@ -13,8 +13,9 @@
 ///                   its centre of curvature.
 /// Both bodies are held back; the power, 2 F u where both surfaces move with u, is an item of its
 /// own in the ledger and heats the race in thermal steps. Rollers: slice by slice with their line
-/// force. Not here: roller ends on flanges (traction of record 10.2 alone, as in equilibria),
-/// pockets and lands (films of their own).
+/// force, by the kernel of their traction, whose films it needs (dynamics/slice_law.hpp). Not here:
+/// roller ends on flanges (traction of record 10.2 alone, as in equilibria), pockets and lands
+/// (films of their own).
 namespace adore::dynamics {
 namespace {
 
@@ -56,13 +57,16 @@ class Rolling final : public SceneEffect {
     for (std::size_t j = 0; j < 2; ++j) {
       const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
       constexpr std::string_view kCost = "rolling resistance";
-      if (races.roller_contacts() != nullptr)
+      const double* heat = &heat_[j];
+      if (races.roller_contacts() != nullptr && (*races.roller_contacts())[j].rolls_in_film())
+        heat = &races.account(j).rolling;  // of the films of the traction, in one kernel
+      else if (races.roller_contacts() != nullptr)
         scene.block<RollerRaceRolling>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
                                        elements, heat_[j]);
       else
         scene.block<BallRolling>(Phase::Force, kCost, race, races.contacts()[j], races.rolling()[j],
                                  elements, heat_[j]);
-      scene.energy(kNames[j], kHeat, &heat_[j], static_cast<int>(j));
+      scene.energy(kNames[j], kHeat, heat, static_cast<int>(j));
     }
   }
 

@@ -33,6 +33,22 @@ namespace adore::tribology {
 /// stress is reached inside the strip.
 template <class Here, class T>
 struct StripMean {
+  /// The same where the film may leave points to double precision; false: it does.
+  [[gnu::always_inline]] bool mean_if(const T& slip, T& mean) const {
+    if constexpr (requires(T * at) { law.template several_if<3, 3>(at, at, at); }) {
+      const T slips[3] = {slip, slip, slip};
+      const T pressures[3] = {0.43388373911756 * peak, 0.78183148246803 * peak,
+                              0.97492791218182 * peak};
+      T kappa[3];
+      if (!law.template several_if<3, 3>(slips, pressures, kappa)) return false;
+      mean =
+          0.10757434232608 * kappa[0] + 0.34929169541609 * kappa[1] + 0.54313396225783 * kappa[2];
+    } else {
+      mean = (*this)(slip);
+    }
+    return true;
+  }
+
   const Here& law;
   T peak;
   [[gnu::always_inline]] T operator()(const T& slip) const {
@@ -128,6 +144,24 @@ struct FilmLawOf {
       return true;
     }
 
+    /// The mean of a strip in single precision; false: double precision is wanted.
+    [[gnu::always_inline]] bool mean_if(const T& peak, const T& slip, T& kappa) const {
+      using M = ScalarMath<T>;
+      kappa = 0.0;
+      const bool any_film = M::any(film.share > 0.0);
+      if (any_film) {
+        if constexpr (Film::kOfStrip) {
+          if (!fluid.template several_if<1, 1>(&slip, &peak, &kappa)) return false;
+        } else {
+          if (!StripMean<Fluid, T>{fluid, peak}.mean_if(slip, kappa)) return false;
+        }
+      }
+      if (!M::any(film.share < 1.0)) return true;
+      const T of_metal = metal(slip, T(0.0));
+      kappa = any_film ? film.share * kappa + (1.0 - film.share) * of_metal : of_metal;
+      return true;
+    }
+
     /// One strip along rolling, peak pressure `peak`.
     template <class Row>
     struct Strip {
@@ -149,7 +183,11 @@ struct FilmLawOf {
 
   template <class T>
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c) const {
-    const FilmHere<T> here = film.at(c);
+    return at(c, film.at(c));
+  }
+  /// The same where the film of the contact is known.
+  template <class T>
+  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c, const FilmHere<T>& here) const {
     double single = -1.0;
     if constexpr (requires { fluid.single_until; }) single = fluid.single_until;
     Here<T> out{metal.at(c), here, fluid.at(c, ScalarMath<T>::max(here.thickness, T(1e-12))),

@@ -2,6 +2,7 @@
 
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 #include "tribology/film_thickness.hpp"
 #include "tribology/laws/contact_point.hpp"
 
@@ -18,6 +19,14 @@ struct FilmHere {
   T factor;     ///< φT φS, in both thicknesses
 };
 
+/// Logarithms of what enters a contact: its film and the rolling resistance of its inlet read them.
+template <class T>
+struct InletLogs {
+  T curve;                           ///< 1/R [1/m]
+  T speed2;                          ///< u² and what keeps it above 0 [m²/s²]
+  T log_speed, log_curve, log_load;  ///< ln u, ln 1/R, ln W
+};
+
 /// Constants of the films of one race at the temperature of its inlets, which stays for the run.
 /// SI. Set by film_law.hpp.
 struct FilmOfContact {
@@ -27,31 +36,42 @@ struct FilmOfContact {
   double curvature = 0.0;                       ///< 1/R of contacts that do not say theirs [1/m]
   double least_speed2 = 0.0;                    ///< added to u² [m²/s²]
   double log_heating = 0.0;                     ///< ln of L/u²
-  double meniscus = 0.0;                        ///< strParam
+  double meniscus = 0.0, log_meniscus = 0.0;    ///< strParam
   double critical = 0.0;                        ///< reRaceFilm [m]
 
   template <class T>
+  [[gnu::always_inline]] InletLogs<T> logs(const ContactPoint<T>& c) const {
+    using M = ScalarMath<T>;
+    using Log = ScalarLog<T>;
+    const T curve = M::pick(c.curvature > 0.0, c.curvature, T(curvature));
+    const T speed2 = c.entrainment * c.entrainment + least_speed2;
+    const T area = line ? curve : curve * curve;
+    return {curve, speed2, 0.5 * Log::log(speed2), Log::log(curve),
+            Log::log(M::max(c.load * inverse_modulus * area, T(kLeastLoadGroup)))};
+  }
+  template <class T>
   [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c) const {
+    return at(c, logs(c));
+  }
+  template <class T>
+  [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c, const InletLogs<T>& inlet) const {
     using M = ScalarMath<T>;
     using Log = ScalarLog<T>;
     const FilmRegression& central = line ? kLineCentral : kPointCentral;
     const FilmRegression& minimum = line ? kLineMinimum : kPointMinimum;
-    const T curve = M::pick(c.curvature > 0.0, c.curvature, T(curvature));
-    const T u2 = c.entrainment * c.entrainment + least_speed2;
-    const T log_u = 0.5 * Log::log(u2), log_curve = Log::log(curve);
-    const T area = line ? curve : curve * curve;
-    const T log_W = Log::log(M::max(c.load * inverse_modulus * area, T(kLeastLoadGroup)));
-    const T log_h = log_central + (central.speed - 1.0) * log_curve + central.speed * log_u -
-                    central.load * log_W;
+    const T &u2 = inlet.speed2, &log_u = inlet.log_speed, &log_curve = inlet.log_curve,
+            &log_W = inlet.log_load;
+    T log_h = log_central + (central.speed - 1.0) * log_curve + central.speed * log_u -
+              central.load * log_W;
     const T log_least = log_minimum + (minimum.speed - 1.0) * log_curve + minimum.speed * log_u -
                         minimum.load * log_W;
-    T shape = 1.0, shape_least = 1.0;
+    T shape_least = 1.0;
     if (!line) {
       const T k = c.half_major / M::max(c.half_minor, T(1e-30));
-      shape -= central.shape * M::exp(-central.decay * k);
-      shape_least -= minimum.shape * M::exp(-minimum.decay * k);
+      shape_least = 1.0 - minimum.shape * M::exp(-minimum.decay * k);
+      log_h = log_h + Log::log(1.0 - central.shape * M::exp(-central.decay * k));
     }
-    const T isothermal = shape * M::exp(log_h);
+    const T isothermal = M::exp(log_h);
     // Inlet heating, with its floor of 0.1 (thermal_reduction.hpp).
     const T log_L = log_heating + 2.0 * log_u;
     const T slide = M::exp(0.415 * Log::log(c.slip * c.slip / u2 + 1e-8));
@@ -61,14 +81,12 @@ struct FilmOfContact {
     const T inside = M::min(M::max(above, T(-kWidth)), T(kWidth)) + kWidth;
     const T thermal = kFloor + M::max(above - kWidth, T(0.0)) + inside * inside / (4.0 * kWidth);
     // Starvation (starvation.hpp); half widths that are none give no film.
-    const T reach = 0.5 * c.half_minor * c.half_minor * curve;
-    const T log_psi =
-        (2.0 / 3.0) * (Log::log(M::max(reach, T(1e-30))) - Log::log(M::max(isothermal, T(1e-30)))) +
-        Log::log(T(meniscus));
+    const T reach = 0.5 * c.half_minor * c.half_minor * inlet.curve;
+    const T log_psi = (2.0 / 3.0) * (Log::log(M::max(reach, T(1e-30))) - log_h) + log_meniscus;
     const T near = M::min(log_psi, T(kFlooded));
-    const T dry = M::exp(-1.68005 * M::exp(0.8315 * near) + 0.260137 * M::exp(1.558 * near) -
-                         0.016146 * M::exp(2.296 * near));
-    const T factor = thermal * M::max(1.0 - dry, T(0.0));
+    const T log_dry = -1.68005 * M::exp(0.8315 * near) + 0.260137 * M::exp(1.558 * near) -
+                      0.016146 * M::exp(2.296 * near);
+    const T factor = thermal * M::max(wet(log_dry), T(0.0));
     const T thinnest = factor * shape_least * M::exp(log_least);
     const T s =
         M::min(M::max((thinnest - 0.95 * critical) / (0.1 * critical + 1e-15), T(0.0)), T(1.0));
@@ -76,6 +94,19 @@ struct FilmOfContact {
   }
 
  private:
+  /// 1 - e^x; floats would lose what little is left of a starved film.
+  template <class T>
+  [[gnu::always_inline]] static T wet(const T& x) {
+    using M = ScalarMath<T>;
+    const T plain = 1.0 - M::exp(x);
+    if constexpr (IsSingle<T>::value) {
+      const T y = 0.0 - x;
+      const T series =
+          y * (1.0 - y * (0.5 - y * (1.0 / 6.0 - y * (1.0 / 24.0 - y * (1.0 / 120.0)))));
+      return M::pick(y < 0.25, series, plain);
+    }
+    return plain;
+  }
   static constexpr double kFloor = 0.1, kWidth = 0.05, kFlooded = 7.0;
 };
 

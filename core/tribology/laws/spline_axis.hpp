@@ -37,11 +37,19 @@ struct SplineAxis {
     const T last = static_cast<double>(knots - 3);  // cells
     const T steps = (x - from) * inverse_step;
     const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), last);  // what is no number: the first
-    const T cell = ScalarLanes<T>::floor(M::min(s, last - 1e-9)), f = s - cell, g = 1.0 - f;
-    const T f2 = f * f, g2 = g * g;
-    const T outer = g2 * g * (1.0 / 6.0), far = f2 * f * (1.0 / 6.0);
-    const T near = 2.0 / 3.0 - f2 * (1.0 - 0.5 * f);
-    return {cell, {outer, near, 1.0 - outer - near - far, far}};
+    Place<T> out;
+    out.cell = ScalarLanes<T>::floor(M::min(s, last - 1e-9));
+    weights(s - out.cell, out.weight);
+    return out;
+  }
+  /// Of the four coefficients, at the place f in a cell.
+  template <class T>
+  [[gnu::always_inline]] static void weights(const T& f, T* weight) {
+    const T g = 1.0 - f, f2 = f * f, g2 = g * g;
+    weight[0] = g2 * g * (1.0 / 6.0);
+    weight[1] = 2.0 / 3.0 - f2 * (1.0 - 0.5 * f);
+    weight[3] = f2 * f * (1.0 / 6.0);
+    weight[2] = 1.0 - weight[0] - weight[1] - weight[3];
   }
 };
 

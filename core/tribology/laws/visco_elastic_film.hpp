@@ -3,6 +3,7 @@
 #include "base/scalar_lanes.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 #include "tribology/laws/contact_point.hpp"
 #include "tribology/laws/spline_axis.hpp"
 
@@ -40,6 +41,10 @@ struct ViscoElasticFilm {
   const double* saturation = nullptr;   ///< S: [transit][pressure][slip]
   const double* corner = nullptr;       ///< ln γ_r: [transit][pressure], axes of its own
   double stress = 0.0, stress_p = 0.0;  ///< κ_s = stress_p + 4/π stress/p
+  /// Both for single precision: 16 powers of each cell over pressure and slip (of each line over
+  /// transit), over transit and pressure of the corner (base/single.hpp).
+  const float *tiles = nullptr, *corner_tiles = nullptr;
+  double single_until = -1.0;  ///< film_law_of.hpp
   SplineAxis root_pressure, log_rate, log_transit, corner_root_pressure, corner_log_transit;
   double pressure[2] = {};       ///< that the surface covers [Pa]
   double range_transit[2] = {};  ///< ln c that it covers
@@ -213,6 +218,65 @@ struct ViscoElasticFilm {
   struct Here {
     Place<T> place;
     [[gnu::always_inline]] Row<T> row(const T& peak) const { return row_at(place, peak); }
+    [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
+      using To = SingleOf<T>;
+      return Here<typename To::Type>{
+          {place.film, To::both(place.log_thickness), To::both(place.log_transit),
+           To::both(place.width_over_pressure), To::both(place.speed), To::both(place.wanted)}};
+    }
+    /// N slips on P strips of these peak pressures (film_law_of.hpp), slip i on strip i % P.
+    template <int N, int P>
+    [[gnu::always_inline]] void several(const T* slip, const T* peak, T* kappa) const {
+      for (int k = 0; k < P; ++k) {
+        const Row<T> strip = row_at(place, peak[k]);
+        for (int i = k; i < N; i += P) kappa[i] = strip(slip[i]);
+      }
+    }
+    /// The same in single precision, from the tiles; false where they do not reach. Walls without
+    /// flash.
+    template <int N, int P>
+    [[gnu::always_inline]] bool several_if(const T* slip, const T* peak, T* kappa) const {
+      using M = ScalarMath<T>;
+      using Tiles = ScalarTiles<T>;
+      constexpr double kFourOverPi = 1.2732395447351628;
+      const ViscoElasticFilm* film = place.film;
+      const T& c = place.log_transit;
+      const T transit_beyond = M::pick(c < film->range_transit[0], T(1.0), T(0.0)) +
+                               M::pick(c > film->range_transit[1], T(1.0), T(0.0));
+      const auto transit = film->log_transit.cell(c);
+      const auto corner_transit = film->corner_log_transit.cell(c);
+      T weight[4];
+      SplineAxis::weights(transit.inside, weight);
+      const double slips = film->log_rate.knots - 3,
+                   sheet = (film->root_pressure.knots - 3) * slips,
+                   corners = film->corner_root_pressure.knots - 3;
+      for (int k = 0; k < P; ++k) {
+        const T p = M::max(peak[k], T(1.0));
+        const T asked = M::pick(peak[k] > 1.0, place.wanted, T(0.0));
+        const T beyond = transit_beyond + M::pick(p < film->pressure[0], T(1.0), T(0.0)) +
+                         M::pick(p > film->pressure[1], T(1.0), T(0.0));
+        if (M::any(M::pick(asked > 0.0, beyond, T(0.0)) > 0.5)) return false;
+        const T root = p * M::inverse_sqrt(p);
+        const auto pressure = film->root_pressure.cell(root);
+        const auto corner_pressure = film->corner_root_pressure.cell(root);
+        const T log_corner =
+            place.log_thickness + Tiles::at(film->corner_tiles,
+                                            corner_transit.cell * corners + corner_pressure.cell,
+                                            corner_transit.inside, corner_pressure.inside);
+        const T ceiling = film->stress_p + kFourOverPi * film->stress / p;
+        const T line = transit.cell * sheet + pressure.cell * slips;
+        for (int i = k; i < N; i += P) {
+          const T w = ScalarLog<T>::log(M::max(slip[i], T(1e-30))) - log_corner;
+          const auto rate = film->log_rate.cell(w);
+          T value = M::min(w - film->log_rate.from, T(0.0));
+          for (int j = 0; j < 4; ++j)
+            value = value + weight[j] * Tiles::at(film->tiles, line + rate.cell + j * sheet,
+                                                  pressure.inside, rate.inside);
+          kappa[i] = ceiling * M::exp(value);
+        }
+      }
+      return true;
+    }
     /// @param peak pressure of the strip
     [[gnu::always_inline]] T operator()(const T& slip, const T& peak) const {
       return row(peak)(slip);

@@ -117,8 +117,11 @@ TEST_CASE("films that thin with shear: read and solved stresses give the same he
 
 TEST_CASE("films by floats: every instruction set has the heat and forces of double precision",
           "[physics][film]") {
-  for (const int code : {1, 2, 3, 4, 5, 6, 7, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20})
-    for (const auto& [major, minor] : {std::pair{12, 4}, {15, 2}, {15, 4}}) {
+  for (const int code : kAllCodes)
+    for (const auto& [major, minor] : {std::pair{12, 4}, {15, 2}, {15, 4}, {16, 2}}) {
+      const bool strips =
+          tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic;
+      if (strips && minor != 2) continue;  // other rules of theirs stay with doubles
       const tribology::EllipseRule rule = tribology::make_run_rule({major, minor});
       const test::ThrustScene numbers = oiled(code, rule, false),
                               floats = oiled(code, rule, false, true);
@@ -128,8 +131,9 @@ TEST_CASE("films by floats: every instruction set has the heat and forces of dou
           if (!dynamics::instruction_set_available(set)) continue;
           CAPTURE(code, major, minor, race, set);
           const double miss = difference(by(set, floats, race), by(set, numbers, race));
-          CHECK(miss < 1e-5);  // 5.5e-6 of kTrac 18, whose viscosity rises the steepest
-          CHECK(miss > 0.0);   // it is another calculation
+          // 5.5e-6 of kTrac 18, whose viscosity rises the steepest; of strips a third variable.
+          CHECK(miss < (strips ? 2e-5 : 1e-5));
+          CHECK(miss > 0.0);  // it is another calculation
         }
     }
 }

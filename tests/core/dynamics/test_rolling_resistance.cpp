@@ -198,3 +198,44 @@ TEST_CASE("rolling resistance of rollers closes the ledgers and is that of the e
   CHECK(now.momentum->linear.residual().norm() < 1e-6 * now.momentum->linear_size);
   CHECK(now.momentum->angular.residual().norm() < 1e-6 * now.momentum->angular_size);
 }
+
+TEST_CASE(
+    "rolling resistance of rollers: of the films of the traction it is that of films of its own",
+    "[physics][rollers][film]") {
+  using enum Effect;
+  for (const int code : {1, 6, 8, 10, 11, 19}) {
+    for (const bool tapers : {false, true}) {
+      CAPTURE(code, tapers);
+      bearing::Bearing b =
+          tapers ? roller_bearings::tapered(6000.0) : roller_bearings::spherical(6000.0);
+      roller_scene::add_friction(b);
+      b.lubrication = oil();
+      b.lubrication->code = code;
+      const auto seen = [&](const ScenePlan& plan, bool floats) {
+        SystemOptions options;
+        options.single_films = floats;
+        System system = roller_scene::scene_of(b, plan, 15, 0.0, options).system;
+        return system.snapshot(0.0, system.initial_state());
+      };
+      const ScenePlan both =
+          roller_scene::plan_of({RaceContact, RaceTraction, FlangeContact, RollingResistance});
+      const Snapshot together = seen(both, false),
+                     alone = seen(
+                         roller_scene::plan_of({RaceContact, FlangeContact, RollingResistance}),
+                         false),
+                     rough = seen(both, true);
+      for (const int race : {0, 1}) {
+        CAPTURE(race);
+        const double rolling = together.energy.rate("rolling_heat", race),
+                     heat = together.energy.rate("heat", race);
+        REQUIRE(rolling > 0.0);
+        REQUIRE(heat > 0.0);
+        CHECK(rolling == Approx(alone.energy.rate("rolling_heat", race)).epsilon(1e-11));
+        // Films by floats (decision 570).
+        CHECK(rough.energy.rate("rolling_heat", race) == Approx(rolling).epsilon(2e-5));
+        CHECK(rough.energy.rate("heat", race) == Approx(heat).epsilon(3e-5));
+        CHECK(rough.energy.rate("heat", race) != heat);
+      }
+    }
+  }
+}

@@ -180,7 +180,8 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
   averages.add(snapshot);
   const auto print = [&](int kPrtOpt) {
     Report report(bearing.run_id, UnitSystem::SI);
-    print_step(report, snapshot, record, bearing, averages.averages(), kPrtOpt);
+    print_step(report, snapshot, record, bearing, averages.averages(), kPrtOpt, {},
+               RaceFriction::Film);
     const std::string text = report.take();
     check_pages(text);
     return text;
@@ -238,10 +239,11 @@ TEST_CASE("a printed step shows half chords of inner contacts and says what was 
       contact.centre_chord = 0.00222;
     }
   snapshot.power.life_hours = 1234.0;
+  RaceFriction in_force = RaceFriction::Curve;
   const auto print = [&](std::optional<long> life_step) {
     ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     Report report(bearing.run_id, UnitSystem::SI);
-    print_step(report, snapshot, recorder.record(snapshot), bearing, {}, 1, life_step);
+    print_step(report, snapshot, recorder.record(snapshot), bearing, {}, 1, life_step, in_force);
     return report.take();
   };
   const std::string text = print({});
@@ -257,9 +259,19 @@ TEST_CASE("a printed step shows half chords of inner contacts and says what was 
   CHECK_THAT(line_with(text, "Fatigue life"), Contains("at the present loads"));
   CHECK_THAT(line_with(print(7), "Fatigue life"), Contains("at the loads of step 7"));
 
-  snapshot.elements[0].race[0].film = 1e-7;
-  snapshot.elements[0].race[0].temperature_rise = 2.0;
-  CHECK_THAT(print({}), Contains("rise outer") && Contains(" film "));
+  // The law in force says whether there are films, not what they are: at rest all of them are 0.
+  for (const auto& [friction, reason] : {std::pair{RaceFriction::Curve, "hypothetical traction"},
+                                         {RaceFriction::OfUser, "user routine ADRX7"},
+                                         {RaceFriction::None, "no friction of the races"}}) {
+    in_force = friction;
+    CHECK_THAT(line_with(print({}), "Film thickness"), Contains(reason));
+    CHECK_THAT(line_with(print({}), "Contact temperature"), Contains(reason));
+  }
+  in_force = RaceFriction::Film;
+  const std::string in_oil = print({});
+  CHECK_THAT(in_oil, Contains("rise outer") && Contains(" film ") && Contains("least outer"));
+  CHECK(in_oil.find("Film thickness (") == std::string::npos);
+  CHECK(in_oil.find("hypothetical") == std::string::npos);
 }
 
 TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]") {

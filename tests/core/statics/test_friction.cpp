@@ -123,3 +123,24 @@ TEST_CASE("the rib slides by its height above the raceway, about which a tapered
   REQUIRE(expected > 0.0);
   CHECK(statics::friction_estimate(b, solution).flange[1] == Approx(expected).epsilon(0.03));
 }
+
+TEST_CASE("rolling of balls is doubted in thick oil at speed, beside strips that know its pressure",
+          "[physics][statics][film]") {
+  Bearing b = from_deck("deep-groove-6205");
+  const auto ratio = [&](double T, double share_of_speed) {
+    Bearing at = b;
+    at.race_temperature = {T, T};
+    at.element_temperature = T;
+    for (double& speed : at.speed) speed *= share_of_speed;
+    return statics::rolling_over_strips(at, statics::solve_ball_statics(at));
+  };
+  CHECK(ratio(350.0, 1.0) == 0.0);  // no oil
+  b.lubrication = bearing::Lubrication{1, 1e-8, 10.0, {}};
+  // Thin and slow: where the law agrees with measured torques (theory/tribology.md 2a).
+  CHECK(ratio(400.0, 0.05) > 0.9);
+  CHECK(ratio(400.0, 0.05) < 1.7);
+  CHECK(ratio(290.0, 1.0) > statics::kTrustedOverStrips);
+  CHECK(ratio(290.0, 1.0) < 4.0);
+  CHECK(ratio(350.0, 1.0) > ratio(350.0, 0.1));
+  CHECK(ratio(330.0, 1.0) > ratio(380.0, 1.0));
+}

@@ -240,10 +240,21 @@ TEST_CASE(
     "flows",
     "[physics][thermal]") {
   int found = 0, refused = 0;
-  for (const int base : {0, 1, 2, 3, 4, 5})
+  constexpr int kAir = 13, kWater = 14;
+  for (const auto& [coolant, base] : {std::pair{example().thermal->coolant, 0},
+                                      {example().thermal->coolant, 1},
+                                      {example().thermal->coolant, 2},
+                                      {example().thermal->coolant, 3},
+                                      {example().thermal->coolant, 4},
+                                      {example().thermal->coolant, 5},
+                                      {kAir, 0},
+                                      {kAir, 2},
+                                      {kAir, 5},
+                                      {kWater, 0}})
     for (const double flow : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5}) {
-      INFO("kBaseTemp " << base << ", cFlowRate " << flow);
+      INFO("kCoolant " << coolant << ", kBaseTemp " << base << ", cFlowRate " << flow);
       Bearing b = example();
+      b.thermal->coolant = coolant;
       b.thermal->base = base;
       b.thermal->flow = flow;
       try {

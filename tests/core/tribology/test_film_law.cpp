@@ -130,6 +130,45 @@ TEST_CASE("film law: falls with temperature, nothing at no slip, no NaN anywhere
   CHECK(law.film(contact(-20.0)).thickness == law.film(contact(20.0)).thickness);
 }
 
+TEST_CASE("film law: where a heated film shears less when hotter, and where more",
+          "[physics][film_law]") {
+  // theory/tribology.md 5. Of one thickness always less. With the film of its temperature, whose
+  // thinning counts the more the larger the slip: as the slopes of viscosity and film say.
+  int less_often = 0, more_often = 0;
+  for (const int code : {1, 3, 4, 5})  // no limiting stress
+    for (const double T : {330.0, 360.0, 390.0}) {
+      constexpr double kWarmer = 0.1, kPressure = 1e9, kFilm = 3e-7;  // K, Pa, m
+      const auto film_at = [&](double temperature) {  // flooded, too slow to heat its inlet
+        return law_of(dry_curve(), code, 0.0, 1e4, temperature).film(contact(0.05)).thickness;
+      };
+      const HeatedFilm cool = heated_film(lubricant(code), T),
+                       warm = heated_film(lubricant(code), T + kWarmer);
+      const double h = film_at(T), thinner = film_at(T + kWarmer);
+      CHECK(thinner < h);
+      const double of_viscosity = std::log(warm.viscosity / cool.viscosity),
+                   of_heating = std::log(warm.heating / cool.heating),
+                   of_film = std::log(thinner / h);
+      double before = -HUGE_VAL;  // rises with slip
+      for (const double S : {0.01, 0.3, 1.0, 3.0, 10.0, 100.0}) {
+        CAPTURE(code, T, S);
+        const double slip = S / (cool.heating * std::exp(cool.half_alpha * kPressure));
+        const auto kappa = [&](const HeatedFilm& film, double thickness) {
+          return film.at(contact(0.05), thickness)(slip, kPressure);
+        };
+        CHECK(kappa(warm, kFilm) < kappa(cool, kFilm));
+        const double change = std::log(kappa(warm, thinner) / kappa(cool, h));
+        const double slope = S / (std::sqrt(1.0 + S * S) * std::asinh(S)) - 1.0 -
+                             S * S / (1.0 + S * S);  // of asinh(S)/(S sqrt(1 + S^2))
+        CHECK(change == Approx(of_viscosity + slope * of_heating - of_film).margin(2e-5));
+        CHECK(change > before);
+        before = change;
+        ++(change < 0.0 ? less_often : more_often);
+      }
+    }
+  CHECK(less_often > 10);
+  CHECK(more_often > 10);
+}
+
 TEST_CASE("film law: a thin film is a metal contact, without a step", "[physics][film_law]") {
   const TwoSlopeLaw metal{0.0, 0.5, 0.0, 0.2};
   const double thin = heated(metal, 3, 0.0).at(contact(20.0)).film.thickness;
