@@ -50,15 +50,18 @@ template <class C, class T>
 }
 
 /// K, K' and K'' over u.
+template <class T>
 struct AngleStiffness {
-  double K = 0.0, slope = 0.0, bend = 0.0;
+  T K, slope, bend;
 };
-[[nodiscard]] inline AngleStiffness angle_stiffness(const AngleLaw& law, double u) noexcept {
-  AngleStiffness s{law.K[AngleLaw::kTerms - 1], 0.0, 0.0};
+template <class T>
+[[nodiscard, gnu::always_inline]] inline AngleStiffness<T> angle_stiffness(const AngleLaw& law,
+                                                                           const T& u) noexcept {
+  AngleStiffness<T> s{T(law.K[AngleLaw::kTerms - 1]), T(0.0), T(0.0)};
   for (int k = AngleLaw::kTerms - 2; k >= 0; --k) {
     s.bend = s.bend * u + 2.0 * s.slope;
     s.slope = s.slope * u + s.K;
-    s.K = s.K * u + law.K[k];
+    s.K = s.K * u + T(law.K[k]);
   }
   return s;
 }

@@ -7,23 +7,6 @@
 /// constants are frozen is the case K' = 0. SI.
 namespace adore::contact {
 
-/// K, K' and K'' over u, as angle_stiffness() of numbers.
-template <class T>
-struct AngleStiffnessOf {
-  T K, slope, bend;
-};
-template <class T>
-[[nodiscard, gnu::always_inline]] inline AngleStiffnessOf<T> angle_stiffness_of(const AngleLaw& law,
-                                                                                const T& u) {
-  AngleStiffnessOf<T> s{T(law.K[AngleLaw::kTerms - 1]), T(0.0), T(0.0)};
-  for (int k = AngleLaw::kTerms - 2; k >= 0; --k) {
-    s.bend = s.bend * u + 2.0 * s.slope;
-    s.slope = s.slope * u + s.K;
-    s.K = s.K * u + T(law.K[k]);
-  }
-  return s;
-}
-
 template <class T>
 struct GrooveSpring {
   GroovePlace<T> place;
@@ -56,7 +39,7 @@ template <class T>
   s.K = T(frozen_K);
   T lean = T(0.0), coupling = T(0.0), bent = T(0.0);
   if (follow != nullptr) {
-    const AngleStiffnessOf<T> at = angle_stiffness_of(*follow, n_e);
+    const AngleStiffness<T> at = angle_stiffness(*follow, n_e);
     s.K = at.K;
     lean = leaning_force(at.slope, depth, root, n_k, l);
     coupling = at.slope * n_k * rest / l * (1.0 - 0.4 * depth / l);

@@ -37,13 +37,14 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
   MeanLoad out;
   out.time = averages.time;
   out.mean = averages.load;
+  out.balanced = plan.has(scene::Effect::RaceBalance);
   for (std::size_t k = 0; k < 3; ++k) {
     out.given[k] = !bearing.constraints.displacement_given[k];
     const auto& turning = plan.race_motions.turning_load;
     if (k > 0 && turning && (turning->fraction[0] != 0.0 || turning->fraction[1] != 0.0))
       out.given[k] = false;
     if (out.given[k]) out.asked[static_cast<Eigen::Index>(k)] = bearing.constraints.load[k];
-    out.moves[k] = plan.has(scene::Effect::RaceBalance);
+    out.moves[k] = out.balanced;
     for (const auto& free : plan.race_motions.free)
       out.moves[k] = out.moves[k] || (free && !free->translation_held[k]);
   }
@@ -52,7 +53,7 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
 
 std::string load_warning(const MeanLoad& load, UnitSystem units) {
   const double departure = load.departure();
-  if (departure <= kLoadWarning) return {};
+  if (departure <= (load.balanced ? kBalanceWarning : kLoadWarning)) return {};
   // What is carried follows what is asked nearly in proportion, if it is not another load
   // altogether.
   scene::Vec3 instead = load.asked;
@@ -73,6 +74,11 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
   };
   for (std::size_t k = 1; k < 3; ++k)
     if (off(k) > off(furthest)) furthest = k;
+  if (load.balanced)
+    return out +
+           "in mode 2 the inner race has no inertia, and elements that centrifugal force, gravity "
+           "or the cage move more than the load does leave it for moments; give more load or "
+           "preload, or set mode to 0 with kDCR = 1 and kFD = 0";
   if (load.moves[furthest])
     return out + fmt::format(
                      "a race moves under its load along {}, and over so short a time the rest "

@@ -15,13 +15,15 @@
 /// time. A radial load that turns (record 9.3A) has no one value to compare with.
 namespace adore::results {
 
-/// Above this departure the run says so.
-inline constexpr double kLoadWarning = 0.05;
+/// Above this departure the run says so; a race in balance (mode 2) is meant to carry its load at
+/// every instant.
+inline constexpr double kLoadWarning = 0.05, kBalanceWarning = 0.01;
 
 struct MeanLoad {
   double time = 0.0;            ///< span of the mean [s]
   std::array<bool, 3> given{};  ///< directions whose load is given and stays: others are displaced
   std::array<bool, 3> moves{};  ///< a race moves under its load there
+  bool balanced = false;        ///< mode 2: that race has no inertia
   scene::Vec3 asked = scene::Vec3::Zero(), mean = scene::Vec3::Zero();  ///< x, y, z [N]
   /// |mean - asked| / |asked| over the directions with a given load; 0 when none is asked.
   [[nodiscard]] double departure() const;
@@ -30,7 +32,7 @@ struct MeanLoad {
 [[nodiscard]] MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
                                  const scene::ScenePlan& plan = {});
 
-/// A sentence when the departure is above kLoadWarning, with the remedy; empty when not.
+/// A sentence when the departure is above its bound, with the remedy; empty when not.
 [[nodiscard]] std::string load_warning(const MeanLoad& load, UnitSystem units);
 
 }  // namespace adore::results

@@ -63,7 +63,6 @@ struct HeatedFilm {
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
     return {viscosity / (heating * thickness), heating, half_alpha, limit};
   }
-  /// Slip at which heating sets in (S = 1) at 1 GPa.
 };
 
 }  // namespace adore::tribology

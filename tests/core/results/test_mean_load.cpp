@@ -118,3 +118,21 @@ TEST_CASE("A load that turns is not compared, and of a free race it is not said 
   plan.race_motions.turning_load->fraction[1] = 0.0;
   CHECK(mean_load(averages.averages(), bearing, plan).given[2]);
 }
+
+TEST_CASE("A race in balance that misses its load by more than 1 % is told with its cause",
+          "[unit][results]") {
+  bearing::Bearing bearing;
+  bearing.constraints.load = {1000.0, 0.0, 0.0, 0.0, 0.0};
+  scene::ScenePlan plan;
+  plan.effects.push_back({scene::Effect::RaceBalance, "race balance", true, "mode = 2"});
+  const auto told = [&](double carried) {
+    RunAverages averages;
+    averages.add(at(0.0, carried));
+    averages.add(at(1.0, carried));
+    return load_warning(mean_load(averages.averages(), bearing, plan), UnitSystem::SI);
+  };
+  CHECK(told(1009.0).empty());
+  CHECK(told(975.0).find("(2.5 % off): in mode 2") != std::string::npos);
+  plan.effects.clear();
+  CHECK(told(975.0).empty());
+}
