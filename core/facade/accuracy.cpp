@@ -181,19 +181,26 @@ class Study {
     stp_max_ = prepared.control.step_maximum;
   }
 
+  /// The row of an earlier study of the same deck and span; nullptr: none.
+  [[nodiscard]] const AccuracyRow* known(const std::vector<AccuracyRow>& rows,
+                                         const AccuracySetting& setting, double turns) const {
+    if (study_.digest != earlier_.digest) return nullptr;
+    for (const AccuracyRow& row : rows)
+      if (row.setting.name == setting.name && row.turns == turns) return &row;
+    return nullptr;
+  }
+
   /// A row of an earlier study, or a new one.
-  Trial trial(const std::vector<AccuracyRow>& known, const AccuracySetting& setting, double turns,
+  Trial trial(const std::vector<AccuracyRow>& rows, const AccuracySetting& setting, double turns,
               double most_seconds) {
-    if (study_.digest == earlier_.digest)
-      for (const AccuracyRow& row : known)
-        if (row.setting.name == setting.name && row.turns == turns) {
-          Trial out;
-          out.row = row;
-          known_ = true;
-          study_.seconds += row.seconds;
-          return out;
-        }
-    known_ = false;
+    const AccuracyRow* row = known(rows, setting, turns);
+    known_ = row != nullptr;
+    if (known_) {
+      Trial out;
+      out.row = *row;
+      study_.seconds += row->runs * row->seconds;
+      return out;
+    }
     Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
     study_.seconds += out.row.seconds;
     return out;
@@ -270,7 +277,8 @@ class Study {
       const std::string group = setting.method + (setting.as_long_as_stable ? "+" : "-");
       if (group == settled && !setting.own) continue;
       const double room = left() - (1.0 - kShortMost) * request_.budget;
-      if (room < start_cost_ && !setting.own) {
+      if (room < start_cost_ && !setting.own &&
+          known(earlier_.screening, setting, study_.short_turns) == nullptr) {
         ++study_.untried;
         continue;
       }
@@ -345,10 +353,13 @@ class Study {
   /// round told (the skew of rollers and blows in pockets come after some time).
   void long_references() {
     while (true) {
-      const bool shortest = study_.long_turns <= study_.short_turns;
+      if (study_.long_turns <= study_.short_turns) {  // the very runs of the first round
+        study_.long_reference = study_.short_reference;
+        return;
+      }
       try {
-        study_.long_reference = references(study_.long_turns, earlier_.long_reference,
-                                           shortest ? kUnlimited : kReferenceShare * left());
+        study_.long_reference =
+            references(study_.long_turns, earlier_.long_reference, kReferenceShare * left());
         return;
       } catch (const ReferenceCut& cut) {
         const double turns = std::min(kAfterCut * cut.turns, 0.5 * study_.long_turns);
@@ -372,7 +383,8 @@ class Study {
       study_.long_turns = earlier_.long_turns;
     long_references();
     for (const AccuracySetting& setting : chosen) {
-      if (left() < start_cost_ && !study_.finals.empty()) {
+      if (left() < start_cost_ && !study_.finals.empty() &&
+          known(earlier_.finals, setting, study_.long_turns) == nullptr) {
         ++study_.untried;
         continue;
       }
@@ -465,7 +477,7 @@ class Study {
   }
 
   [[nodiscard]] int choose() const {
-    const double limit = std::max(study_.target, 1.5 * study_.long_reference.noise.largest());
+    const double limit = study_.limit();
     int best = -1;
     // Runs that warn of their energy come last, however well their means agree over this span.
     const auto rank = [](const AccuracyRow& row) {

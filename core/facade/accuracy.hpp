@@ -99,6 +99,11 @@ struct AccuracyStudy {
   double seconds = 0.0;  ///< processor time of the study, of the rows taken over, too
   int untried = 0;       ///< settings and models for which the budget left no time
   bool complete = false;
+
+  /// Errors up to which a row may be recommended: the target, or what two accurate runs differ by.
+  [[nodiscard]] double limit() const {
+    return std::max(target, 1.5 * long_reference.noise.largest());
+  }
 };
 
 /// A row that is done, in its round.

@@ -138,13 +138,14 @@ std::string growth_text(const AccuracyStudy& study) {
   const AccuracyRow* row = study.recommended >= 0
                                ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                : own_row(study);
-  if (row == nullptr) return {};
+  if (row == nullptr || !row->failure.empty()) return {};
+  if (!(study.long_turns > study.short_turns))
+    return "No growth could be measured: both rounds have one span.";
   const auto before =
       std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
         return other.setting.name == row->setting.name && other.failure.empty();
       });
-  if (before == study.screening.end() || !(row->turns > before->turns))
-    return "No growth could be measured: both rounds have one span.";
+  if (before == study.screening.end()) return {};
   return fmt::format(
       "Measured growth ({}): from {:.4g} to {:.4g} turns its error went from {} to {}, its energy "
       "without account from {:.1e} to {:.1e} of what moved{}.",
@@ -152,6 +153,17 @@ std::string growth_text(const AccuracyStudy& study) {
       percent(row->errors.largest()), before->energy_share, row->energy_share,
       row->growth > 0.0 ? fmt::format(", {:.4g} times a turn", row->growth)
                         : "; less than a turn lies between them, too little for a rate");
+}
+
+/// A row that keeps the target, takes less time than the recommended one and warns of its energy.
+const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const AccuracyRow& best) {
+  const AccuracyRow* out = nullptr;
+  for (const AccuracyRow& row : study.finals)
+    if (row.failure.empty() && row.errors.largest() <= study.limit() &&
+        row.seconds < best.seconds && row.energy_share > results::kMovedWarning &&
+        (out == nullptr || row.seconds < out->seconds))
+      out = &row;
+  return out;
 }
 
 }  // namespace
@@ -167,11 +179,14 @@ std::string recommendation(const AccuracyStudy& study) {
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
     out = fmt::format("{}: the cheapest within {} over {:.4g} turns, {:.3g} s ({})",
-                      best.setting.name, percent(std::max(study.target, 1.5 * noise)),
-                      study.long_turns, best.seconds, errors_text(best.errors));
+                      best.setting.name, percent(study.limit()), study.long_turns, best.seconds,
+                      errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
                          best.energy_share);
+    else if (const AccuracyRow* cheaper = cheaper_but_warned(study, best))
+      out += fmt::format("; {} is cheaper ({:.3g} s), but {:.1e} of its energy has no account",
+                         cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
     if (best.setting.own) return out + "; these are the deck's own settings.";
   }
   if (own != nullptr)
@@ -249,14 +264,14 @@ std::string accuracy_csv(const AccuracyStudy& study) {
         return !row.failure.empty() || error < 0.0 ? std::string() : fmt::format("{:.6g}", error);
       };
       out += fmt::format(
-          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{:.4g},{},"
-          "{}"
+          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{},{},{}"
           "\n",
           round, quoted(row.setting.name), row.setting.method, row.setting.tolerance, row.turns,
           row.seconds, number(row.errors.largest()), number(row.errors.speed),
           number(row.errors.load), number(row.errors.heat), number(row.errors.life), row.steps,
           row.evaluations, row.longest, row.at_longest, row.energy_share, row.order,
-          row.front ? 1 : 0, row.growth, row.runs, row.failure.empty() ? "" : quoted(row.failure));
+          row.front ? 1 : 0, row.growth > 0.0 ? fmt::format("{:.4g}", row.growth) : std::string(),
+          row.runs, row.failure.empty() ? "" : quoted(row.failure));
     }
   };
   add("first", study.screening);

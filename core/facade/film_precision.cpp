@@ -1,5 +1,7 @@
 #include "facade/film_precision.hpp"
 
+#include "tribology/film_law.hpp"
+
 #include <string_view>
 
 namespace adore::facade {
@@ -18,10 +20,14 @@ void choose_film_precision(Prepared& prepared) {
   const auto& oil = prepared.as_built.lubrication;
   if (!oil) return;
   const setup::RunControl& control = prepared.control;
+  // Strips of balls are read by floats with two nodes across (ellipse_sum.hpp).
+  const bool wide_strips =
+      tribology::lubricant_of(*oil).model == tribology::LubricantModel::ViscoElastic &&
+      prepared.as_built.rollers() == nullptr && prepared.options.system.ellipse_minor != 2;
   prepared.options.system.single_films =
       prepared.options.single_films && !prepared.options.direct_strips && control.dynamic &&
       prepared.input.deck.integer("mode") == 0 && !(control.light_load_ratio > 0.0) &&
-      control.tolerance >= kLeastTolerance && is_explicit(control.integrator);
+      control.tolerance >= kLeastTolerance && !wide_strips && is_explicit(control.integrator);
 }
 
 }  // namespace adore::facade

@@ -5,9 +5,10 @@
 namespace adore::facade {
 
 /// Decides whether films between elements and races are evaluated by floats (laws/film_law_of.hpp):
-/// option filmPrecision, a tolerance that does not see errors of a few 1e-6 of a traction, an
-/// explicit method, and no element that is held in balance; Jacobians and balances take
-/// differences. Once for a run, after its settings are known.
+/// option filmPrecision, a tolerance that does not see their errors (1e-5 of a traction at points
+/// of balls, 3e-5 of rollers and visco-elastic films), an explicit method, and no element that is
+/// held in balance; Jacobians and balances take differences. Once for a run, after its settings are
+/// known.
 void choose_film_precision(Prepared& prepared);
 
 }  // namespace adore::facade

@@ -242,7 +242,8 @@ Prepared prepare_model(LoadedDeck input) {
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
-  if (const double ratio = statics::rolling_over_strips(out.bearing, out.statics);
+  const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
+  if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > statics::kTrustedOverStrips)
     add_remark(out, Severity::Note,
                fmt::format("the rolling resistance of the balls in oil is {:.2g} times that of "

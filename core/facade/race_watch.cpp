@@ -15,7 +15,10 @@ void RaceWatch::begin(double t) noexcept {
 
 void RaceWatch::look(double t, const dynamics::RaceLoad& load, long steps) {
   const double asked = load.asked.norm();
-  if (!(asked > 0.0)) return;
+  if (!(asked > 0.0)) {
+    begun_ = false;  // a window is of one time without a gap
+    return;
+  }
   if (!begun_) return begin(t);
   const double step = t - last_;
   last_ = t;
@@ -33,7 +36,7 @@ void RaceWatch::look(double t, const dynamics::RaceLoad& load, long steps) {
       "at t = {:.9g} s the inner race is not in balance (mode = 2): it is asked to carry {:.4g} N, "
       "and what the elements carry is off by {:.4g} N in the mean of the last {:.3g} s. Elements "
       "that barely touch hold no race whose inertia is left out; give more load or preload, or set "
-      "mode to 0 or 1",
+      "mode to 0 with kDCR = 1 and kFD = 0",
       t, whole, off, length));
 }
 

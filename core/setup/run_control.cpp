@@ -272,7 +272,7 @@ const std::vector<Option>& options() {
          }},
         {{"filmPrecision", "single",
           "points of films between elements and races (kTrac; of 12 with iTherm never): single (by "
-          "floats, a few 1e-6 of the traction, where tol is 1e-6 or more, the method is explicit "
+          "floats, to 3e-5 of the traction, where tol is 1e-6 or more, the method is explicit "
           "and "
           "nothing is held in balance), or double"},
          [](RunOptions& o, std::string_view v) {

@@ -151,7 +151,7 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
 std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
                       const FilmSurface& s) {
   const std::string floats =
-      s.single ? "points in single precision, a few 1e-6 of the traction (run option filmPrecision)"
+      s.single ? "points in single precision, to 3e-5 of the traction (run option filmPrecision)"
                : "";
   if (oil.model == LubricantModel::ShearThinning) {
     if (lubrication.direct_strips) return "stress of every point solved";

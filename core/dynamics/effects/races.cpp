@@ -221,11 +221,12 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
   const bool held =
       scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
   sums_known_ = contacts_[j].traction && wear && !held;
+  const bool rolls =
+      rollers_ && scene.plan.has(Effect::RollingResistance) && (*rollers_)[j].rolls_in_film();
   if (rollers_)
     scene.block<RollerRaceBlock>(
-        Phase::Force, cost, race, (*rollers_)[j],
-        static_cast<std::size_t>(scene.bearing.element_count()), wear || held,
-        scene.plan.has(Effect::RollingResistance) && (*rollers_)[j].rolls_in_film(), account_[j]);
+        Phase::Force, rolls ? cost + ", rolling in oil" : cost, race, (*rollers_)[j],
+        static_cast<std::size_t>(scene.bearing.element_count()), wear || held, rolls, account_[j]);
   else
     scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear || held, account_[j]);
 }

@@ -1,3 +1,4 @@
+#include "core/dynamics/roller_scene.hpp"
 #include "system_fixture.hpp"
 
 #include <catch2/catch.hpp>
@@ -28,37 +29,70 @@ struct Ran {
   [[nodiscard]] double residual() const { return std::abs(last.energy.residual()); }
 };
 
-Ran ran(const bearing::Bearing& b, bool single, double end, double tolerance) {
-  SystemOptions options;
-  options.ellipse_major = tribology::kFilmNodes.major;
-  options.ellipse_minor = tribology::kFilmNodes.minor;
-  options.single_films = single;
-  System system = make_system(b, full_plan(), options);
+Ran ran(System system, double end, double tolerance) {
   const RunResult result = run(system, system.initial_state(), end, tolerance);
   return {system.snapshot(end, result.y), result.counters.steps};
+}
+
+Ran ran(const bearing::Bearing& b, bool single, double end, double tolerance) {
+  const tribology::EllipseSize size =
+      b.lubrication->code == 8 ? tribology::kStripNodes : tribology::kFilmNodes;
+  SystemOptions options;
+  options.ellipse_major = size.major;
+  options.ellipse_minor = size.minor;
+  options.single_films = single;
+  return ran(make_system(b, full_plan(), options), end, tolerance);
+}
+
+/// Rollers with their rolling resistance in the same films.
+Ran ran_rollers(bearing::Bearing b, bool single, double end, double tolerance) {
+  using enum Effect;
+  SystemOptions options;
+  options.single_films = single;
+  return ran(roller_scene::scene_of(std::move(b),
+                                    roller_scene::plan_of({RaceContact, RaceTraction, FlangeContact,
+                                                           RollingResistance}),
+                                    15, 0.0, options)
+                 .system,
+             end, tolerance);
+}
+
+void compare(const Ran& numbers, const Ran& floats) {
+  for (const int race : {0, 1}) {
+    CAPTURE(race, numbers.heat(race), floats.heat(race));
+    REQUIRE(numbers.heat(race) > 0.0);
+    CHECK(floats.heat(race) == Approx(numbers.heat(race)).epsilon(1e-4));
+    CHECK(floats.heat(race) != numbers.heat(race));
+  }
+  CAPTURE(numbers.residual(), floats.residual(), numbers.steps, floats.steps);
+  const double heat = numbers.heat(0) + numbers.heat(1);
+  CHECK(floats.residual() < 2.0 * numbers.residual() + 1e-7 * heat);
+  // Noise of the forces does not shorten steps.
+  CHECK(std::abs(floats.steps - numbers.steps) <= 2 + numbers.steps / 20);
 }
 
 }  // namespace
 
 TEST_CASE("films by floats: a run has the heat of double precision, and its ledger closes as well",
           "[physics][dynamics][energy][film]") {
-  for (const int code : {1, 6, 10, 13}) {
-    const bearing::Bearing b = oiled(code);
-    const double end = 5e-4;
+  for (const int code : {1, 6, 8, 10, 13})
     for (const double tolerance : {1e-5, 1e-6}) {
       CAPTURE(code, tolerance);
-      const Ran numbers = ran(b, false, end, tolerance), floats = ran(b, true, end, tolerance);
-      for (const int race : {0, 1}) {
-        CAPTURE(race, numbers.heat(race), floats.heat(race));
-        REQUIRE(numbers.heat(race) > 0.0);
-        CHECK(floats.heat(race) == Approx(numbers.heat(race)).epsilon(1e-4));
-        CHECK(floats.heat(race) != numbers.heat(race));
-      }
-      CAPTURE(numbers.residual(), floats.residual(), numbers.steps, floats.steps);
-      const double heat = numbers.heat(0) + numbers.heat(1);
-      CHECK(floats.residual() < 2.0 * numbers.residual() + 1e-7 * heat);
-      // Noise of the forces does not shorten steps.
-      CHECK(std::abs(floats.steps - numbers.steps) <= 2 + numbers.steps / 20);
+      const bearing::Bearing b = oiled(code);
+      const double end = 5e-4;
+      compare(ran(b, false, end, tolerance), ran(b, true, end, tolerance));
     }
-  }
+}
+
+TEST_CASE("films of rollers by floats: heat and ledger of a run are those of double precision",
+          "[physics][rollers][energy][film]") {
+  for (const int code : {3, 8, 19})
+    for (const double tolerance : {1e-5, 1e-6}) {
+      CAPTURE(code, tolerance);
+      bearing::Bearing b = roller_bearings::tapered(6000.0);
+      roller_scene::add_friction(b);
+      b.lubrication = oiled(code).lubrication;
+      const double end = 2e-4;
+      compare(ran_rollers(b, false, end, tolerance), ran_rollers(b, true, end, tolerance));
+    }
 }

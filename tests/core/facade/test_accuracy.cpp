@@ -1,6 +1,7 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "facade/verify.hpp"
+#include "results/energy_judgement.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -81,7 +82,8 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
   for (const AccuracyRow& row : study.finals) {
     if (row.setting.own) CHECK(row.runs == 3);
     if (!row.failure.empty() || row.errors.largest() > study.target) continue;
-    if (!(row.energy_share > 1e-4)) CHECK(best.seconds <= row.seconds);  // others are warned of
+    if (!(row.energy_share > results::kMovedWarning))
+      CHECK(best.seconds <= row.seconds);  // others are warned of
   }
   // The same settings once more: the front holds no row that another one beats.
   for (const AccuracyRow& row : study.screening)
@@ -128,8 +130,9 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
     const std::string says = recommendation(study);
     CAPTURE(says);
     CHECK((says.find("of the energy that moved has no account, which the run warns of") !=
-           std::string::npos) == (share > 1e-4));
-    CHECK((says.find("1.6e-04 of the energy") != std::string::npos) == (share > 1e-4));
+           std::string::npos) == (share > results::kMovedWarning));
+    CHECK((says.find("1.6e-04 of the energy") != std::string::npos) ==
+          (share > results::kMovedWarning));
     CHECK(says.find("rk4, tol 0.0001, stpMax as stable: the cheapest within 1 % over 50 turns") ==
           0);
     CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
@@ -141,7 +144,8 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
   CHECK(recommendation(study).find("None of the settings keeps within 1 %") == 0);
 }
 
-TEST_CASE("a study whose budget ends early ends within it and says what grew", "[unit][accuracy]") {
+TEST_CASE("a study whose budget ends early ends within it and says what grew",
+          "[unit][accuracy][slow]") {
   AccuracyRequest request = short_study();
   request.methods = {"rkf5", "rk4"};
   request.tolerances = {1e-5};

@@ -122,7 +122,7 @@ TEST_CASE("A load that turns is not compared, and of a free race it is not said 
 TEST_CASE("A race in balance that misses its load by more than 1 % is told with its cause",
           "[unit][results]") {
   bearing::Bearing bearing;
-  bearing.constraints.load = {1000.0, 0.0, 0.0, 0.0, 0.0};
+  bearing.constraints.load = {1000.0, 0.0, 100.0, 0.0, 0.0};
   scene::ScenePlan plan;
   plan.effects.push_back({scene::Effect::RaceBalance, "race balance", true, "mode = 2"});
   const auto told = [&](double carried) {
