@@ -16,7 +16,7 @@ struct SystemOptions {
   /// Hertz constants of balls follow their contact angle (contact/angle_law.hpp); otherwise they
   /// are frozen at the mean angle of the static solution.
   bool moving_angle = true;
-  bool single_films = false;     ///< films of elements and races by floats (facade/film_precision.hpp)
+  bool single_films = false;     ///< films by floats (facade/film_precision.hpp)
   double contact_damping = 0.0;  ///< α of dynamics/effects/contact_damping.cpp [s/m]; 0: elastic
   /// Laws of the user in the place of built-in ones; null: none.
   std::shared_ptr<UserLaws> user;

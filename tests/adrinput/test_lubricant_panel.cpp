@@ -36,7 +36,7 @@ TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
   CHECK(contact->critical_film == Approx(1e-8));
   CHECK(contact->metal[1] == Approx(0.06));  // record 10.1C of the example
   CHECK(contact->metal_type == 1);
-  deck.set("kTracType", "0");  // two slopes: the curve where the film breaks down is the deck's, too
+  deck.set("kTracType", "0");  // two slopes where the film breaks down
   deck.complete();
   deck.set("reRaceTC2", "0.07");
   const auto other = adrinput::lubricant_contact(deck);

@@ -138,13 +138,22 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
     CHECK(says.find("the deck's own settings take 4 s") != std::string::npos);
     CHECK(says.find("irregular") == std::string::npos);
   }
+  AccuracyRow warned = study.finals[1];
+  study.finals[1].energy_share = 1e-6;
+  warned.setting.name = "pece2, tol 1e-7";
+  warned.seconds = 0.5;
+  warned.energy_share = 3e-4;
+  study.finals.push_back(warned);
+  CHECK(recommendation(study).find(
+            "pece2, tol 1e-7 is cheaper (0.5 s), but 3.0e-04 of its energy has no account") !=
+        std::string::npos);
   study.long_reference.noise.heat = 0.04;
   CHECK(recommendation(study).find("two accurate runs differ by 4 %") != std::string::npos);
   study.recommended = -1;
   CHECK(recommendation(study).find("None of the settings keeps within 1 %") == 0);
 }
 
-TEST_CASE("a study whose budget ends early ends within it and says what grew",
+TEST_CASE("a study whose budget ends early tells the growth between its spans",
           "[unit][accuracy][slow]") {
   AccuracyRequest request = short_study();
   request.methods = {"rkf5", "rk4"};
@@ -154,26 +163,54 @@ TEST_CASE("a study whose budget ends early ends within it and says what grew",
   request.budget = 3.0;
   const AccuracyStudy study = study_accuracy(request);
   CHECK(study.complete);
-  CHECK(study.seconds < 1.2 * request.budget);  // the last references are not cut
   REQUIRE(study.long_turns < request.turns);
-  CHECK(study.long_turns > study.short_turns);
   REQUIRE_FALSE(study.finals.empty());
-  int measured = 0;
-  for (const AccuracyRow& row : study.finals) {
+  for (const AccuracyRow& row : study.finals)
     for (const AccuracyRow& before : study.screening) {
       if (before.setting.name != row.setting.name || !row.failure.empty()) continue;
-      if (row.turns - before.turns < 1.0) continue;
-      ++measured;
+      if (row.turns - before.turns < 1.0) {  // on a slow machine
+        CHECK(row.growth == 0.0);
+        continue;
+      }
       CHECK(before.energy_share * std::pow(row.growth, row.turns - before.turns) ==
             Approx(row.energy_share).epsilon(1e-6).margin(1e-12));
     }
-  }
-  CHECK(measured > 0);
-  const std::string table = accuracy_table(study);
-  CHECK(table.find("Measured growth (") != std::string::npos);
-  CHECK(table.find(" times a turn.") != std::string::npos);
+  CHECK(accuracy_table(study).find("1000 turns were asked for; the budget pays for") !=
+        std::string::npos);
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(accuracy_table(read) == accuracy_table(study));
+}
+
+TEST_CASE("growth is told of a row that came to its end in both rounds", "[unit][accuracy]") {
+  AccuracyStudy study;
+  study.asked = 50.0;
+  study.short_turns = 1.0;
+  study.long_turns = 3.0;
+  AccuracyRow own;
+  own.setting.own = true;
+  own.setting.name = "deck's own";
+  own.turns = 1.0;
+  own.energy_share = 1e-6;
+  own.errors = {0.001, 0.001, 0.001, 0.001};
+  study.screening = {own};
+  own.turns = 3.0;
+  own.energy_share = 4e-6;
+  own.growth = 2.0;
+  study.finals = {own};
+  const auto told = [&] { return accuracy_table(study); };
+  CHECK(told().find("from 1 to 3 turns its error went from 0.1 % to 0.1 %, its energy without "
+                    "account from 1.0e-06 to 4.0e-06 of what moved, 2 times a turn.") !=
+        std::string::npos);
+  SECTION("a row that was cut has none") {
+    study.finals[0].failure = "cut";
+    study.finals[0].energy_share = study.finals[0].growth = 0.0;
+    CHECK(told().find("growth (") == std::string::npos);
+  }
+  SECTION("of one span none can be") {
+    study.long_turns = study.finals[0].turns = 1.0;
+    CHECK(told().find("No growth could be measured: both rounds have one span.") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("a study that is stopped comes back as far as it got", "[unit][accuracy]") {
