@@ -1,5 +1,6 @@
 #include "adrinput/accuracy_panel.hpp"
 
+#include "adrinput/window_words.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/listing_view.hpp"
 
@@ -131,7 +132,7 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
         try {
           end->study = function(request, row_done, std::move(token));
         } catch (const std::exception& error) {
-          end->failure = error.what();
+          end->failure = in_window_words(error.what());
         }
       },
       [this, end] { show(end->study, QString::fromStdString(end->failure)); });

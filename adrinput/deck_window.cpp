@@ -72,7 +72,7 @@ QScrollArea* scrolled(QWidget* panel) {
 }  // namespace
 
 DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
-  desktop::take_files_anywhere(*this);
+  desktop::take_files_anywhere(*this, [this](const QStringList& files) { openDropped(files); });
   desktop::open_at_size(*this, {1280, 860});
   check_ = new QTimer(this);
   check_->setSingleShot(true);

@@ -110,10 +110,9 @@ class DeckWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
 
  private:
+  void openDropped(const QStringList& files);
   void makeCentre();
   void makeDrawing();
   QWidget* makeButtons();

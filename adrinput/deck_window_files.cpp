@@ -25,7 +25,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
@@ -405,17 +404,10 @@ void DeckWindow::closeEvent(QCloseEvent* event) {
   });
 }
 
-void DeckWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void DeckWindow::dropEvent(QDropEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.isEmpty()) return;
-  event->acceptProposedAction();
-  const QString name = urls.front().toLocalFile();
-  if (is_study(name.toStdString())) return openStudyFile(name.toStdString());
-  leaveDeck([this, name] { openFile(name.toStdString()); });
+void DeckWindow::openDropped(const QStringList& files) {
+  const std::string name = files.front().toStdString();
+  if (is_study(name)) return openStudyFile(name);
+  leaveDeck([this, name] { openFile(name); });
 }
 
 }  // namespace adore::adrinput

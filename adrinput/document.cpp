@@ -2,6 +2,7 @@
 
 #include "adrinput/options_page.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/window_words.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
@@ -396,6 +397,10 @@ void Document::check_model() {
       issue.message = error.what();
       found.issues.push_back(std::move(issue));
     }
+  for (Issue& issue : found.issues) {
+    issue.message = in_window_words(std::move(issue.message));
+    issue.remedy = in_window_words(std::move(issue.remedy));
+  }
   model_issues_ = std::move(found.issues);
   if (examined) refusals_ = std::move(found.refusals);
   unused_.clear();

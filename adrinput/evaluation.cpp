@@ -1,5 +1,6 @@
 #include "adrinput/evaluation.hpp"
 
+#include "adrinput/window_words.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/listing_view.hpp"
 #include "facade/effect_costs.hpp"
@@ -54,7 +55,7 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
 Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
                    const RunOptionValues& options) {
   const facade::Prepared ready = prepared(deck, path, options);
-  std::string text = facade::plan_text(ready, facade::plan_with_estimates(ready));
+  std::string text = in_window_words(facade::plan_text(ready, facade::plan_with_estimates(ready)));
   const std::string costs = facade::effect_costs_text(ready);
   if (!costs.empty()) text += "\n" + costs;
   return {{}, std::move(text)};
@@ -132,7 +133,7 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
         try {
           outcome->result = function(deck, path, options);
         } catch (const std::exception& error) {
-          outcome->result.text = error.what();
+          outcome->result.text = in_window_words(error.what());
           outcome->failed = true;
         }
       },

@@ -104,10 +104,9 @@ void LubricantPanel::showPage() {
               "quasi-static solution (F6) shows its films and friction"
             : "kTrac on record 10.0 names no lubricant of the table (1 to 20 but 9)"));
   try {
-    desktop::ChartPage page =
-        desktop::lubricant_pages(*contact).at(static_cast<std::size_t>(pages_->currentIndex()));
+    desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
+                                  .at(static_cast<std::size_t>(pages_->currentIndex()));
     // There is little room: what is drawn stands in the list above, doubts come before conditions.
-    page.title = page.title.substr(0, page.title.rfind(": "));
     page.note += (page.note.empty() ? "" : "; ") + page.subtitle;
     page.subtitle.clear();
     chart_->showPage(page);

@@ -2,6 +2,7 @@
 
 #include "adrinput/document.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/window_words.hpp"
 #include "base/atomic_file.hpp"
 #include "facade/option_file.hpp"
 
@@ -28,6 +29,7 @@ Options that_differ(const Options& given) {
 }
 
 std::string sentence(std::string clause) {
+  clause = in_window_words(std::move(clause));
   if (!clause.empty() && clause[0] >= 'a' && clause[0] <= 'z')
     clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
   return clause + ".";

@@ -1,6 +1,5 @@
 #include "adrinput/run_panel.hpp"
 
-#include "adrinput/viewers.hpp"
 #include "adrinput/window_words.hpp"
 #include "base/duration.hpp"
 #include "desktop/dialogs.hpp"
@@ -48,7 +47,7 @@ QString report(const facade::RunOutcome& outcome) {
                         outcome.energy_scale);
   text += fmt::format("Files in {}:\n ", outcome.folder.string());
   for (const auto& file : outcome.files) text += " " + file.filename().string();
-  return from(text);
+  return from(in_window_words(text));
 }
 
 QString headline_of(const facade::RunOutcome& outcome) {
@@ -58,18 +57,19 @@ QString headline_of(const facade::RunOutcome& outcome) {
                         outcome.steps, outcome.revolutions, outcome.time,
                         duration_text(outcome.seconds))
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
+  const std::string message = in_window_words(outcome.message);
   switch (outcome.status) {
     case facade::RunStatus::Done:
       // A message says that there was nothing left to do.
-      return from("Done: " + (outcome.message.empty() ? done : outcome.message + "."));
+      return from("Done: " + (message.empty() ? done : message + "."));
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);
     case facade::RunStatus::Untrusted:
-      return from("Done, but not to be trusted: " + outcome.message + ". " + done);
+      return from("Done, but not to be trusted: " + message + ". " + done);
     case facade::RunStatus::Failed:
       break;
   }
-  return from("The run gave up: " + outcome.message + " The files are valid up to then. " + done);
+  return from("The run gave up: " + message + " The files are valid up to then. " + done);
 }
 
 /// The first folder "<stem>-001" and on that is not there yet.
@@ -301,7 +301,8 @@ void RunPanel::show(const RunEnd& end) {
                     ? tr("The sweep is done.")
                     : tr("The sweep is over; some of its runs have no result.");
     QString text = tr("Table: %1\n").arg(from(end.sweep->table.string()));
-    for (const Issue& issue : end.sweep->warnings) text += from(issue.text()) + "\n";
+    for (const Issue& issue : end.sweep->warnings)
+      text += from(in_window_words(issue.text())) + "\n";
     view_->setPlainText(text);
   } else {
     headline_ = tr("The deck was not run, for this reason:");

@@ -2,13 +2,13 @@
 
 #include "adrinput/evaluation.hpp"
 #include "adrinput/solver_run.hpp"
+#include "adrinput/viewers.hpp"
 #include "deck/deck.hpp"
 
 #include <QStringList>
 #include <QWidget>
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 
 class QCheckBox;
@@ -28,7 +28,7 @@ class RunPanel : public QWidget {
   explicit RunPanel(QWidget* parent = nullptr);
 
   /// Starts a viewer; desktop::start_program unless a test looks on.
-  std::function<void(const QString& program, const QStringList& arguments)> launch;
+  Launch launch;
 
   /// Runs the deck file, whose content is `deck`, with the ADORE.json beside it, which holds
   /// `options`. Results go there too, in place of those that this panel computed before; others are

@@ -1,6 +1,6 @@
 #include "adrinput/study_panel.hpp"
 
-#include "adrinput/viewers.hpp"
+#include "adrinput/window_words.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
@@ -137,7 +137,7 @@ void StudyPanel::checkNow() {
           ? tr("%1%2 runs. The study has no mistake that shows before it starts.")
                 .arg(document_.kind() == studies::Kind::WorstCase ? tr("At most ") : QString())
                 .arg(finding_.runs)
-          : from(finding_.problem));
+          : from(in_window_words(finding_.problem)));
   enableButtons();
   emit checked();
 }
@@ -201,17 +201,17 @@ void StudyPanel::show(const studies::StudyProgress& progress) {
                                     : 0);
   QString text = from(studies::progress_text(progress));
   if (!progress.last_failure.empty())
-    text += tr("\nLast failure: %1").arg(from(progress.last_failure));
+    text += tr("\nLast failure: %1").arg(from(in_window_words(progress.last_failure)));
   note_->setText(text);
 }
 
 void StudyPanel::show(const StudyEnd& end) {
   bar_->setRange(0, kBarSteps);
   bar_->setValue(0);
-  view_->setPlainText(from(end.text));
+  view_->setPlainText(from(in_window_words(end.text)));
   bool over_budget = end.over_budget;
   if (!end.reason.empty()) {
-    note_->setText(from(end.reason));
+    note_->setText(from(in_window_words(end.reason)));
   } else if (end.interrupted) {
     note_->setText(tr("Cancelled; runs that were finished are recorded."));
   } else if (end.plan) {
@@ -259,7 +259,7 @@ void StudyPanel::showStatus() {
                                     : complete_    ? "complete"
                                                    : "Resume goes on with the others")));
     std::string failures;
-    for (const std::string& text : status.diagnoses) failures += text + "\n";
+    for (const std::string& text : status.diagnoses) failures += in_window_words(text) + "\n";
     view_->setPlainText(from(failures));
   } catch (const std::exception&) {
     // Never started, or with mistakes that the check says.

@@ -2,11 +2,10 @@
 
 #include "adrinput/study_document.hpp"
 #include "adrinput/study_run.hpp"
+#include "adrinput/viewers.hpp"
 
 #include <QStringList>
 #include <QWidget>
-
-#include <functional>
 
 class QCheckBox;
 class QComboBox;
@@ -27,7 +26,7 @@ class StudyPanel : public QWidget {
   explicit StudyPanel(StudyDocument& document, QWidget* parent = nullptr);
 
   /// Starts AdrPlot; desktop::start_program unless a test looks on.
-  std::function<void(const QString& program, const QStringList& arguments)> launch;
+  Launch launch;
   /// `adore`, whose processes compute the runs.
   std::filesystem::path program;
 

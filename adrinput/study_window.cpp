@@ -6,6 +6,7 @@
 #include "adrinput/study_panel.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/file_drops.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
@@ -47,6 +48,9 @@ QString from(const std::string& text) { return QString::fromStdString(text); }
 StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   setObjectName("study-window");
   desktop::open_at_size(*this, {1280, 800});
+  desktop::take_files_anywhere(*this, [this](const QStringList& files) {
+    leave([this, name = files.front()] { openFile(name.toStdString()); });
+  });
   form_ = new StudyForm(document_, this);
   scroll_ = new QScrollArea(this);
   scroll_->setObjectName("study-form");

@@ -1,25 +1,47 @@
 #include "adrinput/window_words.hpp"
 
-#include <array>
 #include <string_view>
 #include <utility>
 
 namespace adore::adrinput {
 namespace {
 
-/// Longer ones first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kWords{{
+/// Whole sentences first, what an option is called in general last. Buttons and menus by their
+/// names; a program to be typed stays between its marks, where the window has nothing for it.
+constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"choose another folder with --out", "run it into a new folder (Shift+F7)"},
     {"name another one with --out", "run it into a new folder (Shift+F7)"},
     {"another folder with --out", "run it into a new folder (Shift+F7)"},
     {"go on with that run with --continue, replace its results with --overwrite",
-     "go on with that run (Continue), replace its results"},
-    {"go on with --continue", "go on with that run (Continue)"},
+     "go on with that run (Continue the run), replace its results"},
+    {"--continue: the deck ", "Continue the run: the deck "},
+    {"there is nothing to go on with; leave it out", "there is nothing to go on with; run it (F7)"},
+    {"go on with --continue", "go on with that run (Continue the run)"},
     {"without --continue, with --overwrite if files are left", "anew, and replace what is left"},
+    {", and --overwrite if files are left", ", and replace what is left"},
     {", with --overwrite", ", and replace what is left"},
     {" with --overwrite", " and replace what is left"},
     {"--until, ", ""},
-}};
+    {" unless `--until` says how far", ""},
+    {", or --tol)", ")"},
+    {"; --reproducible gives", "; `adore run --reproducible` gives"},
+    {"adore run --verify tells", "Accuracy (F9) tells"},
+    {"give only one --set with a range", "give only one"},
+    {"; the equilibrium alone: --set mode=-1",
+     "; the equilibrium alone: Run quasi-static now (F6), or mode = -1"},
+    {" with --user PLUG-IN", " on the command line (`adore run --user PLUG-IN`)"},
+    {" of --user ", " of `adore run --user` "},
+    {"give --over-budget", "press Start all the same"},
+    {"then --retry-failed", "then press Retry failed"},
+    {" with --retry-failed", " with Retry failed"},
+    {"give fewer --workers", "make fewer runs at a time"},
+    {"with --workers 1", "with one run at a time"},
+    {"`adore study resume --engine slurm`", "Resume"},
+    {"`adore study resume`", "Resume"},
+    {"--engine ", "engine "},
+    {" with --opt ", " with the run option "},
+    {"--set ", ""},
+};
 
 }  // namespace
 

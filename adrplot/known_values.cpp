@@ -58,13 +58,15 @@ KnownValues KnownColumns::values(const std::string& id) const {
     std::fill(out.values.begin(), out.values.end(), kNone);
     out.why_none = std::move(why);
   };
-  const auto drop = [&out](const std::vector<double>& where, auto absent) {
+  const auto drop = [&out](const std::vector<double>& where, auto absent) {  // is any gone now?
+    bool dropped = false;
     for (std::size_t i = 0; i < std::min(where.size(), out.values.size()); ++i)
-      if (absent(where[i])) out.values[i] = kNone;
+      if (absent(where[i])) {
+        dropped = dropped || std::isfinite(out.values[i]);
+        out.values[i] = kNone;
+      }
+    return dropped;
   };
-  const std::vector<double> y = stored("cage.y_over_clearance"),
-                            z = stored("cage.z_over_clearance");
-  const auto in_the_middle = [&](std::size_t i) { return y[i] == 0.0 && z[i] == 0.0; };
   const auto is_zero = [](double v) { return v == 0.0; };
   const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
   if (is("contact.film.")) {
@@ -74,12 +76,12 @@ KnownValues KnownColumns::values(const std::string& id) const {
   } else if (id == "power.churning_fraction") {
     if (zero(out.values)) nothing("No churning was computed in this run.");
   } else if (is("contact.angle.") || is("contact.spin_to_roll.") || is("contact.slip.")) {
+    bool open = false;
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
       if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))
-        drop(stored("contact.load" + behind(id, channel)), is_zero);
-    const auto known = std::count_if(out.values.begin(), out.values.end(),
-                                     [](double v) { return std::isfinite(v); });
-    if (known > 0 && known < std::ssize(out.values))
+        open = drop(stored("contact.load" + behind(id, channel)), is_zero);
+    if (open && std::any_of(out.values.begin(), out.values.end(),
+                            [](double v) { return std::isfinite(v); }))
       out.why_gaps = "no contact where its curve breaks off";
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
@@ -92,10 +94,13 @@ KnownValues KnownColumns::values(const std::string& id) const {
     const std::string land = id.substr(0, std::string("cage.land1").size());
     if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
       nothing(fmt::format("This cage has no guide land {}.", land.back()));
-    else if (id.ends_with("_angle"))  // a cage in the middle is nowhere nearest
-      for (std::size_t i = 0; i < out.values.size() && out.values[i] == 0.0 && in_the_middle(i);
-           ++i)
+    else if (id.ends_with("_angle")) {  // a cage in the middle is nowhere nearest
+      const std::vector<double> y = stored("cage.y_over_clearance"),
+                                z = stored("cage.z_over_clearance");
+      for (std::size_t i = 0;
+           i < out.values.size() && out.values[i] == 0.0 && y[i] == 0.0 && z[i] == 0.0; ++i)
         out.values[i] = kNone;
+    }
   } else if (is("pocket.position.")) {
     // Where a roller that lies along a wall is nearest to it is a matter of rounding.
     drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero);

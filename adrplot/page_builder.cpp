@@ -47,7 +47,8 @@ bool any_value(const std::vector<double>& values) {
 
 /// Panels of a page with its curves over the stored steps. A curve without any value leaves its
 /// reason in the panel, or in the page's note beside curves that have some.
-void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+/// @return why curves have gaps, a sentence each
+std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   const KnownColumns columns(file);
   std::vector<std::string> gaps;
   for (const auto& spec : page.panels) {
@@ -77,7 +78,7 @@ void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
     }
     chart.panels.push_back(std::move(panel));
   }
-  for (const std::string& gap : gaps) add_note(chart, gap);
+  return gaps;
 }
 
 /// Components of one force, moment or acceleration: what is below a ten-millionth of the largest is
@@ -140,7 +141,7 @@ void tell_zeros(ChartPage& chart) {
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
-  add_panels(chart, file, page);
+  for (const std::string& gap : add_panels(chart, file, page)) add_note(chart, gap);
   limit_detail(chart);
   tell_zeros(chart);
   for (std::size_t p = 0; p < page.panels.size(); ++p)

@@ -22,7 +22,7 @@ namespace adore::adrplot {
 
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
-  desktop::take_files_anywhere(*this);
+  desktop::take_files_anywhere(*this, [this](const QStringList& files) { openSeveral(files); });
   desktop::open_at_size(*this, {1280, 860});
 
   tree_ = new QTreeWidget(this);
@@ -80,12 +80,18 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     if (!item || item->data(0, kPageRole).toInt() < 1) return;
     current_ = item->data(0, kFileRole).toInt();
     page_ = item->data(0, kPageRole).toInt();
+    values_.clear();  // of the page before
     showCurrent();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
-  connect(view_, &desktop::ChartView::readoutChanged, this,
-          [this](const QString& text) { readout_->setText(fittedReadout(text)); });
-  connect(view_, &desktop::ChartView::curvesChanged, this, &PlotWindow::fitReadout);
+  connect(view_, &desktop::ChartView::readoutChanged, this, [this](const QStringList& values) {
+    values_ = values;
+    readout_->setText(fittedReadout());
+  });
+  connect(view_, &desktop::ChartView::curvesChanged, this, [this] {
+    values_.clear();  // of other curves
+    fitReadout();
+  });
   showCurrent();
 }
 
@@ -188,27 +194,29 @@ void PlotWindow::fitReadout() {
   // The chart stays the larger part beside what very many curves tell.
   readout_->setFixedHeight(
       std::min(height + 2, std::max(metrics.lineSpacing() + 2, this->height() / 5)));
+  readout_->setText(fittedReadout());
 }
 
 /// As many values as there is room for, and how many are left out.
-QString PlotWindow::fittedReadout(const QString& text) const {
+QString PlotWindow::fittedReadout() const {
   const QFontMetrics metrics(readout_->font());
   constexpr int kMostHeight = 100000;
-  const auto fits = [&](const QString& words) {
-    const QRect room(0, 0, std::max(100, readout_->width()), kMostHeight);
-    return metrics.boundingRect(room, Qt::TextWordWrap, words).height() <= readout_->height();
-  };
-  if (fits(text)) return text;
-  const QStringList values = text.split(", ");
+  const int width = std::max(100, readout_->width());
   const auto cut = [&](qsizetype count) {
-    return values.first(count).join(", ") + tr(" … %1 more").arg(values.size() - count);
+    const qsizetype left = values_.size() - count;
+    return values_.first(count).join("") + (left > 0 ? tr(" … %1 more").arg(left) : QString());
   };
-  qsizetype most = 1;
-  for (qsizetype beyond = values.size(); beyond - most > 1;) {
+  const auto fits = [&](qsizetype count) {
+    const QRect room(0, 0, width, kMostHeight);
+    return metrics.boundingRect(room, Qt::TextWordWrap, cut(count)).height() <= readout_->height();
+  };
+  if (fits(values_.size())) return cut(values_.size());
+  qsizetype most = 0;
+  for (qsizetype beyond = values_.size(); beyond - most > 1;) {
     const qsizetype middle = (most + beyond) / 2;
-    (fits(cut(middle)) ? most : beyond) = middle;
+    (fits(middle) ? most : beyond) = middle;
   }
-  return cut(most);
+  return most > 0 ? cut(most) : metrics.elidedText(cut(1), Qt::ElideMiddle, width);
 }
 
 /// What the cursors tell, in a third of the window at most.

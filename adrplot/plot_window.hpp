@@ -77,8 +77,6 @@ class PlotWindow : public QMainWindow {
   void switchTheme();
 
  protected:
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -100,7 +98,7 @@ class PlotWindow : public QMainWindow {
   void fillTree();
   void showCurrent();
   void fitReadout();
-  [[nodiscard]] QString fittedReadout(const QString& text) const;
+  [[nodiscard]] QString fittedReadout() const;
   void fitCursors();
   void askForRange(const QString& path);
   [[nodiscard]] Document* document();
@@ -118,7 +116,8 @@ class PlotWindow : public QMainWindow {
   QLabel* note_;
   QLabel* cursors_;
   QScrollArea* cursors_area_;
-  QLabel* readout_;  ///< values under the mouse
+  QLabel* readout_;     ///< values under the mouse
+  QStringList values_;  ///< all of them, by part
   QTimer* growth_ = nullptr;
   std::unique_ptr<QProgressDialog> reading_;
   bool log_x_ = false, log_y_ = false;

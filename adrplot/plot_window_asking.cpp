@@ -3,10 +3,8 @@
 #include "adrplot/range_dialog.hpp"
 #include "desktop/dialogs.hpp"
 
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMimeData>
 #include <QSettings>
 
 #include <exception>
@@ -93,17 +91,6 @@ void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
   chart.pages = {{how == Combine::Difference ? "Differences" : "Chosen curves", PageKind::History}};
   chart.build = build;
   addDocument(std::move(chart), {}, false);
-}
-
-void PlotWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void PlotWindow::dropEvent(QDropEvent* event) {
-  QStringList paths;
-  for (const auto& url : event->mimeData()->urls()) paths << url.toLocalFile();
-  event->acceptProposedAction();
-  openSeveral(paths);
 }
 
 }  // namespace adore::adrplot

@@ -11,14 +11,12 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -41,7 +39,12 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AGORE");
   desktop::open_at_size(*this, {1320, 820});
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
-  desktop::take_files_anywhere(*this);
+  desktop::take_files_anywhere(*this, [this](const QStringList& files) {
+    if (files.size() > 1)
+      desktop::show_message(this, tr("One animation is shown at a time; drop a single SOL8 file."));
+    else
+      openFile(files.front().toStdString());
+  });
   canvas_ = new PictureWidget(this);
   auto* centre = new QWidget(this);
   auto* row = new QHBoxLayout(centre);
@@ -615,20 +618,6 @@ void AgoreWindow::switchTheme() {
   options_.dark = !options_.dark;
   desktop::apply_theme(options_.dark ? ThemeKind::Dark : ThemeKind::Light);
   refresh();
-}
-
-void AgoreWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void AgoreWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  event->acceptProposedAction();
-  if (urls.size() > 1) {
-    desktop::show_message(this, tr("One animation is shown at a time; drop a single SOL8 file."));
-    return;
-  }
-  openFile(urls.front().toLocalFile().toStdString());
 }
 
 void AgoreWindow::showFrame() {

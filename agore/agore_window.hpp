@@ -97,9 +97,6 @@ class AgoreWindow : public QMainWindow {
   void switchTheme();
 
  protected:
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
-
  private:
   QAction* add(QMenu* menu, const QString& text, const QString& name, const QKeySequence& key,
                std::function<void()> act);

@@ -158,11 +158,6 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
   ContactFrames out;
   out.load_unit = load->unit;
   out.slip_unit = slip->unit;
-  out.pocket_code = static_cast<int>(std::clamp(animation.motion->geometry().contains("pocket_code")
-                                                    ? animation.motion->geometry().at("pocket_code")
-                                                    : 0.0,
-                                                -1.0, 4.0));
-  out.roller_length = std::max(0.0, size_of(animation, "roller_length"));
   for (std::size_t i = 0; i < animation.frames(); ++i) {
     std::vector<ContactFrame>& contacts = out.frames.emplace_back(n);
     for (std::size_t k = 0; k < n; ++k)

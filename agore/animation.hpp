@@ -41,14 +41,11 @@ struct ContactFrame {
   std::array<double, 2> slip{};  ///< largest slip speed in the contact, in `slip_unit`
 };
 
-/// Contacts of all elements at the frames of a SOL8 file, and what that file lacks of the shape of
-/// the pockets.
+/// Contacts of all elements at the frames of a SOL8 file.
 struct ContactFrames {
   std::string load_unit, slip_unit;
   std::vector<std::vector<ContactFrame>> frames;  ///< [frame][element]
   double largest_load = 0.0;                      ///< over all frames and elements
-  int pocket_code = 0;                            ///< kPocType
-  double roller_length = 0.0;                     ///< in the file's unit; 0 for balls
   std::array<double, 2> largest_of_race{};        ///< of largest_load, by race
 };
 

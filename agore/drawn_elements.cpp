@@ -2,6 +2,8 @@
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,9 +42,12 @@ QString longest_load(const Scene& s, double load) {
                                 desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 
-std::string arrow_remark(const Scene& s, double length) {
+std::string load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour,
+                       double width) {
   constexpr double kSeen = 4.0;  // pixels
-  return length * s.sketch.scale() < kSeen ? ", too small for its arrow" : "";
+  if (QLineF(tail, tip).length() < kSeen) return ", too small for its arrow";
+  s.sketch.arrow(tail, tip, colour, width);
+  return {};
 }
 
 std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {

@@ -30,18 +30,16 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
     const QColor colour = s.sketch.theme().curves[j];
     const double length =
         all.largest_load > 0.0 ? longest * contact.load[j] / all.largest_load : 0.0;
-    if (length > 0.0) {
-      const QPointF tip = centre + side * radius * outward;
-      const QPointF tail = tip + side * length * outward;
-      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
-    }
+    const QPointF tip = centre + side * radius * outward;
+    const QPointF tail = tip + side * length * outward;
+    const std::string remark =
+        load_arrow(s, s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
     key.push_back(
         {contact.load[j] > 0.0 ? colour : QColor(),
          QString::fromStdString(
              contact.load[j] > 0.0
                  ? fmt::format("{}: load {}{}, slip {}", names[j],
-                               desktop::pretty_quantity(contact.load[j], all.load_unit, 4),
-                               arrow_remark(s, length),
+                               desktop::pretty_quantity(contact.load[j], all.load_unit, 4), remark,
                                desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
                  : fmt::format("{}: no contact", names[j]))});
   }

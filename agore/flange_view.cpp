@@ -12,18 +12,9 @@
 /// A roller between the flanges of one race, seen from outside: +x to the right. Gaps are
 /// magnified, and the factor stated.
 namespace adore::agore {
-namespace {
-
-double length_of(const Animation& animation) {
-  return animation.contacts && animation.contacts->roller_length > 0.0
-             ? animation.contacts->roller_length
-             : 2.0 * animation.file.geometry.element_radius;
-}
-
-}  // namespace
-
 double flange_picture_radius(const Animation& animation) {
-  return 0.95 * std::max(length_of(animation), 2.0 * animation.file.geometry.element_radius);
+  return 0.95 * std::max(2.0 * roller_profile(animation).half,
+                         2.0 * animation.file.geometry.element_radius);
 }
 
 void flange_view(const Scene& s) {
@@ -31,7 +22,8 @@ void flange_view(const Scene& s) {
   QPainter& p = s.sketch.painter();
   const auto k = static_cast<std::size_t>(s.options.element - 1);
   const std::size_t race = s.options.flange_race;
-  const double length = length_of(s.animation), radius = s.geometry().element_radius;
+  const RollerProfile roller = roller_profile(s.animation);
+  const double length = 2.0 * roller.half, radius = s.geometry().element_radius;
   // Drawn clearance of both ends together: a fifth of the length, for the widest of the run.
   const results::MotionChannel* gaps = s.animation.motion->channel("flange.gap");
   const results::MotionChannel* forces = s.animation.motion->channel("flange.force");
@@ -57,7 +49,7 @@ void flange_view(const Scene& s) {
   shade.setColorAt(1.0, t.steel_dark);
   p.setPen(QPen(t.steel_dark.darker(150), 1));
   p.setBrush(shade);
-  p.drawPath(turned.map(roller_profile(s.animation).outline()));
+  p.drawPath(turned.map(roller.outline()));
   std::vector<KeyEntry> key;
   for (std::size_t side = 0; side < 2; ++side) {
     if (!has_flange(s.animation, race, side)) continue;

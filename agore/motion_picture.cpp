@@ -38,7 +38,7 @@ QStringList present_values(const desktop::ChartPage& page, double time, double w
     }
   const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
   const QString whole = parts.join("   ");
-  if (metrics.horizontalAdvance(whole) <= width) return {whole};
+  if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) return {whole};
   QStringList lines;
   for (const QString& part : parts) {
     const QString longer = lines.isEmpty() ? part : lines.back() + "   " + part;

@@ -1,5 +1,5 @@
 #include "agore/pocket_outline.hpp"
-#include "agore/roller_outline.hpp"
+#include "agore/ring_profile.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
@@ -25,12 +25,14 @@ PocketOutline pocket_of(const Animation& animation) {
   PocketOutline pocket{.radius = g.element_radius,
                        .clearance_1 = factor * g.pocket_clearance_1,
                        .clearance_2 = factor * g.pocket_clearance_2};
-  if (animation.contacts) {
-    pocket.code = animation.contacts->pocket_code;
-    pocket.roller_length = animation.contacts->roller_length;
-    if (animation.file.bearing_type != 1) pocket.taper = roller_profile(animation).slope;
-  } else if (animation.file.bearing_type != 1) {
-    pocket.roller_length = 2.0 * g.element_radius;
+  if (animation.file.bearing_type == 1) {
+    constexpr double kLeast = -1.0, kMost = 4.0;  // of kPocType
+    pocket.code =
+        static_cast<int>(std::clamp(size_number(animation, "pocket_code"), kLeast, kMost));
+  } else {
+    const RollerProfile roller = roller_profile(animation);
+    pocket.roller_length = 2.0 * roller.half;
+    pocket.taper = roller.slope;
   }
   return pocket;
 }
@@ -55,7 +57,7 @@ void pocket_view(const Scene& s) {
   const double factor = pocket_factor(g);
   const PocketOutline pocket = pocket_of(s.animation);
   const bool rollers = s.animation.file.bearing_type != 1;
-  const bool shape_known = s.animation.contacts.has_value();
+  const bool shape_known = s.animation.motion != nullptr;
   const QSizeF hole = pocket_half(pocket);
   // From the pocket's centre, y up, to the picture.
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());

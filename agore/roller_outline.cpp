@@ -53,7 +53,13 @@ std::vector<QPointF> RollerProfile::meridian() const {
   };
   out = end(0);
   std::reverse(out.begin(), out.end());
-  const double first = -half + corner[0], last = half - corner[1];
+  // The side ends at its corner, or where a dome has come back further than that.
+  const auto body_end = [&](std::size_t k) {
+    const double way = k == 0 ? -1.0 : 1.0, before = half - corner[k];
+    const double widest = std::max(line(way * before), line(way * half));
+    return way * std::min(before, half - sagitta(dome[k], widest));
+  };
+  const double first = body_end(0), last = body_end(1);
   for (int i = 0; i <= kBody; ++i) {
     const double u = first + (last - first) * i / kBody;
     out.emplace_back(u, line(u));
@@ -77,12 +83,11 @@ QPainterPath RollerProfile::outline() const {
 RollerProfile roller_profile(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const bool tapered = animation.file.bearing_type >= 4;
-  const double sign =
-      nominal_lean(animation) * size_number(animation, "contact_angle") < 0.0 ? -1.0 : 1.0;
   RollerProfile out;
   out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
   out.radius = g.element_radius;
-  if (tapered) out.slope = std::tan(sign * size_number(animation, "roller_half_angle"));
+  // The large end is that towards -x (contact/roller_profile.hpp).
+  if (tapered) out.slope = -std::tan(size_number(animation, "roller_half_angle"));
   // What a crown of metres takes away cannot be seen.
   const double crown = size_length(animation, "roller_crown_radius");
   if (crown > out.half && crown < 40.0 * out.half) {

@@ -138,13 +138,13 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     s.sketch.painter().setPen(QPen(t.curves[j], 1, Qt::DashLine));
     s.sketch.painter().drawLine(cut.at(e.x, e.r), cut.at(tip.x(), tip.y()));
-    s.sketch.arrow(cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
+    const std::string remark =
+        load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
     key.push_back({t.curves[j], QString::fromStdString(fmt::format(
                                     "{}: {} at {}°{}", names[j],
                                     desktop::pretty_quantity(contact.load[j],
                                                              s.animation.contacts->load_unit, 4),
-                                    desktop::tick_text(angle * 180.0 / kPi, 2),
-                                    arrow_remark(s, 0.75 * part * g.element_radius)))});
+                                    desktop::tick_text(angle * 180.0 / kPi, 2), remark))});
   }
   draw_key(s, key,
            QString::fromStdString(fmt::format(

@@ -9,7 +9,10 @@
 /// The bearing in space: what cannot be seen along its axis (contact angle, skew, tilt of rollers
 /// and cage). Parallel projection; the outer race is cut open towards the viewer. Races are to
 /// scale; the clearances of elements and cage are magnified like those of the bearing view, and
-/// skew and tilt of rollers by a factor of their own; both are stated.
+/// skew and tilt of rollers by a factor of their own; both are stated. Pockets are as wide in the
+/// middle of the cage's height as everywhere: what a sphere or a cone has more or less at its edges
+/// is in the section view alone, as are the domes of rollers, whose ends are flat here and whose
+/// corners are chamfers.
 namespace adore::agore {
 
 /// Where the viewer stands, far away: directions of the picture in the bearing's axes.

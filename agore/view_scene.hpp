@@ -72,8 +72,10 @@ struct TrailPoint {
 /// not be in the frame that is drawn.
 [[nodiscard]] QString longest_load(const Scene& scene, double load);
 
-/// What a key adds to a load whose arrow of `length` is too short to be seen.
-[[nodiscard]] std::string arrow_remark(const Scene& scene, double length);
+/// Draws the arrow of a load onto the place `tip` from `tail` in the picture where it is long
+/// enough to be seen; returns what the key adds where it is not.
+std::string load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& colour,
+                       double width);
 
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});
@@ -81,14 +83,13 @@ void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});
 void draw_elements(const Scene& scene);
 /// Marks where the cage touches them, and their numbers.
 void draw_contact_marks(const Scene& scene);
-/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths; returns the
-/// enlargement. Without a reference length it is drawn about its middle, which is not magnified:
-/// only motion is. A body that moves less than an atom's size stands still: 0. `now`: where its
-/// centre is there.
 struct DrawnOrbit {
-  double enlargement = 0.0;
-  QPointF now{0.0, 0.0};
+  double enlargement = 0.0;  ///< 0: the body stands still
+  QPointF now{0.0, 0.0};     ///< where its centre is in the picture
 };
+/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths. Without a reference
+/// length it is drawn about its middle, which is not magnified: only motion is. A body that moves
+/// less than an atom's size stands still.
 DrawnOrbit draw_orbit(const Scene& scene, double radius, double reference,
                       std::vector<QPointF> orbit);
 

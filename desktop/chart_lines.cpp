@@ -12,18 +12,18 @@
 namespace adore::desktop {
 namespace {
 
-/// A line of a chart, not beyond its area.
+/// The parts of a line of a chart, not beyond its area.
 class LineItem : public QGraphicsItem {
  public:
-  LineItem(QPolygonF line, const QRectF& area, QPen pen)
-      : line_(std::move(line)), area_(area), pen_(std::move(pen)) {}
+  LineItem(std::vector<QPolygonF> parts, const QRectF& area, QPen pen)
+      : parts_(std::move(parts)), area_(area), pen_(std::move(pen)) {}
   [[nodiscard]] QRectF boundingRect() const override { return area_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    draw_line(*painter, line_, area_, pen_);
+    for (const QPolygonF& part : parts_) draw_line(*painter, part, area_, pen_);
   }
 
  private:
-  QPolygonF line_;
+  std::vector<QPolygonF> parts_;
   QRectF area_;
   QPen pen_;
 };
@@ -78,8 +78,23 @@ bool lies_on(const QPolygonF& line, const QPolygonF& other) {
   return true;
 }
 
-bool coincide(const std::vector<QPolygonF>& a, const std::vector<QPolygonF>& b) {
+/// Lowest and highest place of each line.
+std::vector<Extent> extents_of(const std::vector<QPolygonF>& lines) {
+  std::vector<Extent> out(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const QPointF& p : lines[i]) out[i].include(p.y());
+  return out;
+}
+
+/// Is nothing to be seen of the lines `a` beside the lines `b`, nor of `b` beside `a`? Curves that
+/// run to and fro within the same bounds cover each other, whatever their values are.
+bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other) {
+  const std::vector<QPolygonF>&a = one.lines, &b = other.lines;
   if (a.empty() || a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)  // soon decided
+    if (std::abs(one.extents[i].low - other.extents[i].low) > kSame ||
+        std::abs(one.extents[i].high - other.extents[i].high) > kSame)
+      return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::abs(a[i].front().x() - b[i].front().x()) > 1.0 ||
         std::abs(a[i].back().x() - b[i].back().x()) > 1.0 || !lies_on(a[i], b[i]) ||
@@ -89,13 +104,41 @@ bool coincide(const std::vector<QPolygonF>& a, const std::vector<QPolygonF>& b) 
   return true;
 }
 
+/// The parts of a line inside `area`.
+std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
+  std::vector<QPolygonF> out;
+  bool joined = false;  // the last part goes on
+  for (qsizetype i = 1; i < line.size(); ++i) {
+    const QPointF p = line[i - 1], way = line[i] - p;
+    double from = 0.0, to = 1.0;
+    const auto keep = [&](double start, double length, double low, double high) {
+      if (length == 0.0) return start >= low && start <= high;
+      const double a = (low - start) / length, b = (high - start) / length;
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+      return from <= to;
+    };
+    if (!keep(p.x(), way.x(), area.left(), area.right()) ||
+        !keep(p.y(), way.y(), area.top(), area.bottom())) {
+      joined = false;
+      continue;
+    }
+    if (!joined || from > 0.0) out.push_back({p + from * way});
+    out.back().append(p + to * way);
+    joined = to == 1.0;
+  }
+  return out;
+}
+
 /// The parts of a line that are left to the curve that lies above: every `of`-th of stripes across
 /// the picture, so that a spike shows both. They stand upright where the line is so long, a dense
 /// run back and forth, that its parts were very many.
-std::vector<QPolygonF> stretches(const QPolygonF& line, int of) {
+std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& area) {
   constexpr qreal kWide = 9.0, kLong = 20000.0;
+  const std::vector<QPolygonF> lines = parts_inside(whole, area);
   qreal length = 0.0;
-  for (qsizetype i = 1; i < line.size(); ++i) length += std::abs(line[i].y() - line[i - 1].y());
+  for (const QPolygonF& line : lines)
+    for (qsizetype i = 1; i < line.size(); ++i) length += std::abs(line[i].y() - line[i - 1].y());
   const qreal slant = length < kLong ? 1.0 : 0.0;
   std::vector<QPolygonF> out;
   QPolygonF piece;
@@ -104,42 +147,52 @@ std::vector<QPolygonF> stretches(const QPolygonF& line, int of) {
     if (piece.size() > 1) out.push_back(piece);
     piece.clear();
   };
-  for (qsizetype i = 0; i < line.size(); ++i) {
-    const QPointF q = line[i];
-    const qreal to = (q.x() + slant * q.y()) / kWide;
-    if (i > 0) {
-      const QPointF p = line[i - 1];
-      const qreal from = (p.x() + slant * p.y()) / kWide;
-      const long last = static_cast<long>(std::floor(to)), way = to > from ? 1 : -1;
-      for (long s = static_cast<long>(std::floor(from)); s != last; s += way) {
-        const qreal edge = static_cast<qreal>(way > 0 ? s + 1 : s);
-        const QPointF at = p + (edge - from) / (to - from) * (q - p);
-        if (mine(s)) piece.append(at);
-        flush();
-        if (mine(s + way)) piece.append(at);
+  for (const QPolygonF& line : lines) {
+    for (qsizetype i = 0; i < line.size(); ++i) {
+      const QPointF q = line[i];
+      const qreal to = (q.x() + slant * q.y()) / kWide;
+      if (i > 0) {
+        const QPointF p = line[i - 1];
+        const qreal from = (p.x() + slant * p.y()) / kWide;
+        const long last = static_cast<long>(std::floor(to)), way = to > from ? 1 : -1;
+        for (long s = static_cast<long>(std::floor(from)); s != last; s += way) {
+          const qreal edge = static_cast<qreal>(way > 0 ? s + 1 : s);
+          const QPointF at = p + (edge - from) / (to - from) * (q - p);
+          if (mine(s)) piece.append(at);
+          flush();
+          if (mine(s + way)) piece.append(at);
+        }
       }
+      if (mine(static_cast<long>(std::floor(to)))) piece.append(q);
     }
-    if (mine(static_cast<long>(std::floor(to)))) piece.append(q);
+    flush();
   }
-  flush();
   return out;
 }
 
-/// The same values in the view, to the digits of a file.
-bool equal_values(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to) {
-  constexpr double kDigits = 1e-6;
-  for (std::size_t i = from; i < std::min({to, a.y.size(), b.y.size()}); ++i) {
-    const double p = a.y[i], q = b.y[i];
-    if (std::isnan(p) && std::isnan(q)) continue;
-    if (!(std::abs(p - q) <= kDigits * std::max(std::abs(p), std::abs(q)))) return false;
+/// Do curves and their bands agree from place `from` to before `to`, by what `same` says of two
+/// values?
+template <class Same>
+bool agree(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to, Same same) {
+  for (const auto values : {&ChartCurve::y, &ChartCurve::low, &ChartCurve::high}) {
+    const std::vector<double>&p = a.*values, &q = b.*values;
+    if (p.size() != q.size()) return false;
+    for (std::size_t i = from; i < std::min(to, p.size()); ++i)
+      if (!(std::isnan(p[i]) && std::isnan(q[i])) && !same(p[i], q[i])) return false;
   }
   return true;
+}
+
+/// To the digits of a file.
+bool equal_values(double p, double q) {
+  constexpr double kDigits = 1e-6;
+  return std::abs(p - q) <= kDigits * std::max(std::abs(p), std::abs(q));
 }
 
 }  // namespace
 
 std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, const QRectF& area,
-                                                            const AxisScale& y_axis) const {
+                                                            const AxisScale& y_axis) {
   const ChartPanel& panel = page_.panels[index];
   std::vector<ShownCurve> out;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
@@ -157,12 +210,12 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
                                    blocks_.empty() || panel.log ? nullptr : &blocks_[index][c]);
     for (const Polyline& piece : shown.pieces)
       shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
+    shown.extents = extents_of(shown.lines);
     if (rising_ && !panel.one_colour)
       for (ShownCurve& before : out) {
-        if (before.hides || !coincide(before.lines, shown.lines)) continue;
-        const auto [from, to] = places_between(page_.x, low_, high_);
+        if (before.hides || !coincide(before, shown)) continue;
         shown.hides = before.curve;
-        shown.equal = equal_values(panel.curves[before.curve], curve, from, to);
+        shown.alike = alikeInView(index, before.curve, c, y_axis, area.height());
         shown.later = ++before.later;
         break;
       }
@@ -171,30 +224,52 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
   return out;
 }
 
+ChartScene::Alike ChartScene::alikeInView(std::size_t index, std::size_t a, std::size_t b,
+                                          const AxisScale& y_axis, qreal height) {
+  const ChartPanel& panel = page_.panels[index];
+  const ChartCurve &one = panel.curves[a], &other = panel.curves[b];
+  const auto [known, unknown] = equal_runs_.try_emplace({index, a, b}, false);
+  if (unknown) known->second = agree(one, other, 0, page_.x.size(), equal_values);
+  if (known->second) return Alike::Equal;
+  const auto [from, to] = places_between(page_.x, low_, high_);
+  const double pixel = (y_axis.max - y_axis.min) / height;
+  const auto near = [&](double p, double q) {
+    const bool p_shown = !panel.log || p > 0.0, q_shown = !panel.log || q > 0.0;
+    return p_shown && q_shown ? std::abs(y_axis.shown(p) - y_axis.shown(q)) <= pixel
+                              : p_shown == q_shown;
+  };
+  if (!agree(one, other, from, to, near)) return Alike::Covers;
+  return agree(one, other, from, to, equal_values) ? Alike::Equal : Alike::Near;
+}
+
 void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                           const AxisScale& y_axis, const Metrics& m) {
   const QPen pen = penOf(shown.colour, m.line, panel.curves[shown.curve].dashed);
-  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
-    if (shown.hides)
-      for (QPolygonF& part : stretches(shown.lines[i], shown.later + 1))
-        addWay(std::move(part), area, pen);
-    else
-      addWay(shown.lines[i], area, pen);
-    if (!lines_.empty()) ++lines_.back();
+  std::vector<QPolygonF> parts;
+  const qreal margin = 2.0 + 2.0 * m.line;  // ends of cut strokes are not seen
+  for (const QPolygonF& line : shown.lines)
+    for (QPolygonF& part : shown.hides ? stretches(line, shown.later + 1,
+                                                   area.adjusted(-margin, -margin, margin, margin))
+                                       : std::vector{line})
+      parts.push_back(std::move(part));
+  addWay(std::move(parts), area, pen);
+  if (!lines_.empty()) lines_.back() += static_cast<int>(shown.lines.size());
+  for (std::size_t i = 0; i < shown.pieces.size(); ++i) {
     // A value between gaps has no line: it is a point.
     if (page_.points || shown.pieces[i].x.size() == 1)
       addPoints(shown.pieces[i], area, x_axis_, y_axis, shown.colour, m.line);
   }
 }
 
-void ChartScene::addWay(QPolygonF line, const QRectF& area, QPen pen) {
-  addItem(new LineItem(std::move(line), area.adjusted(-1, -1, 1, 1), std::move(pen)));
+void ChartScene::addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen) {
+  if (!parts.empty())
+    addItem(new LineItem(std::move(parts), area.adjusted(-1, -1, 1, 1), std::move(pen)));
 }
 
 QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                                const AxisScale& y_axis, QPen pen) {
   QPolygonF points = placed(line, area, x_axis, y_axis);
-  addWay(points, area, std::move(pen));
+  addWay({points}, area, std::move(pen));
   if (!lines_.empty()) ++lines_.back();
   return points;
 }

@@ -59,6 +59,7 @@ void ChartScene::studyCurves() {
   constexpr std::size_t kLong = 8192;
   const std::vector<double>& x = page_.x;
   blocks_.clear();
+  equal_runs_.clear();
   rising_ = !page_.equal_axes && !x.empty() && std::is_sorted(x.begin(), x.end()) &&
             std::all_of(x.begin(), x.end(), [](double value) { return is_drawable(value); });
   if (!rising_ || x.size() < kLong) return;
@@ -169,32 +170,36 @@ QString told(const std::string& name, const QString& value) {
 
 }  // namespace
 
-QString ChartScene::readout(QPointF position) const {
+QStringList ChartScene::readoutParts(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
-    return (
+    return {
         runs.size() == 1
             ? tr("run %1: a click shows it").arg(runs.front())
-            : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front()));
+            : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front())};
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
   const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
-  QString text = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
+  const QString place = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
+  QStringList parts;
   for (const ChartPanel& panel : page_.panels) {
-    QStringList values;
+    bool first = true;
     for (const auto& curve : panel.curves) {
       if (i >= curve.y.size() || curve.hidden) continue;
       const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, 5));
-      values << (curve.name.empty() ? value : told(curve.name, value));
+      QString part = curve.name.empty() ? value : told(curve.name, value);
+      const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
+      const bool named = !panel.curves.front().name.empty();
+      if (first && titled)
+        part = named ? text_of(panel.title) + " " + part : told(panel.title, part);
+      parts << (first ? "   " : ", ") + part;
+      first = false;
     }
-    if (values.isEmpty()) continue;
-    const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
-    const bool named = !panel.curves.front().name.empty();
-    const QString all = values.join(", ");
-    text += "   " + (!titled ? all
-                     : named ? text_of(panel.title) + " " + all
-                             : told(panel.title, all));
   }
-  return text;
+  if (parts.isEmpty()) return {place};
+  parts.front().prepend(place);
+  return parts;
 }
+
+QString ChartScene::readout(QPointF position) const { return readoutParts(position).join(""); }
 
 void ChartScene::rebuild() {
   clear();

@@ -7,6 +7,8 @@
 #include <QGraphicsScene>
 #include <QPolygonF>
 
+#include <array>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,6 +40,7 @@ struct LegendEntry {
 class ChartScene : public QGraphicsScene {
   Q_OBJECT
  public:
+  struct ShownCurve;
   explicit ChartScene(ChartStyle style = ChartStyle::Page, QObject* parent = nullptr);
 
   /// Shows all of the page; with `keep_view` the part of the abscissa that is shown now, if the new
@@ -77,6 +80,8 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] std::optional<std::size_t> panelAt(QPointF scene_position) const;
   /// "12.3 rev: outer 412 N, inner 398 N" for a scene position, empty outside the panels.
   [[nodiscard]] QString readout(QPointF scene_position) const;
+  /// The same, each value a part with what stands before it.
+  [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
 
   /// Numbers of the runs behind a place in a picture of a study; empty: none.
   [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
@@ -86,7 +91,9 @@ class ChartScene : public QGraphicsScene {
 
  private:
   struct Metrics;
-  struct ShownCurve;
+  /// Curves of which only one would be seen: their lines cover each other, their values differ by
+  /// no more than a pixel, or not at all.
+  enum class Alike : unsigned char { Covers, Near, Equal };
   [[nodiscard]] Metrics metrics() const;
   [[nodiscard]] QStringList noteLines(qreal right) const;
   void rebuild();
@@ -95,8 +102,12 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any) const;
   /// What is drawn of a panel's curves; who would hide whom is found out.
   [[nodiscard]] std::vector<ShownCurve> shownCurves(std::size_t index, const QRectF& area,
-                                                    const AxisScale& y_axis) const;
-  /// Draws one. What would hide another curve leaves every second stretch of the way to it.
+                                                    const AxisScale& y_axis);
+  /// What to say of curve `b` of a panel, which would hide curve `a` in the view.
+  [[nodiscard]] Alike alikeInView(std::size_t index, std::size_t a, std::size_t b,
+                                  const AxisScale& y_axis, qreal height);
+  /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
+  /// only one is its own.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
@@ -125,7 +136,8 @@ class ChartScene : public QGraphicsScene {
   /// mouse, which takes most of the time of moving along a long run. Returns it in the scene.
   QPolygonF addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                      const AxisScale& y_axis, QPen pen);
-  void addWay(QPolygonF line, const QRectF& area, QPen pen);
+  /// All parts of a line as one item.
+  void addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen);
   [[nodiscard]] QPen penOf(int colour, qreal width, bool dashed = false) const;
   void studyCurves();
   void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
@@ -145,6 +157,8 @@ class ChartScene : public QGraphicsScene {
   std::vector<int> lines_;
   bool rising_ = false;                           ///< the abscissa
   std::vector<std::vector<CurveBlocks>> blocks_;  ///< of long curves: by panel and curve
+  /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.
+  std::map<std::array<std::size_t, 3>, bool> equal_runs_;
 };
 
 }  // namespace adore::desktop

@@ -54,11 +54,11 @@ struct ChartScene::ShownCurve {
   int colour = 0;
   std::vector<Polyline> pieces = {};
   std::vector<QPolygonF> lines = {};  ///< the same in the scene
-  /// The first of the curves that this one would hide in the view, and how many others lie between;
-  /// `equal`: its values are the same, not only what can be seen of them.
+  std::vector<Extent> extents = {};   ///< of each line, downwards
+  /// The first of the curves that this one would hide in the view, and how many others lie between.
   std::optional<std::size_t> hides = {};
   int later = 0;
-  bool equal = false;
+  Alike alike = Alike::Covers;
 };
 
 struct ChartScene::Metrics {

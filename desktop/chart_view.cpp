@@ -261,9 +261,9 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     // Moving beyond the data would squeeze the view, so it stops at the ends.
     if (!x.empty() && low >= x.front() && high <= x.back()) scene_->setView(low, high);
   }
-  const QString text = scene_->readout(position);
-  pointer_ = text.isEmpty() ? -1.0 : position.x();
-  emit readoutChanged(text);
+  const QStringList parts = scene_->readoutParts(position);
+  pointer_ = parts.isEmpty() ? -1.0 : position.x();
+  emit readoutChanged(parts);
   viewport()->update();
 }
 

@@ -47,7 +47,7 @@ class ChartView : public QGraphicsView {
   void clearCursors();
 
  signals:
-  void readoutChanged(const QString& text);
+  void readoutChanged(const QStringList& parts);
   void cursorsChanged();
   /// A curve was shown or hidden by its name.
   void curvesChanged();

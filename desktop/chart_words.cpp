@@ -122,7 +122,10 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     const ShownCurve* const one = drawn(i);
     if (whole && one != nullptr && one->hides)
       return tr("%1 (%2 %3)")
-          .arg(text_of(curve.name), one->equal ? "=" : "≈",
+          .arg(text_of(curve.name),
+               one->alike == Alike::Equal  ? "="
+               : one->alike == Alike::Near ? "≈"
+                                           : tr("over"),
                text_of(panel.curves[*one->hides].name));
     return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
                                                : text_of(curve.name);
@@ -179,7 +182,10 @@ struct MarkName {
   QString text;
   qreal line = 0.0, left = 0.0, width = 0.0;
   /// Where the way from the name to its line leaves it.
-  [[nodiscard]] qreal foot() const { return std::clamp(line, left + 3.0, left + width - 3.0); }
+  [[nodiscard]] qreal foot() const {
+    const qreal edge = std::min(3.0, 0.5 * width);
+    return std::clamp(line, left + edge, left + width - edge);
+  }
 };
 
 /// Side by side from `left` to `right`, each as near to its line as the others let it be. Names of

@@ -1,18 +1,22 @@
 #include "desktop/file_drops.hpp"
 
-#include <QApplication>
-#include <QDragMoveEvent>
+#include <QDropEvent>
 #include <QMimeData>
+#include <QUrl>
 #include <QWidget>
 #include <QWindow>
+
+#include <utility>
 
 namespace adore::desktop {
 namespace {
 
-/// Stands before the window system's events of one window.
+/// Stands before the window system's events of one window. Qt sends none to a window below a modal
+/// one.
 class FileDrops : public QObject {
  public:
-  explicit FileDrops(QWidget& window) : QObject(&window), window_(window) {
+  FileDrops(QWidget& window, std::function<void(const QStringList&)> opened)
+      : QObject(&window), window_(window), opened_(std::move(opened)) {
     window.installEventFilter(this);
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
@@ -24,27 +28,26 @@ class FileDrops : public QObject {
     const auto type = event->type();
     if (type != QEvent::DragEnter && type != QEvent::DragMove && type != QEvent::Drop) return false;
     auto* drag = static_cast<QDropEvent*>(event);
-    if (!drag->mimeData()->hasUrls()) return false;
-    const QWidget* const modal = QApplication::activeModalWidget();
-    if (modal != nullptr && modal != &window_) {
-      drag->ignore();
-    } else if (type == QEvent::DragMove) {
-      drag->acceptProposedAction();
-    } else {
-      QCoreApplication::sendEvent(&window_, event);
-    }
+    QStringList files;
+    for (const QUrl& url : drag->mimeData()->urls())
+      if (url.isLocalFile()) files << url.toLocalFile();
+    if (files.isEmpty()) return false;
+    drag->setDropAction(Qt::CopyAction);
+    drag->accept();
+    if (type == QEvent::Drop) opened_(files);
     return true;
   }
 
  private:
   QWidget& window_;
+  std::function<void(const QStringList&)> opened_;
 };
 
 }  // namespace
 
-void take_files_anywhere(QWidget& window) {
+void take_files_anywhere(QWidget& window, std::function<void(const QStringList& files)> opened) {
   window.setAcceptDrops(true);
-  new FileDrops(window);
+  new FileDrops(window, std::move(opened));
 }
 
 }  // namespace adore::desktop

@@ -22,10 +22,12 @@ ChartPanel panel_of(const CurveChart& chart) {
   return panel;
 }
 
-ChartPage page_of(const LubricantCurves& all, std::initializer_list<const CurveChart*> charts) {
+ChartPage page_of(const LubricantCurves& all, LubricantTitle title,
+                  std::initializer_list<const CurveChart*> charts) {
   const CurveChart& first = **charts.begin();
   ChartPage page;
-  page.title = fmt::format("{}: {}", all.name, first.title);
+  page.title =
+      title == LubricantTitle::Whole ? fmt::format("{}: {}", all.name, first.title) : all.name;
   page.subtitle = all.conditions;
   if (all.provenance == "estimated")
     page.note = "some constants of this lubricant are estimates (resources/lubricants.json)";
@@ -48,10 +50,12 @@ double largest(const CurveChart& chart) {
 
 }  // namespace
 
-std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact) {
+std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact,
+                                       LubricantTitle title) {
   const LubricantCurves all = calculators::lubricant_curves(contact);
-  std::vector<ChartPage> pages{page_of(all, {&all.traction}), page_of(all, {&all.viscosity}),
-                               page_of(all, {&all.film, &all.lambda})};
+  std::vector<ChartPage> pages{page_of(all, title, {&all.traction}),
+                               page_of(all, title, {&all.viscosity}),
+                               page_of(all, title, {&all.film, &all.lambda})};
   if (largest(all.traction) > kMeasured)
     pages.front().note += (pages.front().note.empty() ? "" : "; ") +
                           std::string(

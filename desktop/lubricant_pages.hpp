@@ -11,6 +11,9 @@ namespace adore::desktop {
 
 inline constexpr const char* kLubricantPages[] = {"traction", "viscosity", "film"};
 
-[[nodiscard]] std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact);
+/// Titles name the lubricant and, where nothing beside the page says it, what is drawn.
+enum class LubricantTitle : unsigned char { Whole, Lubricant };
+[[nodiscard]] std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact,
+                                                     LubricantTitle title = LubricantTitle::Whole);
 
 }  // namespace adore::desktop

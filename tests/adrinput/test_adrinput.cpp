@@ -168,6 +168,19 @@ TEST_CASE("a file that another program changed is not replaced without a questio
   CHECK(deck::read_deck(path).deck.real("pitchDia") == 0.0603);
 }
 
+TEST_CASE("a link of the web that is dropped is no deck", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  const QString title = window.windowTitle();
+  QMimeData link;
+  link.setUrls({QUrl("https://example.org/DATA.txt")});
+  link.setText("https://example.org/DATA.txt");
+  for (const QPoint& place : test::places_of(window)) test::drop_on(window, link, place);
+  CHECK(take_message(window).isEmpty());
+  CHECK(window.windowTitle() == title);
+}
+
 TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;

@@ -1,6 +1,7 @@
 #include "adrinput/lubricant_panel.hpp"
 #include "deck/templates.hpp"
 #include "desktop/chart_view.hpp"
+#include "desktop/lubricant_pages.hpp"
 #include "support/qt_app.hpp"
 
 #include <QComboBox>
@@ -62,6 +63,9 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   panel->drawNow();
   CHECK(panel->chart().chartScene().page().panels.size() == 1);
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
+  const std::string lubricant = panel->chart().chartScene().page().title;
+  const auto whole = desktop::lubricant_pages(*adrinput::lubricant_contact(in_oil("4")));
+  CHECK(whole.front().title.starts_with(lubricant + ": "));  // what is drawn stands in the list
   panel->findChild<QComboBox*>("lubricant-page")->setCurrentIndex(2);
   CHECK(panel->chart().chartScene().page().panels.size() == 2);
   panel->setDeck(deck::new_deck("ball"));

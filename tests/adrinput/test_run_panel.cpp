@@ -4,15 +4,18 @@
 #include "adrinput/window_words.hpp"
 #include "deck/templates.hpp"
 #include "facade/rehearsal.hpp"
+#include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
 #include <QCheckBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -155,6 +158,61 @@ TEST_CASE("what ends a run is told in the window's words", "[gui][adrinput]") {
     INFO(problem.issue.text());
     CHECK(problem.issue.text().find("--") == std::string::npos);
   }
+}
+
+TEST_CASE("every sentence of the program that names an option has words for the window",
+          "[adrinput]") {
+  // Texts of the sources: literals that follow each other are one.
+  const QRegularExpression texts(R"x("(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*)x");
+  const QRegularExpression joints(R"x("\s*")x"),
+      comment(R"x(^\s*//.*$)x", QRegularExpression::MultilineOption), character(R"x('\\?.')x"),
+      option("--[a-z]"), command("`adore [^`]*`");
+  // Only who gives these options meets these sentences, and the window gives none; scripts.
+  const QRegularExpression not_ours("^(--until \\{|--tol \\{|--reproducible|#!)");
+  int sentences = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / "core")) {
+    // Command lines to be copied, whole.
+    if (entry.path().extension() != ".cpp" || entry.path().stem() == "study_table_read") continue;
+    QFile file(QString::fromStdString(entry.path().string()));
+    REQUIRE(file.open(QIODevice::ReadOnly));
+    const QString source =
+        QString::fromUtf8(file.readAll()).remove(comment).replace(character, " ");
+    for (auto match = texts.globalMatch(source); match.hasNext();) {
+      QString text = match.next().captured().remove(joints);
+      text = text.mid(1, text.size() - 2);
+      if (!text.contains(option) || !text.contains(' ') || text.contains(not_ours)) continue;
+      ++sentences;
+      const QString told = QString::fromStdString(in_window_words(text.toStdString()));
+      INFO(entry.path().string() << ": " << text.toStdString() << "\n" << told.toStdString());
+      CHECK_FALSE(QString(told).remove(command).contains(option));
+      CHECK(told.count('`') % 2 == 0);
+    }
+  }
+  CHECK(sentences > 30);
+}
+
+TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing to be typed",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  window.show();
+  shorten(window.document(), "5");
+  window.document().edit(cell("tol"), "1e-3");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  run_to_end(window);
+  const QString first = window.runPanel().text();
+  CHECK(first.contains("Accuracy (F9) tells"));
+  CHECK_FALSE(first.contains("--"));
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  window.continueRun();
+  REQUIRE(QTest::qWaitFor([&] { return spy.count() > 0; }, 60000));
+  CHECK(note(window).contains("nothing left to do"));
+  CHECK_FALSE(note(window).contains("--"));
+  window.document().edit(cell("maxStps"), "0");
+  window.document().check_model();
+  for (const Problem& problem : window.document().problems())
+    CHECK(problem.issue.text().find("--") == std::string::npos);
 }
 
 TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {

@@ -10,6 +10,7 @@
 #include "desktop/one_window.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_text.hpp"
+#include "support/drops.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -166,6 +167,33 @@ TEST_CASE("a study is planned, run, cancelled and resumed from its window, and n
   window.findChild<QPushButton*>("study-results")->click();
   CHECK(opened == QStringList({"adrplot", "--project", desktop::folder_of(bench.path("sweep.json")),
                                QString::fromStdString(bench.path("sweep.study"))}));
+}
+
+TEST_CASE("a study dropped anywhere on its window opens; a link of the web stays text",
+          "[gui][adrinput][studies]") {
+  test::use_qt();
+  const Bench bench;
+  StudyDocument example;
+  example.start_new(bench.path("other.json"), "sweep", bench.path("DATA.txt"));
+  for (const char* name : {"other.json", "saved.json"})
+    std::ofstream(bench.path(name)) << example.text();
+  StudyWindow window;
+  window.show();
+  for (const QPoint& place : test::places_of(window)) {
+    INFO(place.x() << ", " << place.y());
+    window.openFile(bench.path("saved.json"));
+    CHECK(test::drop_on(window, bench.folder.path(), {"other.json"}, place));
+    CHECK(window.document().path() == bench.path("other.json"));
+  }
+  window.showText(true);
+  QCoreApplication::processEvents();
+  auto* text = window.findChild<QPlainTextEdit*>("study-file");
+  QMimeData link;
+  link.setUrls({QUrl("https://example.org/DATA.txt")});
+  link.setText("https://example.org/DATA.txt");
+  test::drop_on(window, link, text->viewport()->mapTo(&window, text->viewport()->rect().center()));
+  CHECK(text->toPlainText().contains("https://example.org/DATA.txt"));
+  CHECK(window.document().path() == bench.path("other.json"));
 }
 
 TEST_CASE("a study over its budget starts only when the user wants it all the same",

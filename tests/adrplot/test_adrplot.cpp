@@ -29,6 +29,7 @@
 #include <QTreeWidget>
 #include <QValueAxis>
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
@@ -595,7 +596,7 @@ TEST_CASE("plot_window: the values of all panels under the mouse are read whole,
         const QRectF& area = scene.plotAreas().back();
         for (const double part : {0.1, 0.37, 0.8}) {
           const QPointF place(area.left() + part * area.width(), area.center().y());
-          emit window.view().readoutChanged(scene.readout(place));
+          emit window.view().readoutChanged(scene.readoutParts(place));
           INFO(window.windowTitle().toStdString() << ": " << label->text().toStdString());
           CHECK_FALSE(label->text().isEmpty());
           const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 1000),
@@ -636,7 +637,7 @@ TEST_CASE(
     window.resize(size);
     QCoreApplication::processEvents();
     const QRectF area = scene.plotAreas().front();
-    emit window.view().readoutChanged(scene.readout(area.center()));
+    emit window.view().readoutChanged(scene.readoutParts(area.center()));
     CHECK(label->height() <= window.height() / 5 + 2);
     const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 5000),
                                                            Qt::TextWordWrap, label->text());
@@ -653,6 +654,60 @@ TEST_CASE(
   CHECK(label->height() < high / 2);
   CHECK(read({1264, 770}).contains("rolling element 1"));
   CHECK(label->text().endsWith(" 2 N"));
+}
+
+TEST_CASE("plot_window: what is left out is counted by value, and what stays is whole", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  PlotDocument document;
+  document.path = "many";
+  document.pages = {{"Many", PageKind::History}};
+  document.build = [](int, const PageOptions&) {
+    desktop::ChartPage page;
+    page.x_title = "Time", page.x_unit = "s";
+    page.x = {0.0, 1.0, 2.0};
+    for (const char* title : {"Load", "Speed, of the race", "Force"}) {
+      page.panels.push_back({title, "N", {}});
+      for (int c = 0; c < 40; ++c)
+        page.panels.back().curves.push_back(
+            {fmt::format("element {}, case a, outer", c + 1), {1.0, 2.0, 3.0}, {}});
+    }
+    return page;
+  };
+  std::vector<CurvePick> picks;
+  for (std::size_t c = 0; c < 3; ++c) picks.push_back({&document, 1, c, 0});
+  window.addChart(picks, Combine::Overlay);
+  window.show();
+  window.resize({700, 450});
+  QCoreApplication::processEvents();
+  window.view().showPage(document.build(1, {}));
+  auto* label = window.findChild<QLabel*>("readout");
+  auto& scene = window.view().chartScene();
+  const auto whole = [&] {
+    const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 5000),
+                                                           Qt::TextWordWrap, label->text());
+    return needed.height() <= label->height();
+  };
+  const QStringList all = scene.readoutParts(scene.plotAreas().back().center());
+  REQUIRE(all.size() == 120);
+  CHECK(all.join("") == scene.readout(scene.plotAreas().back().center()));
+  emit window.view().readoutChanged(all);
+  const auto told = label->text().count(" N");
+  CHECK(told > 0);
+  CHECK(label->text().endsWith(QString(" … %1 more").arg(120 - told)));
+  CHECK(whole());
+  // A smaller window has room for less of the same; other curves have other values.
+  window.resize({500, 420});
+  QCoreApplication::processEvents();
+  CHECK(whole());
+  CHECK(label->text().endsWith(QString(" … %1 more").arg(120 - label->text().count(" N"))));
+  emit window.view().curvesChanged();
+  CHECK(label->text().isEmpty());
+  // One value without room is shortened, and nothing more is promised.
+  emit window.view().readoutChanged({QString("a name of the run's own ").repeated(200) + "2 N"});
+  CHECK(label->text().contains("…"));
+  CHECK_FALSE(label->text().contains("more"));
+  CHECK(whole());
 }
 
 TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") {
@@ -675,7 +730,7 @@ TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") 
                    Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(view.viewport(), &move);
   REQUIRE(readout.count() > 0);
-  CHECK(readout.back().front().toString().contains("Radial"));
+  CHECK(readout.back().front().toStringList().join("").contains("Radial"));
   QTest::mouseDClick(view.viewport(), Qt::LeftButton, {}, middle);
   CHECK(scene.viewHigh() == Approx(3.0).epsilon(1e-6));
 }

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -133,6 +134,19 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   CHECK(note("load and angle").find("Inner race: no contact where its curve breaks off.") !=
         std::string::npos);
   CHECK(note("load and angle").find("Outer race: no contact") == std::string::npos);
+  // A spectrum has no such gaps; a number that the file never had is no open contact.
+  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    PageOptions options;
+    options.domain = domain;
+    CHECK(page_with(file, "load and angle", options).note.find("breaks off") == std::string::npos);
+  }
+  results::SolFile damaged = test::synthetic_sol(SolKind::Element);
+  set(damaged, "contact.load.", 100.0);
+  set(damaged, "contact.angle.", 0.1);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id.starts_with("contact.angle."))
+      damaged.steps[0].values[c] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(page_with(damaged, "load and angle").note.find("breaks off") == std::string::npos);
   CHECK(note("slip").find("largest of the slices") == std::string::npos);  // balls have none
   file.header.bearing_type = 2;
   CHECK(note("slip").find("largest of the slices") != std::string::npos);

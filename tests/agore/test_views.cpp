@@ -15,8 +15,11 @@
 
 #include <QPainter>
 #include <catch2/catch.hpp>
+#include <hdf5.h>
 
+#include <array>
 #include <ctime>
+#include <map>
 #include <numbers>
 
 using namespace adore;
@@ -36,6 +39,23 @@ void write_run(const testing::TemporaryFolder& folder) {
   results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
   for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
   h5.close();
+}
+
+/// Sizes of its bearing, in place of those that it has.
+void write_sizes(const std::filesystem::path& file, const std::map<std::string, double>& sizes) {
+  const hid_t h5 = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  REQUIRE(h5 >= 0);
+  const hid_t group = H5Gopen2(h5, "geometry", H5P_DEFAULT), scalar = H5Screate(H5S_SCALAR);
+  for (const auto& [name, value] : sizes) {
+    if (H5Aexists(group, name.c_str()) > 0) H5Adelete(group, name.c_str());
+    const hid_t size =
+        H5Acreate2(group, name.c_str(), H5T_IEEE_F64LE, scalar, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(size, H5T_NATIVE_DOUBLE, &value);
+    H5Aclose(size);
+  }
+  H5Sclose(scalar);
+  H5Gclose(group);
+  H5Fclose(h5);
 }
 
 }  // namespace
@@ -185,6 +205,32 @@ TEST_CASE("views: the element view shows contact loads when RESULTS.h5 lies besi
   CHECK(outer > 1.4 * inner);  // twice the load, twice the shaft
 }
 
+TEST_CASE("views: a load has its arrow in the picture, or words in the key that it is too small",
+          "[gui]") {
+  test::use_qt();
+  int least = -1;  // pixels of its colour without an arrow: the key's, and a curve's
+  bool any_said = false, any_drawn = false;
+  for (const double load : {0.001, 0.1, 1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 15.0, 50.0, 200.0}) {
+    Animation animation = prepare(test::synthetic_sol8(short_run(30)));
+    ContactFrames contacts{"N", "m/s", {}, 200.0};
+    contacts.frames.assign(30, std::vector<ContactFrame>(12, {{load, 0.0}, {1, 0}}));
+    animation.contacts = contacts;
+    ViewOptions options;
+    options.view = View::Element;
+    options.element = 4;
+    MotionPicture picture(std::move(animation));
+    const bool said = picture.svg({780, 680}, 29, options).contains("too small for its arrow");
+    const int drawn =
+        pixels_of(picture.image({780, 680}, 29, options), {0, 0, 780, 560}, theme_of({}).curves[0]);
+    if (least < 0) least = drawn;
+    INFO(load << " N: " << drawn << " pixels, without " << least);
+    CHECK(said == (drawn == least));
+    any_said = any_said || said, any_drawn = any_drawn || !said;
+  }
+  CHECK(any_said);
+  CHECK(any_drawn);
+}
+
 TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][pocket]") {
   using agore::PocketOutline;
   const auto half = [](PocketOutline p) { return agore::pocket_half(p); };
@@ -251,6 +297,69 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
   CHECK(domed.outline().contains(QPointF(5.9, 4.9)));
   CHECK(domed.outline().contains(QPointF(6.95, 0.1)));
   CHECK(domed.outline().contains(QPointF(-6.95, 4.9)));
+  // Along the meridian there is no way back, whatever dome and corner are.
+  for (const double slope : {-0.1, 0.0, 0.1})
+    for (const double dome : {0.0, 5.8, 8.0, 13.0, 60.0})
+      for (const double corner : {0.0, 0.1, 0.5, 2.0})
+        for (const double crown : {0.0, 20.0}) {
+          INFO("slope " << slope << ", dome " << dome << ", corner " << corner << ", crown "
+                        << crown);
+          agore::RollerProfile any{.half = 7.0, .radius = 5.0, .slope = slope, .crown = crown};
+          any.dome = {dome, dome}, any.corner = {corner, corner};
+          const std::vector<QPointF> way = any.meridian();
+          for (std::size_t i = 1; i < way.size(); ++i) CHECK(way[i].x() >= way[i - 1].x() - 1e-12);
+        }
+}
+
+TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",
+          "[unit][agore][h5]") {
+  using namespace adore::testing;
+  const TemporaryFolder folder;
+  write_run(folder);
+  using Sizes = std::map<std::string, double>;
+  Sizes sizes{{"bearing_type", 4.0},        {"roller_length", 0.014}, {"roller_half_angle", 0.05},
+              {"roller_mass_offset", 1e-4}, {"cage_width", 0.02},     {"pocket_code", 0.0}};
+  for (const double contact_angle : {0.2, -0.2}) {  // wherever the axis leans as the run begins
+    sizes["contact_angle"] = contact_angle;
+    write_sizes(folder / "RESULTS.h5", sizes);
+    for (const auto units : {deck::UnitSystem::SI, deck::UnitSystem::English}) {
+      const double unit = units == deck::UnitSystem::SI ? 1.0 : 0.0254;
+      const Animation a = prepare(results::MotionFile::open(folder / "RESULTS.h5", units));
+      const agore::RollerProfile roller = agore::roller_profile(a);
+      CHECK(roller.half == Approx(0.007 / unit));
+      CHECK(roller.side(-roller.half) - roller.side(roller.half) ==
+            Approx(0.014 / unit * std::tan(0.05)));
+      CHECK(roller.mass_centre == Approx(1e-4 / unit));
+      // A file of an earlier version has neither corners, crown nor domes.
+      CHECK(roller.corner == std::array<double, 2>{});
+      CHECK(roller.dome == std::array<double, 2>{});
+      CHECK(roller.crown == 0.0);
+      const agore::CageProfile cage = agore::cage_profile(a);
+      CHECK(cage.half_width == Approx(0.01 / unit));
+      CHECK(cage.hole == Approx((0.007 + 0.0002) / unit));  // half of clearance I at each end
+    }
+  }
+  write_sizes(folder / "RESULTS.h5", {{"roller_plus_x_corner_radius", 3e-4},
+                                      {"roller_minus_x_end_radius", 0.1},
+                                      {"roller_crown_radius", 0.2},
+                                      {"roller_central_length", 0.004}});
+  for (const auto units : {deck::UnitSystem::SI, deck::UnitSystem::English}) {
+    const double unit = units == deck::UnitSystem::SI ? 1.0 : 0.0254;
+    const agore::RollerProfile roller =
+        agore::roller_profile(prepare(results::MotionFile::open(folder / "RESULTS.h5", units)));
+    CHECK(roller.corner[0] == 0.0);
+    CHECK(roller.corner[1] == Approx(3e-4 / unit));
+    CHECK(roller.dome[0] == Approx(0.1 / unit));
+    CHECK(roller.dome[1] == 0.0);
+    CHECK(roller.crown == Approx(0.2 / unit));
+    CHECK(roller.central == Approx(0.004 / unit));
+  }
+  // Without the file a roller is as long as wide.
+  Animation alone;
+  alone.file.bearing_type = 4;
+  alone.file.geometry.element_radius = 0.005;
+  CHECK(agore::roller_profile(alone).half == 0.005);
+  CHECK(agore::roller_profile(alone).side(-0.005) == agore::roller_profile(alone).side(0.005));
 }
 
 TEST_CASE("the section's cage leaves its pocket as open as it is", "[unit][agore][pocket]") {

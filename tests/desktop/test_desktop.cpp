@@ -410,6 +410,61 @@ TEST_CASE("chart_scene: curves that would hide another say so and leave it half 
   for (const int curve : {0, 1, 2}) CHECK(inked(scene, three, curve) > 1000);
 }
 
+TEST_CASE("chart_scene: what is said of a curve over another is true of their values, and cheap",
+          "[gui]") {
+  test::use_qt();
+  const auto name = [](const ChartScene& scene, const QString& start) {
+    for (QGraphicsItem* item : scene.items())
+      if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item);
+          text && text->text().startsWith(start))
+        return text->text().toStdString();
+    return std::string();
+  };
+  ChartPage page;
+  std::vector<double> wave, opposite;
+  for (int i = 0; i < 200000; ++i) {
+    page.x.push_back(1e-5 * i);
+    wave.push_back(std::sin(2.39996 * i));  // a golden angle: near its peak in each column
+    opposite.push_back(-wave.back());
+  }
+  ChartScene scene;
+  scene.setTheme(theme(ThemeKind::Light));
+  scene.setPageSize({1280, 800});
+  using Values = std::vector<double>;
+  const auto show = [&](const Values& first, const Values& second, const Values& low = {},
+                        const Values& high = {}, const Values& second_high = {}) {
+    page.panels = {{"Place", "m", {{"cage y", first, {}}, {"second", second, {}}}}};
+    for (ChartCurve& curve : page.panels[0].curves) curve.low = low, curve.high = high;
+    if (!second_high.empty()) page.panels[0].curves[1].high = second_high;
+    scene.setPage(page);
+    return name(scene, "second");
+  };
+  CHECK(show(wave, opposite) == "second (over cage y)");
+  CHECK(show(wave, wave) == "second (= cage y)");
+  Values late = wave;
+  late.back() += 0.1;
+  CHECK(show(wave, late) == "second (over cage y)");
+  scene.setView(0.0, 1.0);
+  CHECK(name(scene, "second") == "second (= cage y)");  // there they are
+  late.back() = wave.back() + 1e-4;
+  CHECK(show(wave, late) == "second (≈ cage y)");
+  // Bands are part of what is told.
+  Values low = wave, high = wave, higher = wave;
+  for (double& v : low) v -= 1.0;
+  for (double& v : high) v += 1.0;
+  for (double& v : higher) v += 2.0;
+  CHECK(show(wave, wave, low, high) == "second (= cage y)");
+  CHECK(show(wave, wave, low, high, higher) == "second (over cage y)");
+  // Far beyond a short range there is nothing to draw, and stripes are no items of their own.
+  show(wave, {});
+  const auto alone = scene.items().size();
+  show(wave, wave);
+  CHECK(scene.items().size() <= alone + 3);
+  scene.setView(0.0, 2e-3);
+  scene.setPanelView(0, std::pair(0.0, 1e-3));
+  CHECK(scene.items().size() <= alone + 20);
+}
+
 TEST_CASE("chart_scene: a logarithmic panel without a value above 0 says so beside an empty curve",
           "[gui]") {
   test::use_qt();

@@ -12,14 +12,16 @@
 /// the window, which finds the widget below the mouse.
 namespace adore::test {
 
-/// Enters, moves and drops at a place of a shown window. @return whether it was taken
+/// Enters, moves and drops at a place of a shown window, as a file manager whose key moves files
+/// offers it. @return whether it was taken as a copy, which leaves the files where they are
 inline bool drop_on(QWidget& window, const QMimeData& data, QPoint place = {9, 9}) {
+  constexpr auto kOffered = Qt::MoveAction | Qt::CopyAction;
   QWindow* const handle = window.windowHandle();
   if (handle == nullptr) return false;
-  QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDragEnterEvent enter(place, kOffered, &data, Qt::LeftButton, Qt::NoModifier);
   enter.ignore();
   QCoreApplication::sendEvent(handle, &enter);
-  QDragMoveEvent move(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDragMoveEvent move(place, kOffered, &data, Qt::LeftButton, Qt::NoModifier);
   move.ignore();
   QCoreApplication::sendEvent(handle, &move);
   if (!move.isAccepted()) {  // the mouse shows that nothing would happen
@@ -27,10 +29,11 @@ inline bool drop_on(QWidget& window, const QMimeData& data, QPoint place = {9, 9
     QCoreApplication::sendEvent(handle, &leave);
     return false;
   }
-  QDropEvent drop(QPointF(place), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDropEvent drop(QPointF(place), kOffered, &data, Qt::LeftButton, Qt::ShiftModifier);
+  drop.setDropAction(Qt::MoveAction);
   drop.ignore();
   QCoreApplication::sendEvent(handle, &drop);
-  return drop.isAccepted();
+  return drop.isAccepted() && drop.dropAction() == Qt::CopyAction;
 }
 
 inline bool drop_on(QWidget& window, const QString& folder, const QStringList& names,
