@@ -167,7 +167,7 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   out.provenance = oil.provenance;
   out.conditions = fmt::format(
       "{:.0f} K; R {:.3g} mm along, {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s where not "
-      "varied; roughness {:.2g} um",
+      "varied; roughness {:.2g} µm",
       contact.temperature, 1e3 * contact.radius, 1e3 * contact.across, 1e-9 * contact.pressure,
       contact.speed, 1e6 * contact.roughness);
 
@@ -183,8 +183,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   const std::array<double, 3> temperatures{contact.temperature - 30.0, contact.temperature,
                                            contact.temperature + 30.0};
   out.viscosity = {
-      "Viscosity over pressure", "Pressure", "GPa", "Viscosity", "Pa s", false, true, {}};
-  out.film = {"Film in the middle over speed", "Mean speed", "m/s", "Film", "um", true, true, {}};
+      "Viscosity over pressure", "Pressure", "GPa", "Viscosity", "Pa·s", false, true, {}};
+  out.film = {"Film in the middle over speed", "Mean speed", "m/s", "Film", "µm", true, true, {}};
   out.lambda = {"Film parameter over speed", "Mean speed", "m/s", "Lambda", "", true, true, {}};
   const std::vector<double> speeds = logarithmic(0.1, 100.0);
   for (const double T : temperatures) {
