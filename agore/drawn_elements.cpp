@@ -45,7 +45,7 @@ QString longest_load(const Scene& s, double load) {
 std::string load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour,
                        double width) {
   constexpr double kSeen = 4.0;  // pixels
-  if (QLineF(tail, tip).length() < kSeen) return ", too small for its arrow";
+  if (QLineF(tail, tip).length() < kSeen) return ", too small to draw";
   s.sketch.arrow(tail, tip, colour, width);
   return {};
 }

@@ -57,6 +57,7 @@ void pocket_view(const Scene& s) {
   const double factor = pocket_factor(g);
   const PocketOutline pocket = pocket_of(s.animation);
   const bool rollers = s.animation.file.bearing_type != 1;
+  const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};
   const bool shape_known = s.animation.motion != nullptr;
   const QSizeF hole = pocket_half(pocket);
   // From the pocket's centre, y up, to the picture.
@@ -82,10 +83,9 @@ void pocket_view(const Scene& s) {
     const Vec3 axis = rotation(element.angles).col(0);
     const double skew =
         std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), axis.x());
-    // As much larger as its way out of the middle, so that what touches is seen to.
-    const double drawn = std::atan(factor * std::tan(skew));
     QTransform turned = to_picture;
-    turned.translate(centre.x(), centre.y()).rotateRadians(0.5 * kPi - drawn);  // the axis upright
+    turned.translate(centre.x(), centre.y())
+        .rotateRadians(0.5 * kPi - drawn_skew(roller, skew, factor));  // the axis upright
     QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
                           to_picture.map(centre + QPointF(g.element_radius, 0)));
     shade.setColorAt(0.0, t.steel_dark);
@@ -93,7 +93,7 @@ void pocket_view(const Scene& s) {
     shade.setColorAt(1.0, t.steel_dark);
     p.setPen(QPen(t.steel_dark.darker(150), 1));
     p.setBrush(shade);
-    p.drawPath(turned.map(roller_profile(s.animation).outline()));
+    p.drawPath(turned.map(roller.outline()));
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
@@ -130,7 +130,8 @@ void pocket_view(const Scene& s) {
                                    : QString("no contact")}},
       QString::fromStdString(fmt::format(
           "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}", k + 1,
-          s.frame.elements.size(), rollers ? "clearance and skew" : "clearance",
+          s.frame.elements.size(),
+          rollers && !roller.is_barrel() ? "clearance and skew" : "clearance",
           desktop::pretty_number(factor, 3),
           arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
           shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""

@@ -15,11 +15,12 @@ struct Animation;
 /// a drop across the axis and one across the cone (contact/roller_profile.hpp has it). Ends 0 and 1
 /// are those at -u and +u.
 struct RollerProfile {
-  double half = 0.0, radius = 0.0;            ///< of the length over all; at mid length
-  double slope = 0.0;                         ///< of the cone
-  double crown = 0.0, central = 0.0;          ///< radius, 0: straight; length of the straight part
-  std::array<double, 2> corner{}, dome{};     ///< radii by end; 0: sharp, flat
-  double mass_centre = 0.0;                   ///< along u
+  double half = 0.0, radius = 0.0;         ///< of the length over all; at mid length
+  double slope = 0.0;                      ///< of the cone
+  double crown = 0.0, central = 0.0;       ///< radius, 0: straight; length of the straight part
+  std::array<double, 2> corner{}, dome{};  ///< radii by end; 0: sharp, flat
+  double mass_centre = 0.0;                ///< along u
+  [[nodiscard]] bool is_barrel() const { return crown > 0.0 && !(central > 0.0); }
   [[nodiscard]] double line(double u) const;  ///< its radius there, as if it had no corners
   [[nodiscard]] double side(double u) const;  ///< its radius there
   /// The half meridian from the middle of the end at -u to that of the end at +u: (u, radius).
@@ -28,5 +29,10 @@ struct RollerProfile {
   [[nodiscard]] QPainterPath outline() const;
 };
 [[nodiscard]] RollerProfile roller_profile(const Animation& animation);
+
+/// The skew that is drawn where ways across are `factor` times as large, so that what touches is
+/// seen to: larger likewise for a roller with a straight part. A barrel's is as it is: its arc is
+/// to scale, and near its middle, where it touches, a skew hardly moves it.
+[[nodiscard]] double drawn_skew(const RollerProfile& roller, double skew, double factor);
 
 }  // namespace adore::agore

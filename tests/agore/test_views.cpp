@@ -219,7 +219,7 @@ TEST_CASE("views: a load has its arrow in the picture, or words in the key that 
     options.view = View::Element;
     options.element = 4;
     MotionPicture picture(std::move(animation));
-    const bool said = picture.svg({780, 680}, 29, options).contains("too small for its arrow");
+    const bool said = picture.svg({780, 680}, 29, options).contains("too small to draw");
     const int drawn =
         pixels_of(picture.image({780, 680}, 29, options), {0, 0, 780, 560}, theme_of({}).curves[0]);
     if (least < 0) least = drawn;
@@ -309,6 +309,20 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
           const std::vector<QPointF> way = any.meridian();
           for (std::size_t i = 1; i < way.size(); ++i) CHECK(way[i].x() >= way[i - 1].x() - 1e-12);
         }
+}
+
+TEST_CASE("a skew is drawn as large as ways across, of a barrel as it is",
+          "[unit][agore][pocket]") {
+  agore::RollerProfile roller;
+  roller.half = 7.0;
+  roller.radius = 5.0;
+  CHECK(std::tan(agore::drawn_skew(roller, 0.01, 10.0)) == Approx(10.0 * std::tan(0.01)));
+  roller.crown = 5000.0;  // crowned beside a straight part
+  roller.central = 6.0;
+  CHECK(agore::drawn_skew(roller, -0.01, 10.0) < -0.09);
+  roller.crown = 40.0;
+  roller.central = 0.0;
+  CHECK(agore::drawn_skew(roller, 0.01, 10.0) == 0.01);
 }
 
 TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",
