@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.hpp"
 #include "dynamics/bodies.hpp"
+#include "dynamics/race_load.hpp"
 
 #include <array>
 #include <cstddef>
@@ -11,12 +12,6 @@
 /// What one evaluation of the right-hand side works on: bodies, and the forces and moments that
 /// effects (effect.hpp) add to them.
 namespace adore::dynamics {
-
-/// What an inner race in force balance (mode 2) is asked to carry, and what the bearing carries of
-/// it, along the directions whose load is given [N, base axes].
-struct RaceLoad {
-  Vec3 asked = Vec3::Zero(), carried = Vec3::Zero();
-};
 
 /// Working memory of one evaluation. Sized at set-up, reused for ever.
 struct Evaluation {

@@ -17,7 +17,7 @@
 namespace adore::dynamics {
 
 class SceneEffect;   // effect.hpp
-struct RaceLoad;     // evaluation.hpp
+struct RaceLoad;     // race_load.hpp
 struct RollerScene;  // roller_start.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.
 using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/evaluation.hpp"
+#include "dynamics/race_load.hpp"
 
 #include <algorithm>
 
