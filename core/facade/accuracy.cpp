@@ -30,6 +30,7 @@ constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; 
 constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
 constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
+constexpr double kNearby = 1e-6;  ///< change of the loads that tells whether a motion is irregular
 constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
@@ -135,6 +136,7 @@ class Study {
     try {
       first_round();
       second_round();
+      measure_irregularity();
       model_round();
       repeat_those_that_count();
       study_.complete = true;
@@ -179,6 +181,7 @@ class Study {
     settings_ = settings_of(prepared, request_.methods, request_.tolerances);
     models_ = models_of(prepared);
     stp_max_ = prepared.control.step_maximum;
+    deck_ = prepared.input.deck;
   }
 
   /// The row of an earlier study of the same deck and span; nullptr: none.
@@ -412,6 +415,32 @@ class Study {
     }
   }
 
+  /// What a millionth of the loads changes, more and less, with the cheapest settings of the second
+  /// round whose energy adds up: a motion that is regular changes by as little.
+  void measure_irregularity() {
+    if (study_.digest == earlier_.digest && earlier_.irregular.speed >= 0.0) {
+      study_.irregular = earlier_.irregular;
+      return;
+    }
+    const AccuracyRow* row = nullptr;
+    for (const AccuracyRow& other : study_.finals)
+      if (other.failure.empty() && !(other.energy_share > results::kMovedWarning) &&
+          (row == nullptr || other.seconds < row->seconds))
+        row = &other;
+    if (row == nullptr || nearby_loads(deck_, 1.0).empty() || left() < 3.0 * row->seconds) return;
+    const auto run = [&](double change) {
+      Subject subject = subject_;
+      for (auto& load : nearby_loads(deck_, change)) subject.request.sets.push_back(load);
+      Trial out = try_setting(subject, row->setting, row->turns, kUnlimited, stop_);
+      study_.seconds += out.row.seconds;
+      return out;
+    };
+    const Trial base = run(0.0), more = run(kNearby), less = run(-kNearby);
+    if (base.good() && more.good() && less.good())
+      study_.irregular = larger(compare_results(more.results, base.results),
+                                compare_results(less.results, base.results));
+  }
+
   /// What other resolutions of the model would change against the deck's own run.
   void model_round() {
     if (models_.empty() || !request_.models) return;
@@ -477,7 +506,6 @@ class Study {
   }
 
   [[nodiscard]] int choose() const {
-    const double limit = study_.limit();
     int best = -1;
     // Runs that warn of their energy come last, however well their means agree over this span.
     const auto rank = [](const AccuracyRow& row) {
@@ -485,7 +513,7 @@ class Study {
     };
     for (std::size_t k = 0; k < study_.finals.size(); ++k) {
       const AccuracyRow& row = study_.finals[k];
-      if (!row.failure.empty() || row.errors.largest() > limit) continue;
+      if (!row.failure.empty() || !study_.keeps(row.errors)) continue;
       if (best < 0 || rank(row) < rank(study_.finals[static_cast<std::size_t>(best)]))
         best = static_cast<int>(k);
     }
@@ -499,6 +527,7 @@ class Study {
   Subject subject_;
   std::vector<AccuracySetting> settings_, models_;
   double stp_max_ = 0.0;
+  deck::Deck deck_;
   double turn_cost_ = 0.0, start_cost_ = 0.0, reference_cost_ = 0.0;  ///< [s/turn, s, s/turn]
   bool known_ = false;  ///< the last trial was taken from the earlier study
   AccuracyStudy study_;
@@ -507,6 +536,23 @@ class Study {
 }  // namespace
 
 double AccuracyErrors::largest() const { return std::max({speed, load, heat, life, 0.0}); }
+
+AccuracyErrors larger(const AccuracyErrors& a, const AccuracyErrors& b) {
+  return {std::max(a.speed, b.speed), std::max(a.load, b.load), std::max(a.heat, b.heat),
+          std::max(a.life, b.life)};
+}
+
+AccuracyErrors AccuracyStudy::limits() const {
+  const AccuracyErrors n = noise();
+  const auto of = [&](double one) { return std::max(target, 1.5 * one); };
+  return {of(n.speed), of(n.load), of(n.heat), of(n.life)};
+}
+
+bool AccuracyStudy::keeps(const AccuracyErrors& errors) const {
+  const AccuracyErrors most = limits();
+  return errors.speed <= most.speed && errors.load <= most.load && errors.heat <= most.heat &&
+         errors.life <= most.life;
+}
 
 AccuracyErrors compare_results(const results::KeyResults& run,
                                const results::KeyResults& reference) {

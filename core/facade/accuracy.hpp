@@ -20,8 +20,10 @@
 ///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
 ///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
 ///   life   |Δ life| / life, by the loads of the run
-/// The error of a row is the largest of them. A second reference by another method says how far
-/// such means can be known at all: where a motion is irregular, two accurate runs differ too.
+/// The error of a row is the largest of them. A second reference by another method, and runs under
+/// loads that differ by a millionth, say how far such means can be known at all: where a motion is
+/// irregular, such runs differ too. That is judged for each of the four by itself: a whirl that
+/// is irregular does not excuse an error of heat.
 ///
 /// Two rounds: all settings over a short span, then the deck's own and those that may win over as
 /// many turns as the budget allows. The study ends within the budget: rows are cut or left out
@@ -58,6 +60,8 @@ struct AccuracyErrors {
   double speed = 0.0, load = 0.0, heat = 0.0, life = 0.0;  ///< negative: not computed
   [[nodiscard]] double largest() const;
 };
+/// Of each the larger one.
+[[nodiscard]] AccuracyErrors larger(const AccuracyErrors& a, const AccuracyErrors& b);
 
 /// Of two runs of one deck over one span. @param reference the more accurate one
 [[nodiscard]] AccuracyErrors compare_results(const results::KeyResults& run,
@@ -93,6 +97,8 @@ struct AccuracyStudy {
   double short_turns = 0.0, long_turns = 0.0;  ///< of the rounds
   std::string reference;                       ///< how the reference was made
   AccuracyReference short_reference, long_reference;
+  /// What a millionth of the loads changes over the second span; negative: not measured.
+  AccuracyErrors irregular{-1.0, -1.0, -1.0, -1.0};
   double target = 0.0;
   std::vector<AccuracyRow> screening, finals, models;
   int recommended = -1;  ///< among finals; negative: none keeps to the target
@@ -100,10 +106,12 @@ struct AccuracyStudy {
   int untried = 0;       ///< settings and models for which the budget left no time
   bool complete = false;
 
-  /// Errors up to which a row may be recommended: the target, or what two accurate runs differ by.
-  [[nodiscard]] double limit() const {
-    return std::max(target, 1.5 * long_reference.noise.largest());
-  }
+  /// How far means over the second span can be known: the larger of what two accurate runs differ
+  /// by and of `irregular`.
+  [[nodiscard]] AccuracyErrors noise() const { return larger(long_reference.noise, irregular); }
+  /// Errors up to which a row may be recommended: each the target, or 1.5 times its noise.
+  [[nodiscard]] AccuracyErrors limits() const;
+  [[nodiscard]] bool keeps(const AccuracyErrors& errors) const;
 };
 
 /// A row that is done, in its round.

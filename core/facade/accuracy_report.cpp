@@ -155,13 +155,24 @@ std::string growth_text(const AccuracyStudy& study) {
                         : "; less than a turn lies between them, too little for a rate");
 }
 
+/// "1 %", "1 % (speeds within 5.2 %)" where the motion is irregular.
+std::string limits_text(const AccuracyStudy& study) {
+  const AccuracyErrors limits = study.limits();
+  std::string wider;
+  for (const auto& [name, limit] :
+       {std::pair{"speeds", limits.speed}, std::pair{"loads", limits.load},
+        std::pair{"heat", limits.heat}, std::pair{"life", limits.life}})
+    if (limit > study.target)
+      wider += fmt::format("{}{} within {}", wider.empty() ? "" : ", ", name, percent(limit));
+  return percent(study.target) + (wider.empty() ? "" : " (" + wider + ")");
+}
+
 /// A row that keeps the target, takes less time than the recommended one and warns of its energy.
 const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const AccuracyRow& best) {
   const AccuracyRow* out = nullptr;
   for (const AccuracyRow& row : study.finals)
-    if (row.failure.empty() && row.errors.largest() <= study.limit() &&
-        row.seconds < best.seconds && row.energy_share > results::kMovedWarning &&
-        (out == nullptr || row.seconds < out->seconds))
+    if (row.failure.empty() && study.keeps(row.errors) && row.seconds < best.seconds &&
+        row.energy_share > results::kMovedWarning && (out == nullptr || row.seconds < out->seconds))
       out = &row;
   return out;
 }
@@ -171,15 +182,15 @@ const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const Accuracy
 std::string recommendation(const AccuracyStudy& study) {
   if (study.finals.empty()) return "The study was broken off before it could recommend anything.";
   const AccuracyRow* own = own_row(study);
-  const double noise = study.long_reference.noise.largest();
+  const double noise = study.noise().largest();
   std::string out;
   if (study.recommended < 0) {
-    out = fmt::format("None of the settings keeps within {} over {:.4g} turns",
-                      percent(study.target), study.long_turns);
+    out = fmt::format("None of the settings keeps within {} over {:.4g} turns", limits_text(study),
+                      study.long_turns);
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
     out = fmt::format("{}: the cheapest within {} over {:.4g} turns, {:.3g} s ({})",
-                      best.setting.name, percent(study.limit()), study.long_turns, best.seconds,
+                      best.setting.name, limits_text(study), study.long_turns, best.seconds,
                       errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
@@ -195,9 +206,13 @@ std::string recommendation(const AccuracyStudy& study) {
                                 : fmt::format("; with the deck's own settings: {}", own->failure);
   if (noise > study.target)
     out += fmt::format(
-        "; two accurate runs differ by {}: the motion is irregular, and no smaller errors of its "
-        "means over this span can be told",
-        percent(noise));
+        "; the motion is irregular, and over this span no smaller errors of its means can be told: "
+        "two accurate runs differ by {}{}",
+        percent(study.long_reference.noise.largest()),
+        study.irregular.largest() > 0.0
+            ? fmt::format(", runs whose loads differ by a millionth by {}",
+                          percent(study.irregular.largest()))
+            : std::string());
   return out + ".";
 }
 
@@ -238,6 +253,9 @@ std::string accuracy_table(const AccuracyStudy& study) {
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
     out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}. {}\n", study.asked,
                        study.long_turns, growth_text(study));
+  if (study.irregular.largest() > 0.0)
+    out += fmt::format("A millionth of the loads changes these means by {} ({}).\n",
+                       percent(study.irregular.largest()), errors_text(study.irregular));
   if (study.untried > 0)
     out += fmt::format("{} more settings or models were not run: the budget left no time.\n",
                        study.untried);
@@ -297,6 +315,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
            {"reference", study.reference},
            {"short_reference", json_of(study.short_reference)},
            {"long_reference", json_of(study.long_reference)},
+           {"irregular", json_of(study.irregular)},
            {"seconds", study.seconds},
            {"untried", study.untried},
            {"recommended", study.recommended},
@@ -326,6 +345,7 @@ AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
     out.reference = json.at("reference").get<std::string>();
     out.short_reference = reference_of(json.at("short_reference"));
     out.long_reference = reference_of(json.at("long_reference"));
+    if (json.contains("irregular")) out.irregular = errors_of(json.at("irregular"));
     out.seconds = json.at("seconds").get<double>();
     out.untried = json.value("untried", 0);
     for (const Json& row : json.at("screening")) out.screening.push_back(row_of(row));

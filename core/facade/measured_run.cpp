@@ -4,6 +4,8 @@
 #include "facade/passing_folder.hpp"
 #include "scene/cost_ledger.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 namespace adore::facade {
@@ -38,6 +40,15 @@ double value_of(const results::KeyResults& results, std::string_view id) {
   for (const results::KeyResult& result : results)
     if (result.of.id == id) return result.value;
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::pair<std::string, std::string>> nearby_loads(const deck::Deck& deck,
+                                                              double change) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const char* name : {"appLoadX", "appLoadY", "appLoadZ"})
+    if (const double load = deck.real(name); load != 0.0)
+      out.emplace_back(name, fmt::format("{:.17g}", load + change * load));
+  return out;
 }
 
 }  // namespace adore::facade

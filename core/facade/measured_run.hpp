@@ -3,6 +3,9 @@
 #include "facade/run.hpp"
 
 #include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
 
 /// A run for the sake of its figures and its cost; its files are thrown away.
 namespace adore::facade {
@@ -23,5 +26,9 @@ struct MeasuredRun {
 
 /// Value of a key result [SI]; not a number when the run has none.
 [[nodiscard]] double value_of(const results::KeyResults& results, std::string_view id);
+
+/// The loads of the deck that are not zero, changed by a share, in its units.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> nearby_loads(const deck::Deck& deck,
+                                                                            double change);
 
 }  // namespace adore::facade

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -116,11 +115,7 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   out.seconds = base.seconds;
   out.base = base.outcome.summary;
   RunRequest beside = run;
-  const std::array<const char*, 3> loads{"appLoadX", "appLoadY", "appLoadZ"};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double load = prepared.input.deck.real(loads[k]);
-    if (load != 0.0) beside.sets.emplace_back(loads[k], fmt::format("{:.17g}", 1.000001 * load));
-  }
+  for (auto& load : nearby_loads(prepared.input.deck, 1e-6)) beside.sets.push_back(load);
   const MeasuredRun other = measured(beside);
   out.time_spread = std::abs(other.seconds - base.seconds) / base.seconds;
   out.noise = change_of(other.outcome.summary, out.base);
