@@ -43,9 +43,11 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
   return r;
 }
 
-/// Newton with backtracking; true when the residual force vanishes to rounding.
+/// Newton with backtracking; true when the residual force vanishes to rounding, or when it is below
+/// `accuracy` of the loads and the next step is short.
 ADORE_CLONES
-bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& races, Point& at) {
+bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& races,
+            double accuracy, Point& at) {
   constexpr int kIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
   // asked for.
@@ -71,7 +73,8 @@ bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& r
     if (!std::isfinite(length)) {
       return false;
     }
-    if (length <= position_noise) {
+    if (length <= position_noise ||
+        (now.size() <= accuracy * now.scale && length <= 1e-2 * longest)) {
       return true;
     }
     if (length <=
@@ -145,7 +148,8 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
 
 }  // namespace
 
-bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball) {
+bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball,
+                double accuracy) {
   const SeenRaces<double> races = see_races(m, ball.site, pose);
   const Point nominal{};
   ball.idle = false;
@@ -162,7 +166,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   }
   if (ball.known) {
     Point at{ball.x, ball.rho};
-    if (newton(m, ball.site, races, at)) {
+    if (newton(m, ball.site, races, accuracy, at)) {
       ball.x = at.x;
       ball.rho = at.rho;
       return true;
@@ -177,7 +181,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
       Point{own.groove.centre_x[0], own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter +
                                         own.groove.offset[0] + seat}};
   for (Point at : starts) {
-    if (newton(m, ball.site, races, at)) {
+    if (newton(m, ball.site, races, accuracy, at)) {
       ball.x = at.x;
       ball.rho = at.rho;
       ball.known = true;
@@ -189,7 +193,8 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
 }
 
 ADORE_CLONES
-BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball) {
+BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball,
+                     bool last_step) {
   BallShare share;
   if (ball.idle) {
     return share;
@@ -219,8 +224,15 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
   if (determinant != 0.0) {
     Eigen::Matrix2d inverse;
     inverse << on_ball(1, 1), -on_ball(0, 1), -on_ball(1, 0), on_ball(0, 0);
-    ball.follow = -(inverse / determinant) * on_ball_race;
+    inverse /= determinant;
+    ball.follow = -inverse * on_ball_race;
     share.stiffness += on_race_ball * ball.follow;
+    if (last_step) {
+      const Eigen::Vector2d step = -inverse * Eigen::Vector2d(f.axial.v, f.radial.v);
+      ball.x += step(0);
+      ball.rho += step(1);
+      share.load += on_race_ball * step;
+    }
   }
   return share;
 }

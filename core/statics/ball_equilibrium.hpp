@@ -34,11 +34,14 @@ struct BallShare {
 /// Without gyroscopic moment and with fixed K and ω_m the residual is the gradient of a convex
 /// potential, so the solution is unique and always found. Returns false when no start leads to an
 /// equilibrium (only possible with gyroscopic or angle-dependent terms).
-[[nodiscard]] bool solve_ball(const BallModel& model, const RacePose<double>& race,
-                              BallState& ball);
+/// @param accuracy residual force over the sum of loads from which one more step, which is left to
+/// ball_share(), is enough; 0: down to rounding
+[[nodiscard]] bool solve_ball(const BallModel& model, const RacePose<double>& race, BallState& ball,
+                              double accuracy = 0.0);
 
 /// Load share and stiffness at the equilibrium found by solve_ball; also refreshes ball.follow.
+/// @param last_step takes one more Newton step, in the ball's place and to first order in its load
 [[nodiscard]] BallShare ball_share(const BallModel& model, const RacePose<RaceDual>& race,
-                                   BallState& ball);
+                                   BallState& ball, bool last_step = false);
 
 }  // namespace adore::statics

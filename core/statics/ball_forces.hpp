@@ -59,7 +59,9 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
     const HertzSeries& hertz = seat.hertz[race];
     const double K_reference = hertz.reference().K;
     const S root = square_root(c.approach);
-    if (hertz.law().follows) {
+    if (!(m.own_speed_share > 0.0)) {  // the conservative problem: K is constant
+      c.load = contact::point_load(K_reference, c.approach, root);
+    } else if (hertz.law().follows) {
       const auto at = contact::angle_stiffness(hertz.law(), value_of(c.n_e));
       const double K = K_reference + m.own_speed_share * (at.K - K_reference);
       const double slope = m.own_speed_share * at.slope;

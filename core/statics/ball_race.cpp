@@ -21,7 +21,7 @@ bool is_conservative(const BallModel& m) {
          (!m.moving && (!m.hertz[0].varying() || m.hertz[0].law().follows));
 }
 
-bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double) {
+bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double accuracy) {
   std::array<double, 5> displacement{};
   std::array<RaceDual, 5> variable;
   for (std::size_t k = 0; k < 5; ++k) {
@@ -42,10 +42,10 @@ bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double)
         ball.rho += shift(1);
       }
     }
-    if (!solve_ball(model, pose, ball)) {
+    if (!solve_ball(model, pose, ball, accuracy)) {
       return false;
     }
-    const BallShare share = ball_share(model, pose_with_derivatives, ball);
+    const BallShare share = ball_share(model, pose_with_derivatives, ball, accuracy > 0.0);
     state.load += share.load;
     state.stiffness += share.stiffness;
     state.largest_contact = std::max(state.largest_contact, share.largest_load);

@@ -18,8 +18,7 @@ using BallRace = RaceState<BallState>;
 /// load is the gradient of a convex potential.
 [[nodiscard]] bool is_conservative(const BallModel& model);
 
-/// Balls are cheap: always balanced down to rounding.
-[[nodiscard]] inline double first_accuracy(const BallModel&) { return 0.0; }
+[[nodiscard]] inline double first_accuracy(const BallModel&) { return 1e-3; }
 
 /// Re-solves every ball for displacement q. False when a ball has no equilibrium.
 [[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, BallRace& state,

@@ -94,7 +94,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
   Staged result;
   if (cold && !plain) {
     m.own_speed_share = 0.0;
-    result.solve = solve_race_surely(m, task, state, 1e-3);
+    result.solve = solve_race_surely(m, task, state, 0.03);
     if (!result.solve.converged) {
       return result;
     }

@@ -228,7 +228,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     const bool small = result.residual <= std::max(target, noise);
     const bool stalled =
         result.residual <= 1e-10 && previous_size >= 0.0 && r.norm() >= 0.25 * previous_size;
-    if ((small || stalled) && accuracy > 0.0) {
+    if ((small || stalled) && accuracy > 0.0 && !(target > kLastResidual)) {
       accuracy = 0.0;
       if (!update_race(set, Vec5(state.q), state)) {
         result.element_failed = true;
