@@ -70,7 +70,12 @@ std::optional<Json> equivalent_case(const Json& in) {
   IsoGeometry g = iso_geometry(in);
   const auto load = life::iso_equivalent_load(g, get(in, "Fr"), get(in, "Fa"));
   if (!load) return Json{{"P", nullptr}};
-  return Json{{"P", load->P}, {"X", load->X}, {"Y", load->Y}, {"e", load->e}};
+  Json out{{"P", load->P}, {"X", load->X}, {"Y", load->Y}, {"e", load->e}};
+  // The rows of 5 and 10 degrees are not held (iso281.hpp).
+  if (const double angle = in.value("alpha_deg", 0.0);
+      g.type == IsoType::RadialBall && angle > 0.0 && angle < 15.0 - 1e-9)
+    out["rated_at_deg"] = 0.0;
+  return out;
 }
 
 /// The case gives the static rating, from which the deep-groove factors follow.

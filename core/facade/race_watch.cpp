@@ -13,7 +13,7 @@ void RaceWatch::begin(double t) noexcept {
   steps_ = 0;
 }
 
-void RaceWatch::look(double t, const dynamics::RaceLoad& load, long steps) {
+void RaceWatch::look(double t, const dynamics::RaceLoad& load) {
   const double asked = load.asked.norm();
   if (!(asked > 0.0)) {
     begun_ = false;  // a window is of one time without a gap
@@ -24,7 +24,7 @@ void RaceWatch::look(double t, const dynamics::RaceLoad& load, long steps) {
   last_ = t;
   off_ += step * (load.asked - load.carried).norm();
   asked_ += step * asked;
-  steps_ += steps;
+  ++steps_;
   const double length = t - start_;
   if (length < window_) return;
   const bool crowded = static_cast<double>(steps_) * longest_ > kCrowded * length;

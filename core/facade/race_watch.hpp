@@ -31,9 +31,10 @@ class RaceWatch {
   /// @param longest step of the run [s]
   RaceWatch(double time_scale, double longest)
       : window_(kWindow * time_scale), longest_(std::min(longest, time_scale)) {}
-  /// After so many steps; nothing is asked where no race is in balance.
+  /// After every step of the integration, counted as one (nStps) or not; nothing is asked where no
+  /// race is in balance.
   /// @throws SolverError
-  void look(double t, const dynamics::RaceLoad& load, long steps);
+  void look(double t, const dynamics::RaceLoad& load);
 
  private:
   void begin(double t) noexcept;

@@ -141,6 +141,7 @@ bool TimeRun::counted_step() {
     ++substeps_;
     if (substeps_ == whole) break;
     parts_.outputs.follow_loads(system(), parts_.stepper.time());
+    race_watch_.look(parts_.stepper.time(), system().balanced_race());
     if (parts_.outputs.checkpoint_due()) checkpoint();
     parts_.meter.update(parts_.stepper.time(), step_);
   }
@@ -155,7 +156,7 @@ void TimeRun::after_counted_step() {
   system().check_state(t, parts_.stepper.state().data());
   watch_.look(parts_.stepper);
   outputs.follow_loads(system(), t);
-  race_watch_.look(t, system().balanced_race(), parts_.prepared.control.substeps);
+  race_watch_.look(t, system().balanced_race());
   if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
   const RunPoint now = point();

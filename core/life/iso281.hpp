@@ -43,9 +43,9 @@ struct IsoGeometry {
 struct EquivalentLoad {
   double P = 0.0, X = 1.0, Y = 0.0, e = 0.0;
 };
-/// Radial ball: deep-groove table in f_0 F_a/C_0 below 20° (also for 0 < α < 20°, whose
-/// load-dependent table is not held here), angular-contact table from 20° to 45°. Radial roller: e
-/// = 1.5 tan α, X 0.4, Y 0.4 cot α. Thrust: P = F_a, empty when a radial load acts.
+/// Radial ball: below 15° deep-groove table in f_0 F_a/C_0 (rows of 5° and 10° are not held), then
+/// between rows of 15° and 20°, angular-contact table from 20° to 45°. Radial roller: e = 1.5 tan
+/// α, X 0.4, Y 0.4 cot α. Thrust: P = F_a, empty when a radial load acts.
 [[nodiscard]] std::optional<EquivalentLoad> iso_equivalent_load(const IsoGeometry& geometry,
                                                                 double radial, double axial);
 

@@ -136,7 +136,7 @@ RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Impe
   return body;
 }
 
-void add_inertia(RollerModel& m, const bearing::Bearing& b) {
+void add_inertia(RollerModel& m, const bearing::Bearing& b, bool guide) {
   const auto& g = m.rollers;
   const double half = 0.5 * g.diameter * std::cos(g.axis_angle);
   m.speeds = contact::rolling_speeds({0.5 * g.pitch_diameter + half, 0.5 * g.pitch_diameter - half},
@@ -150,7 +150,7 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
                                             b.element_inertia.moments.y())
                      .y();
   const bool stopped = g.flange[0][0].has_value() || g.flange[1][0].has_value();
-  if (g.shape == bearing::RollerShape::Arc && g.race_angle[0] > 0.0 && !stopped) {
+  if (guide && g.shape == bearing::RollerShape::Arc && g.race_angle[0] > 0.0 && !stopped) {
     const double held = m.centrifugal * std::sin(g.race_angle[0]);
     m.guide = {held * std::cos(g.race_angle[0]), -held * std::sin(g.race_angle[0])};
   }
@@ -185,7 +185,7 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   }
   m.race_speed = b.speed;
   m.outer_tilt = b.constraints.outer_misalignment;
-  add_inertia(m, b);
+  add_inertia(m, b, options.guide);
   const double length = m.slicing.effective_length;
   m.line_stiffness = std::max(m.law[0].constant, m.law[1].constant) * length;
   m.lever = 0.25 * length;

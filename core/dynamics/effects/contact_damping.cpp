@@ -98,9 +98,8 @@ void ContactDamping::declare(SceneBuilder& scene) {
   scene.energy("contacts beside the races.damping", kHeatBeside, &heat_beside_races_);
 }
 
-OtherForce other_force(const SceneBuilder& scene, scene::UserForce* user, std::string_view cost,
-                       double& heat) {
-  if (user != nullptr) return {user, &heat, true, cost};
+OtherForce other_force(const SceneBuilder& scene, scene::UserForce* user, std::string_view cost) {
+  if (user != nullptr) return {user, nullptr, true, cost};
   if (ContactDamping* damping = scene.find<ContactDamping>())
     return {&damping->law(), &damping->heat_beside_races(), false, kCostBeside};
   return {};

@@ -41,13 +41,14 @@ class ContactDamping final : public SceneEffect {
 /// What makes the normal forces of a kind of contact beside the built-in law.
 struct OtherForce {
   scene::UserForce* routine = nullptr;  ///< null: nothing
-  double* along = nullptr;              ///< takes its power along the normal [W]
+  double* elsewhere = nullptr;  ///< takes its power along the normal, an item of its own in the
+                                ///< ledger (damping); null: heat of the kind of contact [W]
   bool of_user = false;
   std::string_view cost;  ///< where the cost ledger books it
 };
 /// A routine of the user, or else damping.
-/// @param user routine of the user, or null; cost, heat of this kind: of such a routine
+/// @param user routine of the user, or null; cost: of such a routine
 [[nodiscard]] OtherForce other_force(const SceneBuilder& scene, scene::UserForce* user,
-                                     std::string_view cost, double& heat);
+                                     std::string_view cost);
 
 }  // namespace adore::dynamics

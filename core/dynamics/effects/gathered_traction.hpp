@@ -2,6 +2,7 @@
 
 #include "tribology/laws/user_law.hpp"
 #include "tribology/rounded_law.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <cstddef>
 #include <type_traits>
@@ -104,6 +105,13 @@ template <class Friction, class Pass>
   } else {
     pass(friction);
   }
+}
+/// The same of a law as it stands; null: pass(nullptr).
+template <class Pass>
+inline void in_passes_of(GatheredTraction& asked, const tribology::TractionLaw* law,
+                         const Pass& pass, int race = -1) {
+  if (law == nullptr) return pass(nullptr);
+  law->visit_rounded([&](const auto& friction) { in_passes(asked, friction, pass, race); });
 }
 
 }  // namespace adore::dynamics

@@ -21,11 +21,12 @@ struct HeatByPart {
     sum += watts;
     part[i] += watts;
   }
-  /// What a normal force of another takes along the normal: of this kind, or of damping, which has
-  /// an item of its own (user_forces.hpp).
-  void add_along(double& along, std::size_t i, double watts) noexcept {
-    along += watts;
-    if (&along == &sum) part[i] += watts;
+  /// What a normal force of another takes along the normal (OtherForce::elsewhere).
+  void add_along(double* elsewhere, std::size_t i, double watts) noexcept {
+    if (elsewhere != nullptr)
+      *elsewhere += watts;
+    else
+      add(i, watts);
   }
 };
 

@@ -217,14 +217,14 @@ class UserLandBlock final : public EffectBlock {
  public:
   UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
                 const tribology::TractionLaw& law, UserLandForces& forces, HeatByPart& heat,
-                double& along)
+                double* elsewhere)
       : lands_(lands),
         half_angle_(half_angle),
         traction_(traction),
         law_(law),
         forces_(forces),
         heat_(heat),
-        along_(along),
+        elsewhere_(elsewhere),
         race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
@@ -244,7 +244,7 @@ class UserLandBlock final : public EffectBlock {
           cage.load_slip += difference * touch.slip;
           const std::size_t part = touch.segment * lands_.size() + touch.land;
           heat_.add(part, more * touch.heat);
-          heat_.add_along(along_, part, -difference * rate);
+          heat_.add_along(elsewhere_, part, -difference * rate);
         });
     if (!valid) e.valid = false;
   }
@@ -298,7 +298,7 @@ class UserLandBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserLandForces& forces_;
   HeatByPart& heat_;
-  double& along_;
+  double* elsewhere_;
   int race_;
 };
 
@@ -320,9 +320,8 @@ class LandContact final : public SceneEffect {
         traction
             ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
             : tribology::TractionLaw();
-    const OtherForce other =
-        other_force(scene, scene.options.user ? scene.options.user->land : nullptr,
-                    "user routine ADRX4", heat_.sum);
+    const OtherForce other = other_force(
+        scene, scene.options.user ? scene.options.user->land : nullptr, "user routine ADRX4");
     if (other.of_user && !traction)
       scene.block<NoHeatOfParts>(Phase::Force, "land contacts", {}, heat_);
     const bool any_uneven = std::any_of(lands_.begin(), lands_.end(), [](const LandModel& land) {
@@ -351,7 +350,7 @@ class LandContact final : public SceneEffect {
         most += land.slice_x.size() * static_cast<std::size_t>(cut.count);
       forces_.emplace(*other.routine, most);
       scene.block<UserLandBlock>(Phase::Force, other.cost, {}, lands_, half_angle_, traction, law,
-                                 *forces_, heat_, *other.along);
+                                 *forces_, heat_, other.elsewhere);
     }
     if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_.sum);
   }

@@ -222,15 +222,11 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, HeatByPart& heat, double& along)
-      : set_(set), friction_(friction), forces_(forces), heat_(heat), along_(along) {}
+                  UserPocketForces& forces, HeatByPart& heat, double* elsewhere)
+      : set_(set), friction_(friction), forces_(forces), heat_(heat), elsewhere_(elsewhere) {}
   void apply(Evaluation& e) noexcept override {
-    if (friction_)
-      friction_->visit_rounded([&](const auto& friction) {
-        in_passes(asked_, friction, [&](const auto& law) { collect_all(law, e); });
-      });
-    else
-      collect_all(nullptr, e);
+    in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
+                 [&](const auto& law) { collect_all(law, e); });
     const bool valid = forces_.ask(
         e.t, [&](const UserPocketTouch& touch, double more, double difference, double rate) {
           const std::size_t ball = set_.element(touch.pocket);
@@ -244,7 +240,7 @@ class UserPocketBlock final : public EffectBlock {
             cage.load_slip += difference * touch.action.slip;
           }
           heat_.add(ball, more * touch.action.heat);
-          heat_.add_along(along_, ball, -difference * rate);
+          heat_.add_along(elsewhere_, ball, -difference * rate);
         });
     if (!valid) e.valid = false;
   }
@@ -279,7 +275,7 @@ class UserPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserPocketForces& forces_;
   HeatByPart& heat_;
-  double& along_;
+  double* elsewhere_;
 };
 
 }  // namespace
@@ -305,9 +301,8 @@ void PocketContact::declare(SceneBuilder& scene) {
     friction_.emplace(
         traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction));
   }
-  const OtherForce other =
-      other_force(scene, scene.options.user ? scene.options.user->pocket : nullptr,
-                  "user routine ADRX3", heat_.sum);
+  const OtherForce other = other_force(
+      scene, scene.options.user ? scene.options.user->pocket : nullptr, "user routine ADRX3");
   if (friction_ || other.of_user)
     scene.block<NoHeatOfParts>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
@@ -323,7 +318,7 @@ void PocketContact::declare(SceneBuilder& scene) {
     add_block(scene, *set, std::move(partners));
     forces.emplace(*other.routine, set->size() * kMostWalls);
     scene.block<UserPocketBlock>(Phase::Force, other.cost, std::move(same), *set, friction_,
-                                 *forces, heat_, *other.along);
+                                 *forces, heat_, other.elsewhere);
   };
   add(set_, pieces.pockets, forces_[0]);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);

@@ -113,14 +113,8 @@ class FlangeBlock final : public EffectBlock {
         friction_(friction),
         account_(account) {}
   void apply(Evaluation& e) noexcept override {
-    if (friction_ != nullptr)
-      friction_->visit_rounded([&](const auto& friction) {
-        in_passes(
-            asked_, friction, [&](const auto& law) { apply_with(law, e); },
-            static_cast<int>(race_));
-      });
-    else
-      apply_with(nullptr, e);
+    in_passes_of(
+        asked_, friction_, [&](const auto& law) { apply_with(law, e); }, static_cast<int>(race_));
   }
 
  private:
@@ -167,24 +161,18 @@ class UserFlangeBlock final : public EffectBlock {
  public:
   UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
-                  UserFlangeForces& forces, FlangeAccount& account, double& along)
+                  UserFlangeForces& forces, FlangeAccount& account, double* elsewhere)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
         forces_(forces),
         account_(account),
-        along_(along) {}
+        elsewhere_(elsewhere) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[race_];
-    if (friction_ != nullptr)
-      friction_->visit_rounded([&](const auto& friction) {
-        in_passes(
-            asked_, friction, [&](const auto& law) { collect_all(law, e); },
-            static_cast<int>(race_));
-      });
-    else
-      collect_all(nullptr, e);
+    in_passes_of(
+        asked_, friction_, [&](const auto& law) { collect_all(law, e); }, static_cast<int>(race_));
     const bool valid = forces_.ask(
         e.t, [&](const UserFlangeTouch& touch, double more, double difference, double rate) {
           const FlangeAction& a = touch.action;
@@ -194,7 +182,7 @@ class UserFlangeBlock final : public EffectBlock {
           e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(force)));
           race.add_force(-force, a.point);
           account_.heat += more * a.heat;
-          along_ -= difference * rate;
+          (elsewhere_ != nullptr ? *elsewhere_ : account_.heat) -= difference * rate;
           account_.load_slip += difference * a.slip;
           if (i == 0) account_.load_slip_element1 += difference * a.slip;
         });
@@ -233,7 +221,7 @@ class UserFlangeBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
-  double& along_;
+  double* elsewhere_;
 };
 
 class RollerFlanges final : public SceneEffect {
@@ -259,14 +247,15 @@ class RollerFlanges final : public SceneEffect {
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
                                account_[j]);
-      const OtherForce other = other_force(scene, user, "user routine ADRX2", account_[j].heat);
+      const OtherForce other = other_force(scene, user, "user routine ADRX2");
       if (other.routine != nullptr) {
         constexpr std::size_t kFlanges = 2;  // of a race
         forces_[j].emplace(*other.routine,
                            kFlanges * static_cast<std::size_t>(scene.bearing.element_count()));
-        scene.block<UserFlangeBlock>(
-            Phase::Force, other.cost, BodyId{BodyId::Kind::Race, static_cast<int>(j)}, pairs_, j,
-            mass_offset_, traction ? &friction_ : nullptr, *forces_[j], account_[j], *other.along);
+        scene.block<UserFlangeBlock>(Phase::Force, other.cost,
+                                     BodyId{BodyId::Kind::Race, static_cast<int>(j)}, pairs_, j,
+                                     mass_offset_, traction ? &friction_ : nullptr, *forces_[j],
+                                     account_[j], other.elsewhere);
       }
       if (traction || other.of_user)
         scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));

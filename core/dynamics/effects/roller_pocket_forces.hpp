@@ -29,17 +29,13 @@ using RollerPocketForces = UserForces<RollerPocketTouch>;
 class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
-                        RollerPocketForces& forces, HeatByPart& heat, double& along)
-      : set_(set), forces_(forces), heat_(heat), along_(along) {
+                        RollerPocketForces& forces, HeatByPart& heat, double* elsewhere)
+      : set_(set), forces_(forces), heat_(heat), elsewhere_(elsewhere) {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
-    if (friction_)
-      friction_->visit_rounded([&](const auto& friction) {
-        in_passes(asked_, friction, [&](const auto& law) { collect_all(law, e); });
-      });
-    else
-      collect_all(nullptr, e);
+    in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
+                 [&](const auto& law) { collect_all(law, e); });
     const bool valid = forces_.ask(
         e.t, [&](const RollerPocketTouch& touch, double more, double difference, double rate) {
           BodyState& cage = e.segments[set_.segment(touch.pocket)];
@@ -49,7 +45,7 @@ class UserRollerPocketBlock final : public EffectBlock {
             add(e, cage, touch.roller, difference * touch.aside, touch.middle);
           cage.load_slip += difference * touch.slip;
           heat_.add(touch.roller, more * touch.heat);
-          heat_.add_along(along_, touch.roller, -difference * rate);
+          heat_.add_along(elsewhere_, touch.roller, -difference * rate);
         });
     if (!valid) e.valid = false;
   }
@@ -123,7 +119,7 @@ class UserRollerPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   RollerPocketForces& forces_;
   HeatByPart& heat_;
-  double& along_;
+  double* elsewhere_;
 };
 
 }  // namespace adore::dynamics

@@ -128,9 +128,8 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     demand(!traction || scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
-    const OtherForce other =
-        other_force(scene, scene.options.user ? scene.options.user->pocket : nullptr,
-                    "user routine ADRX3", heat_.sum);
+    const OtherForce other = other_force(
+        scene, scene.options.user ? scene.options.user->pocket : nullptr, "user routine ADRX3");
     if (traction || other.of_user) scene.block<NoHeatOfParts>(Phase::Force, kCost, {}, heat_);
     std::optional<tribology::TractionLaw> friction;
     if (traction)
@@ -155,7 +154,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       forces.emplace(*other.routine, set->most_contacts());
       scene.block<UserRollerPocketBlock>(Phase::Force, other.cost, Partners(std::move(same)), *set,
                                          friction ? &*friction : nullptr, *forces, heat_,
-                                         *other.along);
+                                         other.elsewhere);
     };
     add(set_, pieces.pockets, forces_[0]);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);

@@ -78,3 +78,20 @@ TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
     }
   CHECK(seen > 20);
 }
+
+TEST_CASE("calc iso281 says at which contact angle it takes its equivalent load", "[unit][calc]") {
+  for (const double degrees : {0.0, 5.0, 10.0, 14.99, 15.0, 25.0}) {
+    const Json out = Json::parse(calculate("iso281", {{"bearing", "radial_ball"},
+                                                      {"Dw", 12.7},
+                                                      {"Dpw", 60.0},
+                                                      {"Z", 12},
+                                                      {"alpha_deg", degrees},
+                                                      {"Fr", 100.0},
+                                                      {"Fa", 500.0}})
+                                     .dump());
+    CAPTURE(degrees, out.dump());
+    REQUIRE(out.dump().find("\"P\"") != std::string::npos);
+    CHECK((out.dump().find("\"rated_at_deg\"") != std::string::npos) ==
+          (degrees > 0.0 && degrees < 15.0));
+  }
+}

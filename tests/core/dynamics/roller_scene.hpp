@@ -68,7 +68,7 @@ struct Scene {
 };
 
 inline Scene scene_of(Bearing b, scene::ScenePlan plan, int slices = 15, double first_azimuth = 0.0,
-                      const dynamics::SystemOptions& of_system = {}) {
+                      const dynamics::SystemOptions& of_system = {}, bool guide = true) {
   if (!b.rollers()->has_flange(0) && !b.rollers()->has_flange(1))
     for (auto& effect : plan.effects)
       if (effect.effect == scene::Effect::FlangeContact ||
@@ -77,6 +77,7 @@ inline Scene scene_of(Bearing b, scene::ScenePlan plan, int slices = 15, double 
   auto rollers = std::make_shared<dynamics::RollerScene>();
   rollers->options.slices = slices;
   rollers->options.first_azimuth = first_azimuth;
+  rollers->options.guide = guide;
   rollers->solution = statics::solve_roller_statics(b, rollers->options);
   dynamics::System system(b, plan, dynamics::static_start(*rollers, b), {}, of_system, {}, rollers);
   return {std::move(b), std::move(rollers), std::move(system)};
