@@ -82,7 +82,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
         open = drop(stored("contact.load" + behind(id, channel)), is_zero);
     if (open && std::any_of(out.values.begin(), out.values.end(),
                             [](double v) { return std::isfinite(v); }))
-      out.why_gaps = "no contact where its curve breaks off";
+      out.why_gaps = "no contact";
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),

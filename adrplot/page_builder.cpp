@@ -13,6 +13,8 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace adore::adrplot {
 namespace {
@@ -45,12 +47,24 @@ bool any_value(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
+std::string capital(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// The title of a panel within a sentence.
+std::string small(std::string text) {
+  const bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
+  if (word) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 /// Panels of a page with its curves over the stored steps. A curve without any value leaves its
 /// reason in the panel, or in the page's note beside curves that have some.
 /// @return why curves have gaps, a sentence each
 std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   const KnownColumns columns(file);
-  std::vector<std::string> gaps;
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> gaps;  // panels
   for (const auto& spec : page.panels) {
     ChartPanel panel{spec.title, columns.unit(spec.curves.front().column), {}, spec.wraps};
     std::string reason;
@@ -58,14 +72,10 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
       KnownValues known = columns.values(curve.column);
       if (!known.why_none.empty() && !any_value(known.values)) {
         reason = known.why_none;
-        if (spec.curves.size() > 1) reason = curve.name + ": " + reason;
+        if (spec.curves.size() > 1) reason = capital(curve.name) + ": " + reason;
       }
-      if (!known.why_gaps.empty() && any_value(known.values)) {
-        std::string gap =
-            (curve.name.empty() ? spec.title : curve.name) + ": " + known.why_gaps + ".";
-        gap[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(gap[0])));
-        if (std::find(gaps.begin(), gaps.end(), gap) == gaps.end()) gaps.push_back(std::move(gap));
-      }
+      if (!known.why_gaps.empty() && any_value(known.values))
+        gaps[{curve.name, known.why_gaps}].push_back(spec.title);
       panel.curves.push_back({curve.name, std::move(known.values), {}});
     }
     if (std::none_of(panel.curves.begin(), panel.curves.end(),
@@ -78,7 +88,21 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
     }
     chart.panels.push_back(std::move(panel));
   }
-  return gaps;
+  // One sentence for curves of the same panels.
+  std::map<std::pair<std::string, std::string>, std::string> curves;
+  for (const auto& [what, panels] : gaps) {
+    std::string names;
+    for (const std::string& panel : panels) names += (names.empty() ? "" : " and ") + small(panel);
+    std::string& of = curves[{names, what.second}];
+    if (!what.first.empty()) of += (of.empty() ? " of the " : " and the ") + what.first;
+  }
+  std::vector<std::string> out;
+  for (const auto& [what, of] : curves) {
+    const bool several = (what.first + of).find(" and ") != std::string::npos;
+    out.push_back(capital(fmt::format("{}{} {} off where there is {}.", what.first, of,
+                                      several ? "break" : "breaks", what.second)));
+  }
+  return out;
 }
 
 /// Components of one force, moment or acceleration: what is below a ten-millionth of the largest is
@@ -138,6 +162,15 @@ void tell_zeros(ChartPage& chart) {
                          : "Every value of this page is 0.");
 }
 
+/// Does a band reach beyond the line of its curve, by what can be seen of it?
+bool is_seen(const CurveBand& band, const std::vector<double>& line) {
+  constexpr double kSeen = 2e-3;
+  const double all = std::max({spread(band.low), spread(band.high), spread(line)});
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (std::max(band.high[i] - line[i], line[i] - band.low[i]) > kSeen * all) return true;
+  return false;
+}
+
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
@@ -150,14 +183,18 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       if (band == context.bands.end() || band->second.low.size() != file.steps.size()) continue;
       chart.panels[p].curves[c].low = band->second.low;
       chart.panels[p].curves[c].high = band->second.high;
-      add_note(chart, "Pale: lowest and highest value between the stored steps.");
+      if (is_seen(band->second, chart.panels[p].curves[c].y))
+        add_note(chart,
+                 "Pale areas reach from the lowest to the highest value between the stored "
+                 "steps.");
     }
   const double aliased = alias_interval(file, context.fastest_frequency);
   if (aliased > 0.0)
-    add_note(chart, fmt::format("Aliased: the fastest contact vibrates at {}, steps are stored at "
-                                "{}; faster motion between them is not seen in the lines.",
-                                desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-                                desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
+    add_note(chart,
+             fmt::format("Aliased: the fastest contact vibrates at {}, and steps are stored at "
+                         "{}; faster motion between them is not seen in the lines.",
+                         desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+                         desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair) {

@@ -71,12 +71,13 @@ class StepPages {
       page.note += (page.note.empty() ? "" : " ") + text;
     };
     if (file_.more)
-      note(fmt::format("Stored steps {} to {}; more follow in the file.", range_.from, range_.to));
+      note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
+                       range_.to));
     std::error_code ignored;
     if (why_not_.empty())
       page.subtitle += "   ·   all digits from RESULTS.h5";
     else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored))
-      note("Eight digits: " + why_not_ + ".");
+      note("The values have eight digits: " + why_not_ + ".");
     return page;
   }
 

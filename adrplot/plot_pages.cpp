@@ -139,7 +139,8 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
   if (!ball) {
     slip.note += slip.note.empty() ? "" : " ";
-    slip.note += "Slip velocity: the largest of the slices; it steps where another one takes over.";
+    slip.note +=
+        "The slip velocity is the largest of the slices; it steps where another one takes over.";
   }
   pages.push_back(std::move(slip));
 

@@ -82,8 +82,8 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   out.resampled = true;
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
   out.note = fmt::format(
-      "Resampled: stored steps of {} to {}, read off straight lines every {}; nothing above {} can "
-      "be trusted.",
+      "Resampled: stored steps of {} to {} are read off straight lines every {}, and nothing above "
+      "{} can be trusted.",
       seconds(smallest), seconds(largest), seconds(out.step),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
   std::size_t at = 0;

@@ -177,10 +177,11 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances, Spectrum
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = scale == SpectrumScale::Relative  ? "Each curve over its own largest line; l"
-                     : scale == SpectrumScale::Decibel ? "0 dB: each curve's own largest line; l"
-                                                       : "L";
-  add_note(chart, fmt::format("{}ines every {}, none below.", over, apart));
+  const char* over = scale == SpectrumScale::Relative
+                         ? "Each curve is drawn over its own largest line. "
+                     : scale == SpectrumScale::Decibel ? "0 dB is each curve's own largest line. "
+                                                       : "";
+  add_note(chart, fmt::format("{}There are lines every {} and none below.", over, apart));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {

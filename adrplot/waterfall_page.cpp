@@ -103,18 +103,19 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.view_high = last_visible(fall, largest);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
-  page.note +=
-      fmt::format("{}{} spectra of {}{}{}, {} to {}; {} from curve to curve, a point every {}.",
-                  page.note.empty() ? "" : " ", fall.time.size(), source.title,
-                  source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
-                  desktop::pretty_quantity(fall.time.front(), "s", 3),
-                  desktop::pretty_quantity(fall.time.back(), "s", 3) +
-                      (steady ? std::string()
-                              : fmt::format(" ({:.4g} to {:.4g} rpm)",
-                                            60.0 * speed_at(times, turns, fall.time.front()),
-                                            60.0 * speed_at(times, turns, fall.time.back()))),
-                  desktop::pretty_quantity(kDistance * largest, source.unit, 3),
-                  desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
+  page.note += fmt::format(
+      "{}These are {} spectra of {}{}{}, from {} to {}; each stands {} above the one before and "
+      "has a point every {}.",
+      page.note.empty() ? "" : " ", fall.time.size(), source.title,
+      source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
+      desktop::pretty_quantity(fall.time.front(), "s", 3),
+      desktop::pretty_quantity(fall.time.back(), "s", 3) +
+          (steady ? std::string()
+                  : fmt::format(" ({:.4g} to {:.4g} rpm)",
+                                60.0 * speed_at(times, turns, fall.time.front()),
+                                60.0 * speed_at(times, turns, fall.time.back()))),
+      desktop::pretty_quantity(kDistance * largest, source.unit, 3),
+      desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   page.panels.push_back(std::move(panel));
 }
 

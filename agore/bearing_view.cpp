@@ -39,6 +39,13 @@ void draw_land_arrows(const Scene& s) {
   }
 }
 
+/// Arrows of lands are as long as the cage's radius, whatever the force.
+void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
+  const QColor& red = s.sketch.theme().red;
+  key.push_back({red, "contact in the pocket", KeyMark::Star});
+  if (s.animation.guide != Guide::None) key.push_back({red, "direction of land contact"});
+}
+
 QString frame_name(const Scene& s) {
   return s.animation.segments > 1 ? QString("frame of segment %1").arg(s.segment() + 1)
                                   : QString("cage frame");
@@ -133,7 +140,8 @@ void bearing_view(const Scene& s) {
   std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
   if (s.animation.has_cage) {
     key.push_back({t.green, frame_name(s)});
-    key.push_back({t.red, "contact directions of the cage"});
+    add_cage_contacts(s, key);
+    if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
   }
   if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
   if (s.options.contacts && s.animation.contacts) {
@@ -165,11 +173,11 @@ void cage_view(const Scene& s) {
   draw_contact_marks(s);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
                                                : QString("orbit of the mass centre");
-  std::vector<KeyEntry> key{
-      {t.green, frame_name(s)},
-      {t.red, s.animation.guide_clearance > 0.0 ? "contact directions; dashed: clearance"
-                                                : "contact directions; no guide land"},
-      {t.curves[0], s.animation.guide_clearance > 0.0 ? way : way + " about its middle"}};
+  std::vector<KeyEntry> key{{t.green, frame_name(s)}};
+  add_cage_contacts(s, key);
+  const bool cleared = s.animation.guide_clearance > 0.0;
+  if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
+  key.push_back({t.curves[0], cleared ? way : way + " about its middle"});
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

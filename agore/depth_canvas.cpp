@@ -89,7 +89,7 @@ void DepthCanvas::triangle(const Point& a, const Point& b, const Point& c, const
 }
 
 void DepthCanvas::sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades,
-                         QRgb mark) {
+                         const Shades& mark) {
   constexpr float kSpot = 0.93F, kLine = 0.055F;  // cosines from the pole
   if (!drawable(centre) || !(radius > 0.0F && radius < 1e6F)) return;
   const bool marked = pole.x != 0 || pole.y != 0 || pole.z != 0;
@@ -111,7 +111,7 @@ void DepthCanvas::sphere(const Point& centre, float radius, const Pole& pole, co
       depth_[at] = depth;
       const float to_pole = std::abs(u * pole.x + v * pole.y + w * pole.z);
       const bool on_mark = marked && (to_pole > kSpot || to_pole < kLine);
-      colour_[at] = on_mark ? mark : shades[static_cast<std::size_t>(light_of(u, v, w))];
+      colour_[at] = (on_mark ? mark : shades)[static_cast<std::size_t>(light_of(u, v, w))];
     }
   }
 }

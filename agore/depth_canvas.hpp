@@ -37,7 +37,8 @@ class DepthCanvas {
     triangle(a, b, c, shades);
     triangle(a, c, d, shades);
   }
-  void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades, QRgb mark);
+  void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades,
+              const Shades& mark);
   /// Every pixel the mean of `shrink` by `shrink` of them.
   [[nodiscard]] QImage image(int shrink) const;
 

@@ -195,17 +195,22 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   const desktop::Theme& t = theme_of(options);
   painter.setFont(desktop::ui_font(18, true));
   painter.setPen(t.text);
-  painter.drawText(QPointF(area.left() + kMargin, area.top() + 30),
-                   QString::fromStdString(view_title(options.view)));
+  const QString title = QString::fromStdString(view_title(options.view));
+  const double title_width = QFontMetricsF(painter.font()).horizontalAdvance(title);
+  painter.drawText(QPointF(area.left() + kMargin, area.top() + 30), title);
   painter.setFont(desktop::ui_font(13));
   painter.setPen(t.muted);
   const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
   const QString origin = QString::fromStdString(run + speed_text(animation_) + "   ·   " +
                                                 animation_.file.path.filename().string() +
                                                 "   ·   " + animation_.source);
+  const QFontMetricsF metrics(painter.font());
+  const double width = area.width() - 2.0 * kMargin;
+  const auto heading = desktop::fitted_heading(origin, metrics, width, width - title_width - 24.0);
+  painter.drawText(QPointF(area.left() + kMargin, area.top() + 50), heading.below);
   painter.drawText(
-      QPointF(area.left() + kMargin, area.top() + 50),
-      desktop::fitted_line(origin, QFontMetricsF(painter.font()), area.width() - 2.0 * kMargin));
+      QPointF(area.right() - kMargin - metrics.horizontalAdvance(heading.beside), area.top() + 30),
+      heading.beside);
   const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
   for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
     painter.setPen(QPen(t.grid, 1.0));

@@ -8,12 +8,26 @@
 #include <QPaintEngine>
 
 #include <algorithm>
+#include <array>
 
 namespace adore::agore {
 
 namespace {
 
 constexpr double kKeyIndent = 26.0;
+constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
+
+void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
+  const double length = kKeyIndent - 8.0;
+  if (mark == KeyMark::Star) {
+    draw_asterisk(p, at + QPointF(0.5 * length, 0.0), 5.0, colour);
+    return;
+  }
+  QPen pen(colour, mark == KeyMark::Dashed ? 1.6 : 3.0, Qt::SolidLine, Qt::FlatCap);
+  if (mark == KeyMark::Dashed) pen.setDashPattern({4.0, 2.0});
+  p.setPen(pen);
+  p.drawLine(at, at + QPointF(length, 0.0));
+}
 
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width) {
@@ -30,6 +44,11 @@ QStringList wrapped(const QString& remark, double width) {
 }
 
 }  // namespace
+
+int key_columns(std::size_t entries, QSizeF size) {
+  constexpr double kSmall = 420.0, kTwoColumns = 2.0 * kKeyColumn;
+  return entries > 2 && size.height() < kSmall && size.width() >= kTwoColumns ? 2 : 1;
+}
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
   const std::vector<KeyEntry> entries =
@@ -73,11 +92,16 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const QStringList remarks = wrapped(remark, area.width() - 12.0);
   double width = 0.0;
   for (const QString& text : remarks) width = std::max(width, metrics.horizontalAdvance(text));
-  for (const auto& entry : entries)
-    width = std::max(width, metrics.horizontalAdvance(entry.text) + kKeyIndent);
+  constexpr double kGap = 12.0;
+  const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area.size()));
+  const std::size_t rows = (entries.size() + columns - 1) / columns;
+  std::array<double, 2> column{};
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    column[i / rows] =
+        std::max(column[i / rows], metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+  width = std::max(width, column[0] + (columns == 2 ? kGap + column[1] : 0.0));
   width = std::min(width, area.width() - 8);
-  const double height =
-      line * (static_cast<double>(entries.size()) + static_cast<double>(remarks.size()));
+  const double height = line * (static_cast<double>(rows) + static_cast<double>(remarks.size()));
   // What stands below stays readable and does not disturb.
   QColor paper = theme.surface;
   paper.setAlpha(215);
@@ -94,13 +118,13 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
     write(*text, x);
     y -= line;
   }
-  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    const bool drawn = entry->colour.isValid();
-    write(entry->text, drawn ? x + kKeyIndent : x);
-    y -= line;
-    if (!drawn) continue;
-    p.setPen(QPen(entry->colour, 3));
-    p.drawLine(QPointF(x, y + line - 4), QPointF(x + 18, y + line - 4));
+  const double top = y - line * static_cast<double>(rows);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const KeyEntry& entry = entries[i];
+    const double left = i < rows ? x : x + column[0] + kGap;
+    y = top + line * static_cast<double>(i % rows + 1);
+    write(entry.text, entry.colour.isValid() ? left + kKeyIndent : left);
+    if (entry.colour.isValid()) draw_mark(p, entry.mark, entry.colour, {left, y - 4});
   }
   return box;
 }

@@ -15,11 +15,19 @@ namespace adore::agore {
 
 class Sketch;
 
+/// What stands before the words of a key, as in the picture.
+enum class KeyMark { Line, Dashed, Star };
+
 struct KeyEntry {
   QColor colour;  ///< invalid: words about what is not drawn
   QString text;
+  KeyMark mark = KeyMark::Line;
   bool operator==(const KeyEntry&) const = default;
 };
+
+/// Columns in which a key of so many entries stands in a picture of a size: two in a small one, of
+/// which one would take half.
+[[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
 
 /// The key in a picture's lower left corner. Setting its lines takes longer than all else of a
 /// quick picture, so on a screen they are kept as an image until they say something else.

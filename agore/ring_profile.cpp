@@ -167,9 +167,20 @@ std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {
   return out;
 }
 
-double CageProfile::hole_at(double across) const {
+double CageProfile::hole_at(double across, std::size_t end) const {
   if (round > 0.0) return std::sqrt(std::max(round * round - across * across, 0.0));
-  return hole + flare * (across - 0.5 * (low + high));
+  return hole + leaning.at(end) + flare * (across - 0.5 * (low + high));
+}
+
+std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean) {
+  std::array<double, 2> out{};
+  for (const QPointF& p : roller.meridian())
+    for (const double side : {-1.0, 1.0}) {
+      const double u = leaned(0.0, 0.0, lean, p.x(), side * p.y()).x();
+      double& more = out[u < 0.0 ? 0 : 1];
+      more = std::max(more, std::abs(u) - roller.half);
+    }
+  return out;
 }
 
 CageProfile cage_profile(const Animation& animation) {
@@ -195,6 +206,10 @@ CageProfile cage_profile(const Animation& animation) {
   }
   if (!(out.half_width > 0.0)) out.half_width = 1.2 * out.hole;
   out.hole = std::min(out.hole, 0.96 * out.half_width);
+  if (!balls) {
+    out.leaning = leaning_walls(roller_profile(animation), nominal_lean(animation) - out.lean);
+    for (double& more : out.leaning) more = std::min(more, 0.96 * out.half_width - out.hole);
+  }
   out.low = g.cage_inner_radius - 0.5 * g.pitch_diameter;
   out.high = g.cage_outer_radius - 0.5 * g.pitch_diameter;
   return out;

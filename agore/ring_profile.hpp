@@ -5,6 +5,7 @@
 
 #include <QPointF>
 
+#include <array>
 #include <vector>
 
 /// Cuts through the bodies along the bearing's axis, in the file's length: (x, r). They need the
@@ -50,8 +51,14 @@ struct CageProfile {
   /// Half of a pocket along its axis: `hole` in the middle of the cage's height; a sphere of
   /// `round` or a cone of `flare` over the height is less or more elsewhere.
   double hole = 0.0, round = 0.0, flare = 0.0;
-  [[nodiscard]] double hole_at(double across) const;
+  std::array<double, 2> leaning{};  ///< what leaning_walls() adds
+  /// @param end 0 at -u, 1 at +u
+  [[nodiscard]] double hole_at(double across, std::size_t end) const;
 };
+/// How much farther from the pocket's middle than half a roller its end walls at -u and +u stand
+/// when the nominal roller leans in it: it has half of clearance I at each end however it lies
+/// (decision 213).
+[[nodiscard]] std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean);
 [[nodiscard]] CageProfile cage_profile(const Animation& animation);
 
 }  // namespace adore::agore

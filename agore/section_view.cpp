@@ -84,7 +84,7 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
     constexpr int kParts = 16;
     for (int i = 0; i <= kParts; ++i) {
       const double v = cage.low + (cage.high - cage.low) * i / kParts;
-      corner(std::min(cage.hole_at(v), cage.half_width), v);
+      corner(std::min(cage.hole_at(v, side < 0.0 ? 0 : 1), cage.half_width), v);
     }
     corner(cage.half_width, cage.high);
     corner(cage.half_width, cage.low);
@@ -148,7 +148,7 @@ void section_view(const Scene& s) {
   }
   draw_key(s, key,
            QString::fromStdString(fmt::format(
-               "element {} at {}°, to scale  ·  +x to the right, outwards up", k + 1,
+               "element {} at {}°  ·  to scale  ·  +x to the right, outwards up", k + 1,
                desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1))));
 }
 

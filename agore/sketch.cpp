@@ -226,17 +226,21 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   desktop::arrow_head(painter_, to, u, head, colour);
 }
 
-void Sketch::asterisk(QPointF where, double size, const QColor& colour) const {
+void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour) {
   // A pale rim keeps the mark readable on steel and on the ball's own mark.
   for (const auto& pen : {QPen(QColor(255, 255, 255, 220), 5.0, Qt::SolidLine, Qt::RoundCap),
                           QPen(colour, 2.6, Qt::SolidLine, Qt::RoundCap)}) {
-    painter_.setPen(pen);
+    painter.setPen(pen);
     for (int i = 0; i < 3; ++i) {
       const double a = std::numbers::pi * (i / 3.0 + 0.5);
       const QPointF d(size * std::cos(a), size * std::sin(a));
-      painter_.drawLine(where - d, where + d);
+      painter.drawLine(where - d, where + d);
     }
   }
+}
+
+void Sketch::asterisk(QPointF where, double size, const QColor& colour) const {
+  draw_asterisk(painter_, where, size, colour);
 }
 
 void Sketch::label(QPointF where, const QString& text, const QColor& colour, int pixel_size,

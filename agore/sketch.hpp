@@ -27,6 +27,9 @@ class CageOutlines {
 /// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
 bool on_pixels(const QPainter& painter);
 
+/// The mark of a contact, about a place of the picture.
+void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour);
+
 class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.

@@ -67,7 +67,7 @@ class Modeller {
     canvas_.quad(at(a, normal), at(b, normal), at(c, normal), at(d, normal), shades);
   }
   void sphere(const Vec3& centre, double radius, const Vec3& pole, const Shades& shades,
-              QRgb mark) {
+              const Shades& mark) {
     canvas_.sphere(at(centre), static_cast<float>(scale_ * radius),
                    {static_cast<float>(pole.dot(eye_.right)), static_cast<float>(pole.dot(eye_.up)),
                     static_cast<float>(pole.dot(eye_.toward))},
@@ -159,7 +159,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     r.edge_angle = a * pocket.half_angle;
     r.edge_u = b * cage.half_width;
     const double size = pocket.round ? std::hypot(a, b) : 1.0;
-    r.hole_u = b / size * cage.hole;
+    r.hole_u = b / size * (cage.hole + cage.leaning[b < 0.0 ? 0 : 1]);
     const double limit = 0.96 * pocket.half_angle * pitch_radius;
     r.hole_angle =
         std::min(limit, pocket.half_round + pocket.taper * r.hole_u) * a / size / pitch_radius;
@@ -233,11 +233,15 @@ Vec3 roller_axis(const results::Sol8Element& e, double nominal, double factor) {
       .normalized();
 }
 
+/// Of the marks that turn with elements: with light and shade of their own, for a flat dark one
+/// looks like a hole, and none of the colours of the scale.
+QColor mark_colour() { return QColor("#7a3fa0"); }
+
 void add_elements(Modeller& m, const Scene& s, double roller_factor) {
   const Colouring colours = colouring(s.animation, s.index, s.options.colour);
   const desktop::Theme& t = s.sketch.theme();
   const bool balls = s.animation.file.bearing_type == 1;
-  const Shades steel = shades_of(t.steel_light), dark = shades_of(QColor("#232b34"));
+  const Shades steel = shades_of(t.steel_light), paint = shades_of(mark_colour());
   const double nominal = nominal_lean(s.animation);
   const RollerProfile roller = roller_profile(s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
@@ -251,14 +255,14 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
     const Vec3 centre = element_place(s, k);
     if (balls) {
       m.sphere(centre, s.geometry().element_radius,
-               followed ? Vec3(attitude.col(2)) : Vec3(Vec3::Zero()), shades, dark[150]);
+               followed ? Vec3(attitude.col(2)) : Vec3(Vec3::Zero()), shades, paint);
       continue;
     }
     const Vec3 axis = roller_axis(e, nominal, roller_factor);
     Vec3 first = attitude.col(2) - attitude.col(2).dot(axis) * axis;
     if (!(first.norm() > 1e-6)) first = outwards(e.theta);
     add_roller(m, roller, centre - roller.mass_centre * axis, axis, first.normalized(), shades,
-               followed ? dark : shades);
+               followed ? paint : shades);
   }
 }
 
@@ -361,7 +365,7 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
       m.sphere(Vec3(face.x, 0.0, 0.0) +
                    0.5 * (face.near + face.far) * outwards(s.animation.race_angle[race][s.index]) +
                    shift(race),
-               size_of, Vec3::Zero(), shades_of(spots[race]), 0);
+               size_of, Vec3::Zero(), shades_of(spots[race]), shades_of(spots[race]));
   }
   QImage out = canvas_.image(oversample);
   out.setDevicePixelRatio(pixel_ratio);

@@ -1,5 +1,6 @@
 #include "agore/view_layout.hpp"
 
+#include "agore/picture_key.hpp"
 #include "agore/view_scene.hpp"
 #include "agore/views.hpp"
 
@@ -42,16 +43,26 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
 
 namespace {
 
+/// Entries of the keys of views that have many.
+std::size_t key_entries(const Animation& animation, const ViewOptions& options) {
+  const std::size_t loads = options.contacts ? 1 : 0, trails = options.trails ? 1 : 0;
+  const std::size_t guide = animation.guide != Guide::None ? 2 : 0;
+  if (options.view == View::Cage) return 3 + guide;
+  return 2 + (animation.has_cage ? 2 + guide : 0) + loads + trails;
+}
+
 /// Lines that the key of a view has at most, about 260 pixels wide.
-int key_lines(const Animation& animation, const ViewOptions& options) {
+int key_lines(const Animation& animation, const ViewOptions& options, QSizeF size) {
   const int loads = options.contacts ? 1 : 0, trails = options.trails ? 1 : 0;
   switch (options.view) {
     case View::Bearing:
-      return 3 + (animation.has_cage ? 2 : 0) + loads + trails;
+    case View::Cage: {
+      const auto entries = static_cast<int>(key_entries(animation, options));
+      const int columns = key_columns(static_cast<std::size_t>(entries), size);
+      return (entries + columns - 1) / columns + 1;
+    }
     case View::Solid:
       return 3 + 2 * loads + trails;
-    case View::Cage:
-      return 4;
     case View::Element:
       return 5;
     case View::Pocket:
@@ -65,7 +76,9 @@ int key_lines(const Animation& animation, const ViewOptions& options) {
 }
 
 /// Width of a view's key [pixels], as its longest line needs it.
-double key_width(const ViewOptions& options) {
+double key_width(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const bool many = options.view == View::Bearing || options.view == View::Cage;
+  if (many && key_columns(key_entries(animation, options), size) == 2) return size.width();
   switch (options.view) {
     case View::Solid:
       return 290.0;
@@ -86,11 +99,11 @@ double key_foot(const Animation& animation, const ViewOptions& options, QSizeF s
   const bool low = size.height() < kTooLow;
   const bool round =
       options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
-  double lines = key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
+  double lines = key_lines(animation, options, size) + (size.width() < kWide ? 1 : 0);
   if (low) lines = options.view == View::Bearing ? 1.0 : round || size.width() > 260.0 ? 2.0 : 3.0;
   const double height = std::min(lines * key_line() + 4.0, 0.45 * size.height());
-  if (!round) return height;
-  const double beside = std::max(0.0, 0.5 * size.width() - key_width(options));
+  if (!round || (low && options.view == View::Solid)) return height;
+  const double beside = std::max(0.0, 0.5 * size.width() - key_width(animation, options, size));
   // Rings end a margin before the picture does; the numbers of elements stand in it.
   const double half = 0.5 * std::min(size.width(), size.height());
   const bool numbers = options.view == View::Bearing || options.view == View::Cage;

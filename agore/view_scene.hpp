@@ -68,7 +68,7 @@ struct TrailPoint {
 /// Told apart from loads, frames and marks with every colour vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
 
-/// ", longest of the run 390 N", for a key: all arrows of loads are on one scale, and that one may
+/// ", up to 390 N" in the run, for a key: all arrows of loads are on one scale, and that one may
 /// not be in the frame that is drawn.
 [[nodiscard]] QString longest_load(const Scene& scene, double load);
 

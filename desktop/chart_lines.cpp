@@ -54,11 +54,13 @@ QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_ax
   return points;
 }
 
-constexpr qreal kSame = 0.75;  // pixels: lines closer than this lie on one another
+/// Lines closer than this part of a panel's height lie on one another: whatever size a picture has,
+/// it says the same of two curves.
+constexpr double kSame = 1.0 / 300.0;
 
-/// Does every point of `line` lie on the way of `other`: within kSame of where that passes a pixel
+/// Does every point of `line` lie on the way of `other`: within `same` of where that passes a pixel
 /// to either side? Both go to the right.
-bool lies_on(const QPolygonF& line, const QPolygonF& other) {
+bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
   const auto height = [&other](qsizetype i, qreal x) {  // of the stroke that ends at point i
     const QPointF &a = other[i - 1], &b = other[i];
     return b.x() > a.x() ? a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()) : b.y();
@@ -73,7 +75,7 @@ bool lies_on(const QPolygonF& line, const QPolygonF& other) {
     qsizetype last = first;
     for (; last < other.size() && other[last].x() <= right; ++last) passed.include(other[last].y());
     if (on_a_stroke(last)) passed.include(height(last, right));
-    if (passed.empty() || p.y() < passed.low - kSame || p.y() > passed.high + kSame) return false;
+    if (passed.empty() || p.y() < passed.low - same || p.y() > passed.high + same) return false;
   }
   return true;
 }
@@ -88,17 +90,17 @@ std::vector<Extent> extents_of(const std::vector<QPolygonF>& lines) {
 
 /// Is nothing to be seen of the lines `a` beside the lines `b`, nor of `b` beside `a`? Curves that
 /// run to and fro within the same bounds cover each other, whatever their values are.
-bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other) {
+bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
   const std::vector<QPolygonF>&a = one.lines, &b = other.lines;
   if (a.empty() || a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i)  // soon decided
-    if (std::abs(one.extents[i].low - other.extents[i].low) > kSame ||
-        std::abs(one.extents[i].high - other.extents[i].high) > kSame)
+    if (std::abs(one.extents[i].low - other.extents[i].low) > same ||
+        std::abs(one.extents[i].high - other.extents[i].high) > same)
       return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::abs(a[i].front().x() - b[i].front().x()) > 1.0 ||
-        std::abs(a[i].back().x() - b[i].back().x()) > 1.0 || !lies_on(a[i], b[i]) ||
-        !lies_on(b[i], a[i]))
+        std::abs(a[i].back().x() - b[i].back().x()) > 1.0 || !lies_on(a[i], b[i], same) ||
+        !lies_on(b[i], a[i], same))
       return false;
   }
   return true;
@@ -213,9 +215,9 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     shown.extents = extents_of(shown.lines);
     if (rising_ && !panel.one_colour)
       for (ShownCurve& before : out) {
-        if (before.hides || !coincide(before, shown)) continue;
+        if (before.hides || !coincide(before, shown, kSame * area.height())) continue;
         shown.hides = before.curve;
-        shown.alike = alikeInView(index, before.curve, c, y_axis, area.height());
+        shown.alike = alikeInView(index, before.curve, c, y_axis);
         shown.later = ++before.later;
         break;
       }
@@ -225,21 +227,26 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
 }
 
 ChartScene::Alike ChartScene::alikeInView(std::size_t index, std::size_t a, std::size_t b,
-                                          const AxisScale& y_axis, qreal height) {
+                                          const AxisScale& y_axis) {
   const ChartPanel& panel = page_.panels[index];
   const ChartCurve &one = panel.curves[a], &other = panel.curves[b];
   const auto [known, unknown] = equal_runs_.try_emplace({index, a, b}, false);
-  if (unknown) known->second = agree(one, other, 0, page_.x.size(), equal_values);
+  // What is 0 but for rounding is 0.
+  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const auto equal = [nothing](double p, double q) {
+    return equal_values(p, q) || std::abs(p - q) <= nothing;
+  };
+  if (unknown) known->second = agree(one, other, 0, page_.x.size(), equal);
   if (known->second) return Alike::Equal;
   const auto [from, to] = places_between(page_.x, low_, high_);
-  const double pixel = (y_axis.max - y_axis.min) / height;
+  const double seen = kSame * (y_axis.max - y_axis.min);
   const auto near = [&](double p, double q) {
     const bool p_shown = !panel.log || p > 0.0, q_shown = !panel.log || q > 0.0;
-    return p_shown && q_shown ? std::abs(y_axis.shown(p) - y_axis.shown(q)) <= pixel
+    return p_shown && q_shown ? std::abs(y_axis.shown(p) - y_axis.shown(q)) <= seen
                               : p_shown == q_shown;
   };
   if (!agree(one, other, from, to, near)) return Alike::Covers;
-  return agree(one, other, from, to, equal_values) ? Alike::Equal : Alike::Near;
+  return agree(one, other, from, to, equal) ? Alike::Equal : Alike::Near;
 }
 
 void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,

@@ -73,7 +73,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   y_axis.min = y_axis.shown(middle_y - half_y), y_axis.max = y_axis.shown(middle_y + half_y);
   x_axis_ = x_axis;
   addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
-           with_unit(text_of(panel.title), y_axis), true, m);
+           with_unit(text_of(panel.title), y_axis), true, true, m);
   if (page_.guide_radius > 0.0) {
     Polyline circle;
     constexpr int kPoints = 180;

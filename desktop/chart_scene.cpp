@@ -230,10 +230,11 @@ void ChartScene::rebuild() {
                         : tight_axis(low_, high_, page_.x_unit,
                                      std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
-  const qreal height = (space.height() - m.gap * (count - 1) - m.legend) / count;
+  const qreal rise = mark_rise(page_, m.tick_font);
+  const qreal height = (space.height() - m.gap * (count - 1) - m.legend - rise) / count;
   for (std::size_t i = 0; i < page_.panels.size(); ++i) {
     const QRectF area(space.left(),
-                      space.top() + m.legend + static_cast<qreal>(i) * (height + m.gap),
+                      space.top() + m.legend + rise + static_cast<qreal>(i) * (height + m.gap),
                       space.width(), height);
     addPanel(i, area, i + 1 == page_.panels.size(), m);
   }
@@ -291,22 +292,27 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const AxisScale y_axis = panelAxis(index, area, any);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
   const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis);
-  const qreal legend = addLegend(panel, shown, area, m);
+  const bool log_of_none =
+      any && panel.log && std::none_of(panel.curves.begin(), panel.curves.end(), any_above_0);
+  const bool names_above = index == 0 && !page_.marks.empty();
+  // A panel without values has no scale: any would be made up.
+  const bool scaled = any && !log_of_none;
+  const QRectF below_legend =
+      area.adjusted(0.0, names_above ? -mark_rise(page_, m.tick_font) : 0.0, 0.0, 0.0);
+  const qreal legend = scaled ? addLegend(panel, shown, below_legend, m) : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
-  QString y_title = with_unit(text_of(panel.title), y_axis);
+  QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
-  const bool names_above = index == 0 && !page_.marks.empty();
-  if (!names_above &&
-      title_metrics.horizontalAdvance(text_of(panel.title)) > title_room(area, m.gap) &&
+  if (title_metrics.horizontalAdvance(text_of(panel.title)) > title_room(area, m.gap) &&
       area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
     auto* title = addSimpleText(y_title, ui_font(m.text_font));
     title->setBrush(theme_->text);
-    title->setPos(area.left(), area.top() - title_metrics.height() - 3.0);
+    title->setPos(area.left(), below_legend.top() - title_metrics.height() - 3.0);
     head += title_metrics.horizontalAdvance(y_title) + 16.0;
     y_title.clear();
   }
-  addChart(area, x_axis_, y_axis, x_title, y_title, bottom, m);
+  addChart(area, x_axis_, y_axis, x_title, y_title, bottom, scaled, m);
   std::vector<QPolygonF> drawn;
   for (const ShownCurve& one : shown) {
     const ChartCurve& curve = panel.curves[one.curve];
@@ -315,18 +321,21 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
   if (!any)
-    addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
-  else if (panel.log && std::none_of(panel.curves.begin(), panel.curves.end(), any_above_0))
+    addMessage(
+        area,
+        panel.message.empty() ? tr("There are no values in the file.") : text_of(panel.message), m);
+  else if (log_of_none)
     addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
-  if (!y_axis.offset_text.empty()) addBase(y_axis, area, head, legend, drawn, m);
-  if (any) addMarks(area, index == 0, legend, m);  // lines across a message hide its words
+  if (scaled && !y_axis.offset_text.empty())
+    addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
+  if (any) addMarks(area, index == 0, m);  // lines across a message hide its words
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
 }
 
 QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
                              const QString& x_title, const QString& y_title, bool x_labels,
-                             const Metrics& m) {
+                             bool y_labels, const Metrics& m) {
   auto* chart = new QChart;
   chart->setBackgroundVisible(false);
   chart->setPlotAreaBackgroundVisible(false);
@@ -358,13 +367,14 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
   style(y, y_scale, y_title);
   chart->addAxis(x, Qt::AlignBottom);
   chart->addAxis(y, Qt::AlignLeft);
+  if (!y_labels) y->setVisible(false);
   // Axes are placed when the layout runs, which would otherwise wait for the event loop; a picture
   // is painted now.
   chart->layout()->invalidate();
   chart->layout()->activate();
   charts_.push_back(chart);
   lines_.push_back(0);
-  if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
+  if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, y_labels, m);
   return chart;
 }
 

@@ -105,7 +105,7 @@ class ChartScene : public QGraphicsScene {
                                                     const AxisScale& y_axis);
   /// What to say of curve `b` of a panel, which would hide curve `a` in the view.
   [[nodiscard]] Alike alikeInView(std::size_t index, std::size_t a, std::size_t b,
-                                  const AxisScale& y_axis, qreal height);
+                                  const AxisScale& y_axis);
   /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
   /// only one is its own.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
@@ -123,15 +123,17 @@ class ChartScene : public QGraphicsScene {
   /// Returns its left end.
   qreal addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown, const QRectF& area,
                   const Metrics& m);
-  /// Names stand above the panel, as near to their lines as they have room; a step leads from a
-  /// name to a line that is not below it. `free_until`: where they meet the legend.
-  void addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m);
+  /// Names stand above the panel, as near to their lines as they have room; a step between the two
+  /// leads from a name to a line that is not below it.
+  void addMarks(const QRectF& area, bool label, const Metrics& m);
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
-                   const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
+                   const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
+                   const Metrics& m);
   void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
-                 const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
+                 const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
+                 const Metrics& m);
   /// A line inside `area`, drawn by ourselves: Qt Charts makes an outline of every line for the
   /// mouse, which takes most of the time of moving along a long run. Returns it in the scene.
   QPolygonF addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,

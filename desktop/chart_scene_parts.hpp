@@ -67,6 +67,13 @@ struct ChartScene::Metrics {
   qreal line, thin_line;
 };
 
+/// Between a panel and its legend: a row of names of marks, and the steps from these to their
+/// lines, so that no step crosses a curve.
+inline constexpr qreal kMarkSteps = 20.0;
+inline qreal mark_rise(const ChartPage& page, int tick_font) {
+  return page.marks.empty() ? 0.0 : tick_font + 6.0 + kMarkSteps;
+}
+
 /// Length of a title beside its panel: into the gaps above and below, not up to the next title.
 inline qreal title_room(const QRectF& area, qreal gap) {
   constexpr qreal kApart = 12.0;

@@ -11,10 +11,10 @@
 /// What is written on a page of charts: heading, note, ticks, titles, legends, names of marks.
 namespace adore::desktop {
 
-/// The page's note as lines of the page's width, three at most.
+/// The page's note as lines of the page's width, four at most.
 QStringList ChartScene::noteLines(qreal right) const {
   if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kFont = 13, kLeft = 24, kMost = 3;
+  constexpr int kFont = 13, kLeft = 24, kMost = 4;
   const QFontMetricsF metrics(ui_font(kFont));
   const qreal width = size_.width() - kLeft - right;
   QStringList lines{QString()};
@@ -44,7 +44,24 @@ void ChartScene::addHeading(const Metrics& m) {
     return;
   }
   line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
-  line(text_of(page_.subtitle), ui_font(m.text_font), theme_->muted, 40);
+  const qreal width = size_.width() - 24 - m.right;
+  const qreal title =
+      QFontMetricsF(ui_font(m.title_font, true)).horizontalAdvance(text_of(page_.title));
+  FittedHeading heading;
+  QFont font;
+  for (const int size : {m.text_font, m.text_font - 1, m.text_font - 2}) {
+    font = ui_font(size);
+    heading =
+        fitted_heading(text_of(page_.subtitle), QFontMetricsF(font), width, width - title - 24);
+    if (!heading.below.contains(QChar(0x2026))) break;  // small letters before dots
+  }
+  line(heading.below, font, theme_->muted, 40);
+  if (!heading.beside.isEmpty()) {
+    auto* item = addSimpleText(heading.beside, font);
+    item->setBrush(theme_->muted);
+    item->setPos(size_.width() - m.right - QFontMetricsF(font).horizontalAdvance(heading.beside),
+                 18);
+  }
   qreal y = 60;
   for (const QString& text : noteLines(m.right)) {
     line(text, ui_font(m.text_font), theme_->accent, y);
@@ -56,7 +73,7 @@ void ChartScene::addHeading(const Metrics& m) {
 // different place in each panel.
 void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
                            const QString& x_title, const QString& y_title, bool x_labels,
-                           const Metrics& m) {
+                           bool y_labels, const Metrics& m) {
   const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
   const QFontMetricsF metrics(font), title_metrics(title_font);
   const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
@@ -66,7 +83,8 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     item->setPos(position);
     return item;
   };
-  for (const auto& [value, label] : axis_ticks(y_scale)) {
+  for (const auto& [value, label] :
+       y_labels ? axis_ticks(y_scale) : decltype(axis_ticks(y_scale)){}) {
     const QString text = text_of(label);
     const qreal y =
         area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
@@ -120,13 +138,14 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   const auto name_of = [&](std::size_t i, bool whole) {
     const ChartCurve& curve = panel.curves[i];
     const ShownCurve* const one = drawn(i);
-    if (whole && one != nullptr && one->hides)
-      return tr("%1 (%2 %3)")
-          .arg(text_of(curve.name),
-               one->alike == Alike::Equal  ? "="
-               : one->alike == Alike::Near ? "≈"
-                                           : tr("over"),
-               text_of(panel.curves[*one->hides].name));
+    if (one != nullptr && one->hides) {
+      const QString sign = one->alike == Alike::Equal  ? "="
+                           : one->alike == Alike::Near ? "≈"
+                                                       : tr("over");
+      return whole ? tr("%1 (%2 %3)")
+                         .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
+                   : tr("%1 (%2)").arg(text_of(curve.name), sign);
+    }
     return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
                                                : text_of(curve.name);
   };
@@ -137,11 +156,8 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     return all;
   };
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
-  // Where there is no room to say what a curve hides, its broken line does.
-  constexpr qreal kNarrow = 900.0;  // there the names of marks need it
-  const bool marked = &panel == &page_.panels.front() && !page_.marks.empty();
-  const bool whole =
-      length(true) + count * (14.0 + 8.0) <= room && !(marked && area.width() < kNarrow);
+  // Where there is no room to say which curve it hides, its sign stands alone.
+  const bool whole = length(true) + count * (14.0 + 8.0) <= room;
   const qreal names = length(whole);
   const bool narrow = names + count * (24.0 + 16.0) > room;
   const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
@@ -179,7 +195,8 @@ namespace {
 
 /// A name over a panel, and the line that it belongs to.
 struct MarkName {
-  QString text;
+  QStringList all;
+  QString text = {};
   qreal line = 0.0, left = 0.0, width = 0.0;
   /// Where the way from the name to its line leaves it.
   [[nodiscard]] qreal foot() const {
@@ -189,35 +206,42 @@ struct MarkName {
 };
 
 /// Side by side from `left` to `right`, each as near to its line as the others let it be. Names of
-/// one line, and the last of too many, share a text.
+/// one line, and the last of too many, share a text, which counts those that it has no room for.
 void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal left, qreal right) {
   constexpr qreal kApart = 8.0, kOneLine = 1.5;
-  const auto join = [&](std::size_t i) {  // the next one to it
-    names[i].text += ", " + names[i + 1].text;
-    names[i].width = metrics.horizontalAdvance(names[i].text);
-    names.erase(names.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  const auto write = [&](MarkName& name, qreal room) {
+    name.text = name.all.join(", ");
+    for (qsizetype told = name.all.size() - 1;
+         told >= 0 && metrics.horizontalAdvance(name.text) > room; --told)
+      name.text = told > 0 ? ChartScene::tr("%1, %2 more")
+                                 .arg(name.all.mid(0, told).join(", "))
+                                 .arg(name.all.size() - told)
+                           : ChartScene::tr("%1 names").arg(name.all.size());
+    name.width = metrics.horizontalAdvance(name.text);
   };
+  const auto join = [&](std::size_t i) {  // the next one to it
+    names[i].all += names[i + 1].all;
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    write(names[i], right - left);
+  };
+  for (MarkName& name : names) write(name, right - left);
   for (std::size_t i = 0; i + 1 < names.size();)
     if (names[i + 1].line - names[i].line < kOneLine)
       join(i);
     else
       ++i;
-  // Without the last one, which may be shortened.
+  // Without the last one, which may count its names.
   const auto length = [&] {
     qreal all = 0.0;
     for (std::size_t i = 0; i + 1 < names.size(); ++i) all += names[i].width + kApart;
     return all;
   };
-  constexpr qreal kShort = 45.0;
+  constexpr qreal kShort = 60.0;
   const auto crowded = [&] {
     return length() + std::min(names.back().width, kShort) > right - left;
   };
   while (names.size() > 1 && crowded()) join(names.size() - 2);
-  if (!names.empty() && length() + names.back().width > right - left) {
-    MarkName& last = names.back();
-    last.text = metrics.elidedText(last.text, Qt::ElideRight, right - left - length());
-    last.width = metrics.horizontalAdvance(last.text);
-  }
+  if (!names.empty()) write(names.back(), right - left - length());
   for (MarkName& name : names) {
     name.left = std::max(left, name.line - 0.5 * name.width);
   }
@@ -232,58 +256,51 @@ void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal l
 
 }  // namespace
 
-void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m) {
+void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
   std::vector<ChartMark> marks = page_.marks;
   std::stable_sort(marks.begin(), marks.end(),
                    [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
   const QFont font = ui_font(m.tick_font);
   const QFontMetricsF metrics(font);
+  const QPen pen(theme_->muted, 1, Qt::DashLine);
   std::vector<MarkName> names;
   for (const auto& mark : marks) {
     const double shown = x_axis_.shown(mark.x);
     if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
     const qreal x =
         area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
-    const QString text = text_of(mark.label);
-    names.push_back({text, x, 0.0, metrics.horizontalAdvance(text)});
+    addLine(QLineF(x, area.top(), x, area.bottom()), pen);
+    names.push_back({.all = {text_of(mark.label)}, .line = x});
   }
-  const QPen pen(theme_->muted, 1, Qt::DashLine);
-  if (!label) {
-    for (const MarkName& name : names)
-      addLine(QLineF(name.line, area.top(), name.line, area.bottom()), pen);
-    return;
-  }
+  if (!label || names.empty()) return;
   const std::vector<MarkName> lines = names;
-  constexpr qreal kBeforeLegend = 8.0, kLeast = 60.0;
-  // A legend as wide as the panel leaves them the first line in it.
-  const bool above = free_until - kBeforeLegend - area.left() > kLeast;
-  arrange(names, metrics, area.left(),
-          above && free_until < area.right() ? free_until - kBeforeLegend : area.right());
-  const qreal top = area.top() + (above ? 0.0 : metrics.height() + 5.0);
+  arrange(names, metrics, area.left(), area.right());
   // Steps below each other, so that none crosses another: of names to the right of their lines the
   // last one goes deepest, of names to the left the first.
-  const qreal step =
-      std::clamp(0.3 * area.height() / std::max<qreal>(1.0, qreal(names.size())), 1.5, 5.0);
+  const qreal top = area.top() - kMarkSteps;
+  const qreal step = std::min(5.0, (kMarkSteps - 3.0) / static_cast<qreal>(names.size()));
   std::vector<qreal> depth(names.size(), 0.0);
   const auto aside = [&](std::size_t i) { return names[i].foot() - names[i].line; };
   for (std::size_t i = 0; i < names.size(); ++i)
     if (aside(i) > 0.5) depth[i] = step + (i > 0 ? depth[i - 1] : 0.0);
   for (std::size_t i = names.size(); i-- > 0;)
     if (aside(i) < -0.5) depth[i] = step + (i + 1 < names.size() ? depth[i + 1] : 0.0);
+  const QPen thin(theme_->muted, 1);
   for (std::size_t i = 0, line = 0; i < names.size(); ++i) {
     const MarkName& name = names[i];
     auto* item = addSimpleText(name.text, font);
     item->setBrush(theme_->muted);
-    item->setPos(name.left, top - metrics.height() - 3.0);
-    const qreal from = top + depth[i];
+    item->setToolTip(name.all.join(", "));
+    item->setPos(name.left, top - metrics.height() + 1.0);
+    const qreal from = top + 1.0 + depth[i];
     if (depth[i] > 0.0) {
-      addLine(QLineF(name.foot(), top - 3.0, name.foot(), from), QPen(theme_->muted, 1));
-      addLine(QLineF(name.foot(), from, name.line, from), QPen(theme_->muted, 1));
+      addLine(QLineF(name.foot(), top + 1.0, name.foot(), from), thin);
+      addLine(QLineF(name.foot(), from, name.line, from), thin);
     }
     // All lines whose names it has.
     const qreal next = i + 1 < names.size() ? names[i + 1].line : area.right() + 1.0;
     for (; line < lines.size() && lines[line].line < next; ++line)
-      addLine(QLineF(lines[line].line, from, lines[line].line, area.bottom()), pen);
+      addLine(QLineF(lines[line].line, from, lines[line].line, area.top()), thin);
   }
 }
 

@@ -6,7 +6,32 @@
 #include <QProcess>
 #include <QStandardPaths>
 
+#include <utility>
+
 namespace adore::desktop {
+namespace {
+
+bool start_detached(const QString& path, const QStringList& arguments) {
+  QProcess process;
+  process.setProgram(path);
+  process.setArguments(arguments);
+  // A window that holds a pipe of this program keeps whoever reads it waiting for its end.
+  process.setStandardInputFile(QProcess::nullDevice());
+  process.setStandardOutputFile(QProcess::nullDevice());
+  process.setStandardErrorFile(QProcess::nullDevice());
+  return process.startDetached();
+}
+
+Starter& starter() {
+  static Starter start = &start_detached;
+  return start;
+}
+
+}  // namespace
+
+Starter start_programs_by(Starter start) {
+  return std::exchange(starter(), start ? std::move(start) : &start_detached);
+}
 
 void start_program(const QString& program, const QStringList& arguments) {
   const QString here = QCoreApplication::applicationDirPath();
@@ -15,8 +40,7 @@ void start_program(const QString& program, const QStringList& arguments) {
   if (path.isEmpty())
     throw InputError(program.toStdString() + " is neither in " + here.toStdString() +
                      " nor in the PATH; install it beside this program");
-  if (!QProcess::startDetached(path, arguments))
-    throw InputError(path.toStdString() + " could not be started");
+  if (!starter()(path, arguments)) throw InputError(path.toStdString() + " could not be started");
 }
 
 }  // namespace adore::desktop

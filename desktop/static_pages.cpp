@@ -110,7 +110,9 @@ StaticTable whole_turn(StaticTable table) {
 ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Load around the bearing";
-  page.note = "Distance from the centre: load of the contact. Up is azimuth 0; y points right.";
+  page.note =
+      "The distance from the centre is the load of the contact. Up is azimuth 0, and y points "
+      "right.";
   page.equal_axes = true;
   page.closed_outline = true;
   page.x_title = "y direction";

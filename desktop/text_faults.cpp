@@ -36,6 +36,8 @@ std::vector<std::string> text_faults(const ChartScene& scene) {
   std::vector<std::string> out;
   const QRectF page = scene.sceneRect();
   for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].text.find("…") != std::string::npos)
+      out.push_back(fmt::format("\"{}\" is shortened", words[i].text));
     if (!page.contains(words[i].place))
       out.push_back(fmt::format("\"{}\" is cut off at the page's edge", words[i].text));
     for (std::size_t k = i + 1; k < words.size(); ++k)

@@ -121,4 +121,19 @@ QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal wid
   return metrics.elidedText(closer.left(first), Qt::ElideRight, room) + rest;
 }
 
+FittedHeading fitted_heading(const QString& text, const QFontMetricsF& metrics, qreal width,
+                             qreal free) {
+  const QString apart = "   ·   ", close = " · ";
+  QStringList parts = text.split(apart), beside;
+  const auto fits = [&](const QStringList& some, qreal room) {
+    return metrics.horizontalAdvance(some.join(close)) <= room;
+  };
+  while (parts.size() > 1 && !fits(parts, width) &&
+         fits(QStringList(parts.back()) + beside, free)) {
+    beside.prepend(parts.back());
+    parts.removeLast();
+  }
+  return {fitted_line(parts.join(apart), metrics, width), beside.join(close)};
+}
+
 }  // namespace adore::desktop

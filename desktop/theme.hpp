@@ -40,4 +40,13 @@ QFont ui_font(int pixel_size, bool bold = false);
 /// dots in its first part, a name, or at its end where that is not enough.
 QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width);
 
+/// Such a line below a title: what has no room there goes beside the title, from the end, before
+/// anything is shortened.
+struct FittedHeading {
+  QString below, beside;
+};
+/// @param free room beside the title
+FittedHeading fitted_heading(const QString& text, const QFontMetricsF& metrics, qreal width,
+                             qreal free);
+
 }  // namespace adore::desktop

@@ -191,6 +191,32 @@ TEST_CASE("every sentence of the program that names an option has words for the 
   CHECK(sentences > 30);
 }
 
+TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing to be typed",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "5");
+  window.document().edit(cell("tol"), "1e-3");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  run_to_end(window);
+  const QString first = window.runPanel().text();
+  CHECK(first.contains("Accuracy (F9) tells"));
+  CHECK_FALSE(first.contains("--"));
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  window.continueRun();
+  REQUIRE(QTest::qWaitFor([&] { return spy.count() > 0; }, 60000));
+  CHECK(note(window).contains("nothing left to do"));
+  CHECK_FALSE(note(window).contains("--"));
+  window.document().edit(cell("maxStps"), "0");
+  window.document().check_model();
+  for (const Problem& problem : window.document().problems())
+    CHECK(problem.issue.text().find("--") == std::string::npos);
+}
+
 TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;

@@ -11,6 +11,7 @@
 #include <QPen>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -125,15 +126,17 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   set(file, "contact.load.", 100.0);
   set(file, "contact.angle.", 0.1);
   const auto note = [&](const std::string& page) { return page_with(file, page).note; };
-  CHECK(note("load and angle").find("no contact where") == std::string::npos);
+  CHECK(note("load and angle").find("no contact") == std::string::npos);
   const auto columns = results::sol_columns(file.header);
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id == "contact.load.inner")
       for (std::size_t i = file.steps.size() / 2; i < file.steps.size(); ++i)
         file.steps[i].values[c] = 0.0;
-  CHECK(note("load and angle").find("Inner race: no contact where its curve breaks off.") !=
-        std::string::npos);
-  CHECK(note("load and angle").find("Outer race: no contact") == std::string::npos);
+  // The load, in the other panel, is 0 there.
+  const std::string gap = note("load and angle");
+  CHECK_THAT(gap, Catch::Contains("ontact angle") && !Catch::Contains("ontact load"));
+  CHECK_THAT(gap, Catch::Contains("of the inner race break") && !Catch::Contains("outer race"));
+  CHECK_THAT(gap, Catch::Contains("off where there is no contact."));
   // A spectrum has no such gaps; a number that the file never had is no open contact.
   for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
     PageOptions options;
@@ -331,4 +334,23 @@ TEST_CASE("pages: what does not move says so, and has one dot for start and end"
   CHECK(still());
   set(file, "race.applied_moment", 0.0);
   CHECK(page_with(file, "Applied moments").note == "Every value of this page is 0.");
+}
+
+TEST_CASE("pages: a pale area is spoken of where one can be seen", "[unit][adrplot]") {
+  const results::SolFile file = test::synthetic_sol(SolKind::Element);
+  const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
+  const std::string column = pages[0].panels[0].curves[0].column;
+  const auto plain = build_page(file, pages, 1);
+  std::vector<double> low = plain.panels[0].curves[0].y, high = low;
+  const auto note = [&] {
+    return build_page(file, pages, 1, {}, {{}, 0.0, "", {{column, {low, high}}}}).note;
+  };
+  CHECK_THAT(note(), !Catch::Contains("Pale"));  // as narrow as the line
+  const auto [least, most] = std::minmax_element(low.begin(), low.end());
+  const double all = *most - *least;
+  REQUIRE(all > 0.0);
+  high[3] += 0.0001 * all;
+  CHECK_THAT(note(), !Catch::Contains("Pale"));
+  high[3] += 0.1 * all;
+  CHECK_THAT(note(), Catch::Contains("Pale areas reach from the lowest to the highest value"));
 }

@@ -39,7 +39,7 @@ TEST_CASE("depth_canvas: the nearest surface wins, whatever is drawn first", "[u
     canvas.reset({40, 40}, qRgb(255, 255, 255));
     triangle(canvas, near_first ? 2.0F : 1.0F, near_first ? red : blue);
     triangle(canvas, near_first ? 1.0F : 2.0F, near_first ? blue : red);
-    canvas.sphere({30, 30, 0, 0}, 5.0F, {}, blue, 0);
+    canvas.sphere({30, 30, 0, 0}, 5.0F, {}, blue, blue);
     const QImage image = canvas.image(1);
     CHECK(image.pixel(5, 5) == qRgb(200, 0, 0));
     CHECK(qBlue(image.pixel(30, 30)) > 100);
@@ -49,14 +49,14 @@ TEST_CASE("depth_canvas: the nearest surface wins, whatever is drawn first", "[u
   // A sphere stands before a plane through its middle, and hides what lies behind.
   DepthCanvas canvas;
   canvas.reset({40, 40}, 0xff000000);
-  canvas.sphere({10, 10, 0, 0}, 8.0F, {0, 0, 1}, blue, qRgb(1, 2, 3));
+  canvas.sphere({10, 10, 0, 0}, 8.0F, {0, 0, 1}, blue, red);
   triangle(canvas, 0.0F, red);
-  CHECK(canvas.image(1).pixel(10, 10) == qRgb(1, 2, 3));  // the pole looks at us
+  CHECK(qRed(canvas.image(1).pixel(10, 10)) > 100);  // the pole looks at us
   CHECK(qRed(canvas.image(1).pixel(1, 1)) > 100);
   CHECK(canvas.image(2).size() == QSize(20, 20));
   // What a damaged file puts far away draws nothing and does no harm.
   canvas.triangle({1e30F, 0, 0, 0}, {0, 1e30F, 0, 0}, {0, 0, 1e30F, 0}, red);
-  canvas.sphere({std::nanf(""), 0, 0, 0}, 5.0F, {}, red, 0);
+  canvas.sphere({std::nanf(""), 0, 0, 0}, 5.0F, {}, red, red);
 }
 
 TEST_CASE("solid_view: the eye of 0, 0 looks as the flat views do", "[unit][agore]") {

@@ -92,8 +92,10 @@ TEST_CASE("views: an arrow appears exactly where the land contact is", "[gui]") 
   options.view = View::Cage;
   const QImage image = picture.image({1280, 800}, 1, options);
   const auto& red = theme_of(options).red;
-  CHECK(pixels_of(image, QRect(520, 380, 110, 40), red) > 100);  // right of the middle
-  CHECK(pixels_of(image, QRect(200, 380, 110, 40), red) < 20);   // not left of it
+  const QRectF area = MotionPicture::pictureAreas(QRectF(0, 0, 1280, 800), 1).front();
+  const QPoint middle = picture_middle(picture.animation(), options, area).toPoint();
+  CHECK(pixels_of(image, QRect(middle + QPoint(110, -20), QSize(110, 40)), red) > 100);
+  CHECK(pixels_of(image, QRect(middle + QPoint(-220, -20), QSize(110, 40)), red) < 20);
 }
 
 TEST_CASE("views: a round picture leaves the corner to its key, and no more than that", "[gui]") {
@@ -351,6 +353,18 @@ TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inc
       const agore::CageProfile cage = agore::cage_profile(a);
       CHECK(cage.half_width == Approx(0.01 / unit));
       CHECK(cage.hole == Approx((0.007 + 0.0002) / unit));  // half of clearance I at each end
+      // However a roller lies in its pocket, its walls are beyond it.
+      for (const double cone : {0.0, 8.0, -20.0}) {
+        const double lean = agore::nominal_lean(a) - cone * agore::kPi / 180.0;
+        const auto walls = agore::leaning_walls(roller, lean);
+        double most[] = {0.0, 0.0};
+        for (const QPointF& p : roller.outline().toFillPolygon()) {
+          const double u = agore::leaned(0.0, 0.0, lean, p.x(), p.y()).x();
+          most[u < 0.0 ? 0 : 1] = std::max(most[u < 0.0 ? 0 : 1], std::abs(u));
+        }
+        for (const std::size_t end : {0U, 1U})
+          CHECK(roller.half + walls[end] == Approx(std::max(most[end], roller.half)));
+      }
     }
   }
   write_sizes(folder / "RESULTS.h5", {{"roller_plus_x_corner_radius", 3e-4},
@@ -378,12 +392,15 @@ TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inc
 
 TEST_CASE("the section's cage leaves its pocket as open as it is", "[unit][agore][pocket]") {
   agore::CageProfile cage{.half_width = 9.0, .low = -3.0, .high = 3.0, .hole = 5.0};
-  CHECK(cage.hole_at(-3.0) == 5.0);
+  CHECK(cage.hole_at(-3.0, 0) == 5.0);
   cage.round = 5.0;  // a sphere
-  CHECK(cage.hole_at(3.0) == Approx(4.0));
+  CHECK(cage.hole_at(3.0, 1) == Approx(4.0));
   cage.round = 0.0, cage.flare = 0.1;  // a cone that opens outwards
-  CHECK(cage.hole_at(3.0) == Approx(5.3));
-  CHECK(cage.hole_at(-3.0) == Approx(4.7));
+  CHECK(cage.hole_at(3.0, 0) == Approx(5.3));
+  CHECK(cage.hole_at(-3.0, 1) == Approx(4.7));
+  cage.leaning = {0.25, 0.5};  // of a roller that leans in its pocket
+  CHECK(cage.hole_at(0.0, 0) == Approx(5.25));
+  CHECK(cage.hole_at(0.0, 1) == Approx(5.5));
 }
 
 TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
@@ -470,14 +487,17 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
                    element = words(View::Element), cage = words(View::Cage);
   for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("ways of the elements"));
   CHECK(element.contains("way of the element"));
-  CHECK(front.contains("race loads, longest of the run " + load(contacts.largest_load)));
+  CHECK(front.contains("race loads, up to " + load(contacts.largest_load)));
   for (const std::size_t race : {0U, 1U})
-    CHECK(solid.contains((race == 0 ? "outer" : "inner") +
-                         QByteArray(" race loads, longest of the run ") +
+    CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads, up to ") +
                          load(contacts.largest_of_race[race])));
   // Arrows of contacts are as long as the cage's radius, whatever the force.
-  CHECK(front.contains("contact directions of the cage"));
-  CHECK(cage.contains("contact directions"));
+  for (const QByteArray& svg : {front, cage}) {
+    CHECK(svg.contains("direction of land contact"));
+    CHECK(svg.contains("contact in the pocket"));
+  }
+  CHECK(front.contains("guide land"));
+  CHECK(cage.contains("clearance about the orbit"));
   // The ways are drawn in the colour of their name.
   options.view = View::Bearing;
   const QColor way = theme_of(options).curves[3];

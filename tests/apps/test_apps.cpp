@@ -215,6 +215,7 @@ TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
 TEST_CASE("one program starts another that lies beside it, and says when there is none",
           "[gui][apps]") {
   adore::test::use_qt();
+  adore::desktop::start_programs_by({});
   QTemporaryDir pictures;
   qputenv("QT_QPA_PLATFORM", "offscreen");
   adore::desktop::start_program(

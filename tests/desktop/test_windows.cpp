@@ -1,4 +1,5 @@
 #include "desktop/dialogs.hpp"
+#include "desktop/launch.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/theme.hpp"
@@ -6,6 +7,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFile>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -36,6 +38,31 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 }  // namespace
+
+TEST_CASE("a program that was started holds no stream of the one that started it",
+          "[gui][desktop]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  QFile script(folder.filePath("viewer"));
+  REQUIRE(script.open(QIODevice::WriteOnly));
+  script.write(
+      "#!/bin/sh\nheld=$(readlink /proc/$$/fd/0 /proc/$$/fd/1 /proc/$$/fd/2)\n"
+      "echo \"$held\" > \"$1.part\"\nmv \"$1.part\" \"$1\"\n");
+  script.close();
+  REQUIRE(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+  const desktop::Starter before = desktop::start_programs_by({});
+  const QByteArray path = qgetenv("PATH");
+  qputenv("PATH", folder.path().toUtf8() + ':' + path);
+  desktop::start_program("viewer", {folder.filePath("streams")});
+  qputenv("PATH", path);
+  desktop::start_programs_by(before);
+  QFile streams(folder.filePath("streams"));
+  REQUIRE(QTest::qWaitFor([&] { return streams.exists(); }, 30000));
+  REQUIRE(streams.open(QIODevice::ReadOnly));
+  const QList<QByteArray> held = streams.readAll().trimmed().split('\n');
+  REQUIRE(held.size() == 3);
+  for (const QByteArray& stream : held) CHECK(stream == "/dev/null");
+}
 
 TEST_CASE("keys of the menu go before the editing keys of a field", "[gui][desktop]") {
   test::use_qt();

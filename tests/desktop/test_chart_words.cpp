@@ -1,0 +1,353 @@
+#include "desktop/chart_scene.hpp"
+#include "desktop/text_faults.hpp"
+#include "desktop/theme.hpp"
+#include "support/qt_app.hpp"
+
+#include <QGraphicsItem>
+#include <QGraphicsLineItem>
+#include <QGraphicsTextItem>
+#include <QImage>
+#include <QRegularExpression>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// What is written on a page of charts.
+using namespace adore;
+using namespace adore::desktop;
+
+namespace {
+
+/// Plain words of a page.
+QStringList words(const ChartScene& scene) {
+  QStringList out;
+  for (auto* item : scene.items())
+    if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item)) out << text->text();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("chart_scene: titles of neighbouring panels do not run into each other", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "Applied forces";
+  page.subtitle = "7208   ·   inner race   ·   SOL4   ·   page 2 of 9   ·   all digits";
+  page.x_title = "Time", page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0};
+  ChartScene scene;
+  for (const int count : {2, 3, 4})
+    for (const int height : {300, 400, 450, 500, 600, 800}) {
+      if (height < 100 * count) continue;
+      page.panels.clear();
+      for (int p = 0; p < count; ++p)
+        page.panels.push_back(
+            {std::string(1, static_cast<char>('X' + p)) + " component", "N", {{"", page.x, {}}}});
+      scene.setPageSize(QSizeF(700, height));
+      scene.setPage(page);
+      std::vector<QRectF> titles;
+      for (auto* item : scene.items())
+        if (item->rotation() != 0.0 && dynamic_cast<QGraphicsSimpleTextItem*>(item) != nullptr)
+          titles.push_back(item->sceneBoundingRect());
+      INFO(count << " panels, " << height << " high");
+      for (std::size_t a = 0; a < titles.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+          const bool beside = titles[a].right() <= titles[b].left() + 3.0 ||
+                              titles[b].right() <= titles[a].left() + 3.0;
+          CHECK((beside || !titles[a].adjusted(0, -8, 0, 8).intersects(titles[b])));
+        }
+      CHECK(text_faults(scene).empty());
+    }
+}
+
+TEST_CASE("a line too long for its place is drawn closer before it is cut", "[gui][desktop]") {
+  test::use_qt();
+  const QFontMetricsF metrics(ui_font(13));
+  const QString text = "a file   ·   page 2 of 9   ·   all digits";
+  CHECK(fitted_line(text, metrics, 2000.0) == text);
+  const qreal close = metrics.horizontalAdvance("a file · page 2 of 9 · all digits");
+  CHECK(fitted_line(text, metrics, close + 1.0) == "a file · page 2 of 9 · all digits");
+  const QString named = fitted_line("a long name of a file" + text.mid(6), metrics, close + 60.0);
+  CHECK(named.startsWith("a long"));
+  CHECK(named.contains(QString(QChar(0x2026)) + " · page 2 of 9 · all digits"));
+  CHECK(metrics.horizontalAdvance(named) <= close + 60.0);
+  CHECK(fitted_line(text, metrics, close - 30.0).endsWith(QChar(0x2026)));
+  // Below a title what has no room goes beside it, and nothing is shortened.
+  const FittedHeading wide = fitted_heading(text, metrics, 2000.0, 1500.0);
+  CHECK(wide.below == text);
+  CHECK(wide.beside.isEmpty());
+  const FittedHeading narrow = fitted_heading(text, metrics, close - 30.0, 400.0);
+  CHECK(narrow.below == "a file   ·   page 2 of 9");
+  CHECK(narrow.beside == "all digits");
+  CHECK(fitted_heading(text, metrics, close - 30.0, 5.0).below.endsWith(QChar(0x2026)));
+}
+
+TEST_CASE("chart_scene: every marked frequency has its name, however close the lines are",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  for (int i = 0; i <= 100; ++i) page.x.push_back(10.0 * i);
+  page.panels = {{"Load", "N", {{"outer race", page.x, {}}, {"inner race", page.x, {}}}}};
+  page.marks = {{67.0, "FTF"},  {70.0, "whirl"}, {167.0, "shaft"},
+                {383.0, "BSF"}, {816.0, "BPFO"}, {990.0, "BPFI"}};
+  ChartScene scene;
+  for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450), QSizeF(300, 240)})
+    for (const double last : {1000.0, 1000.0 / 3.0}) {
+      scene.setPageSize(size);
+      scene.setPage(page);
+      scene.setView(0.0, last);
+      for (auto* item : scene.items())
+        if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item))
+          CHECK(scene.sceneRect().contains(text->sceneBoundingRect()));
+      const QStringList said = words(scene);
+      INFO(size.width() << ", " << last << ": " << said.join("|").toStdString());
+      for (const ChartMark& mark : page.marks) {
+        if (size.width() < 500) continue;  // there names are shortened, not laid over each other
+        const QRegularExpression name("\\b" + QString::fromStdString(mark.label) + "\\b");
+        CHECK(said.filter(name).isEmpty() == (mark.x > last));
+      }
+      CHECK(text_faults(scene).empty());
+    }
+}
+
+TEST_CASE("chart_scene: a step leads from a name to its line where others take its place",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  for (int i = 0; i <= 100; ++i) page.x.push_back(300.0 * i);
+  page.panels = {{"Amplitude", "N", {{"", page.x, {}}}}};
+  page.marks = {{41.0, "FTF"}, {100.0, "shaft"}, {230.0, "BSF"}, {420.0, "BPFO"}, {610.0, "BPFI"}};
+  ChartScene scene;
+  for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450)}) {
+    scene.setPageSize(size);
+    scene.setPage(page);
+    const QRectF area = scene.plotAreas().front();
+    struct Step {
+      double from, to, y;
+    };
+    std::vector<Step> steps;
+    std::vector<double> feet;
+    for (auto* item : scene.items())
+      if (auto* line = dynamic_cast<QGraphicsLineItem*>(item)) {
+        if (line->parentItem() != nullptr) continue;  // of the axes
+        const QLineF l = line->line();
+        if (l.y1() == l.y2() && std::abs(l.y1() - area.top()) < 25.0)
+          steps.push_back({l.x1(), l.x2(), l.y1()});
+        if (l.x1() == l.x2() && l.y1() < area.top()) feet.push_back(l.x1());
+        // Nothing but the broken lines of the marks stands among the curves.
+        if (line->pen().style() == Qt::SolidLine) CHECK(std::max(l.y1(), l.y2()) <= area.top());
+      }
+    REQUIRE(steps.size() >= 3);
+    std::sort(steps.begin(), steps.end(), [](auto& a, auto& b) { return a.from < b.from; });
+    std::size_t mark = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i, ++mark) {
+      // From below its name to its line, in their order; each below the one before, so that none
+      // crosses it.
+      while (mark < page.marks.size() &&
+             std::abs(steps[i].to - scene.positionOf(page.marks[mark].x)) > 0.01)
+        ++mark;
+      CHECK(mark < page.marks.size());
+      CHECK(std::find(feet.begin(), feet.end(), steps[i].from) != feet.end());
+      if (i > 0) CHECK(steps[i].y > steps[i - 1].y + 1.0);
+      CHECK(steps[i].y < area.top());
+    }
+    CHECK(text_faults(scene).empty());
+  }
+}
+
+TEST_CASE("chart_scene: curves that would hide another say so and leave it half of the way",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Time", page.x_unit = "s";
+  std::vector<double> wave, near, other;
+  for (int i = 0; i <= 400; ++i) {
+    page.x.push_back(0.01 * i);
+    wave.push_back(100.0 * std::sin(0.05 * i));
+    near.push_back(wave.back() + 0.01 * std::cos(0.3 * i));  // less than a pixel
+    other.push_back(wave.back() + (i > 200 && i < 220 ? 20.0 : 0.0));
+  }
+  const auto inked = [](const ChartScene& scene, const QImage& image, int curve) {
+    const QRect area = scene.plotAreas().front().toRect();
+    int out = 0;
+    for (int y = area.top(); y < area.bottom(); ++y)
+      for (int x = area.left(); x < area.right(); ++x) {
+        const QColor seen = image.pixelColor(x, y), wanted = theme(ThemeKind::Light).curves[curve];
+        out += std::abs(seen.red() - wanted.red()) + std::abs(seen.green() - wanted.green()) +
+                   std::abs(seen.blue() - wanted.blue()) <
+               30;
+      }
+    return out;
+  };
+  ChartScene scene;
+  scene.setTheme(theme(ThemeKind::Light));
+  const auto look = [&](const std::vector<double>& second) {
+    page.panels = {{"Force", "N", {{"land 1", wave, {}}, {"land 2", second, {}}}}};
+    scene.setPage(page);
+    return scene.image({1280, 800});
+  };
+  const QImage alone = look(other);
+  CHECK(words(scene).contains("land 2"));
+  const QImage both = look(wave);
+  CHECK(words(scene).contains("land 2 (= land 1)"));
+  CHECK(scene.linesOf(0) == 2);
+  const int first = inked(scene, both, 0), second = inked(scene, both, 1);
+  CHECK(first > 200);
+  CHECK(second > 200);
+  CHECK(inked(scene, alone, 0) < first / 3);  // it is hidden where the curves coincide
+  look(near);
+  CHECK(words(scene).contains("land 2 (≈ land 1)"));
+  scene.setPanelView(0, std::pair(-1.0, 1.0));  // there they part
+  CHECK(words(scene).contains("land 2"));
+  // Whatever the size of the picture.
+  for (const QSizeF size : {QSizeF(1600, 1000), QSizeF(700, 450), QSizeF(400, 260)}) {
+    scene.setPageSize(size);
+    look(near);
+    CHECK(words(scene).filter("≈").size() == 1);
+    std::vector<double> beside = wave;
+    for (double& value : beside) value += 3.0;
+    look(beside);
+    CHECK(words(scene).contains("land 2"));
+  }
+  // What is 0 but for rounding is 0.
+  std::vector<double> noise_1, noise_2;
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    noise_1.push_back(1e-19 * std::sin(1.7 * static_cast<double>(i)));
+    noise_2.push_back(1e-19 * std::cos(2.9 * static_cast<double>(i)));
+  }
+  page.panels = {{"Place", "m", {{"land 1", noise_1, {}}, {"land 2", noise_2, {}}}}};
+  scene.setPage(page);
+  CHECK(words(scene).contains("land 2 (= land 1)"));
+  // A curve that is switched off hides nothing.
+  scene.setPageSize({1280, 800});
+  look(wave);
+  scene.showCurve(0, 0, false);
+  CHECK(words(scene).contains("land 2"));
+  // Three of a kind, and a long run, whose curves are thinned.
+  std::vector<double> noise;
+  page.x.clear();
+  for (int i = 0; i < 200000; ++i) {
+    page.x.push_back(1e-5 * i);
+    noise.push_back(std::sin(0.01 * i) + 0.3 * std::sin(1.7 * i));
+  }
+  page.panels = {{"Force", "N", {{"a", noise, {}}, {"b", noise, {}}, {"c", noise, {}}}}};
+  scene.setPage(page);
+  const QImage three = scene.image({1280, 800});
+  CHECK(words(scene).contains("b (= a)"));
+  CHECK(words(scene).contains("c (= a)"));
+  for (const int curve : {0, 1, 2}) CHECK(inked(scene, three, curve) > 1000);
+}
+
+TEST_CASE("chart_scene: what is said of a curve over another is true of their values, and cheap",
+          "[gui]") {
+  test::use_qt();
+  const auto name = [](const ChartScene& scene, const QString& start) {
+    for (const QString& text : words(scene))
+      if (text.startsWith(start)) return text.toStdString();
+    return std::string();
+  };
+  ChartPage page;
+  std::vector<double> wave, opposite;
+  for (int i = 0; i < 200000; ++i) {
+    page.x.push_back(1e-5 * i);
+    wave.push_back(std::sin(2.39996 * i));  // a golden angle: near its peak in each column
+    opposite.push_back(-wave.back());
+  }
+  ChartScene scene;
+  scene.setTheme(theme(ThemeKind::Light));
+  scene.setPageSize({1280, 800});
+  using Values = std::vector<double>;
+  const auto show = [&](const Values& first, const Values& second, const Values& low = {},
+                        const Values& high = {}, const Values& second_high = {}) {
+    page.panels = {{"Place", "m", {{"cage y", first, {}}, {"second", second, {}}}}};
+    for (ChartCurve& curve : page.panels[0].curves) curve.low = low, curve.high = high;
+    if (!second_high.empty()) page.panels[0].curves[1].high = second_high;
+    scene.setPage(page);
+    return name(scene, "second");
+  };
+  CHECK(show(wave, opposite) == "second (over cage y)");
+  CHECK(show(wave, wave) == "second (= cage y)");
+  Values late = wave;
+  late.back() += 0.1;
+  CHECK(show(wave, late) == "second (over cage y)");
+  scene.setView(0.0, 1.0);
+  CHECK(name(scene, "second") == "second (= cage y)");  // there they are
+  late.back() = wave.back() + 1e-4;
+  CHECK(show(wave, late) == "second (≈ cage y)");
+  // Bands are part of what is told.
+  Values low = wave, high = wave, higher = wave;
+  for (double& v : low) v -= 1.0;
+  for (double& v : high) v += 1.0;
+  for (double& v : higher) v += 2.0;
+  CHECK(show(wave, wave, low, high) == "second (= cage y)");
+  CHECK(show(wave, wave, low, high, higher) == "second (over cage y)");
+  // Far beyond a short range there is nothing to draw, and stripes are no items of their own.
+  show(wave, {});
+  const auto alone = scene.items().size();
+  show(wave, wave);
+  CHECK(scene.items().size() <= alone + 3);
+  scene.setView(0.0, 2e-3);
+  scene.setPanelView(0, std::pair(0.0, 1e-3));
+  CHECK(scene.items().size() <= alone + 20);
+}
+
+TEST_CASE("chart_scene: a logarithmic panel without a value above 0 says so beside an empty curve",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x = {0.0, 1.0, 2.0};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  page.panels = {{"Load", "N", {{"a", {0.0, 0.0, -1.0}, {}}, {"b", {none, none, none}, {}}}}};
+  page.panels[0].log = true;
+  ChartScene scene;
+  scene.setPage(page);
+  const auto said = [&] {
+    const QList<QGraphicsItem*> items = scene.items();
+    return std::any_of(items.begin(), items.end(), [](QGraphicsItem* item) {
+      auto* text = dynamic_cast<QGraphicsTextItem*>(item);
+      return text != nullptr && text->toPlainText().startsWith("No value is above 0");
+    });
+  };
+  CHECK(said());
+  page.panels[0].curves[0].y[1] = 1.0;
+  scene.setPage(page);
+  CHECK_FALSE(said());
+}
+
+TEST_CASE("chart_scene: a panel without values has no scale, and says why", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Time", page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  page.panels = {{"Film", "m", {{"outer race", {none, none, none}, {}}, {"inner race", {}, {}}}},
+                 {"Load", "N", {{"", {1.0, 2.0, 3.0}, {}}}}};
+  page.panels[0].message = "No film was computed.";
+  ChartScene scene;
+  for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450)}) {
+    scene.setPageSize(size);
+    scene.setPage(page);
+    const QRectF area = scene.plotAreas().front();
+    QStringList beside;
+    for (auto* item : scene.items()) {
+      if (auto* text = dynamic_cast<QGraphicsSimpleTextItem*>(item))
+        if (text->rotation() == 0.0 && text->sceneBoundingRect().top() > area.top() - 25.0 &&
+            text->sceneBoundingRect().bottom() < area.bottom() + 5.0)
+          beside << text->text();
+    }
+    INFO(beside.join("|").toStdString());
+    CHECK(beside.isEmpty());
+    CHECK(words(scene).contains("Film"));  // without a unit's prefix
+    CHECK(words(scene).contains("Load [N]"));
+    const QList<QGraphicsItem*> items = scene.items();
+    const bool told = std::any_of(items.begin(), items.end(), [](QGraphicsItem* item) {
+      auto* text = dynamic_cast<QGraphicsTextItem*>(item);
+      return text != nullptr && text->toPlainText() == "No film was computed.";
+    });
+    CHECK(told);
+  }
+}
