@@ -2,6 +2,8 @@
 
 #include "base/simd_single.hpp"
 
+#include <cstdint>
+
 /// Look-ups in tables of tiles (single.hpp) by vectors of floats.
 namespace adore {
 
@@ -11,18 +13,14 @@ struct ScalarTiles<SimdSingle<V>> {
   using F = typename T::F;
   static constexpr int kLanes = static_cast<int>(F::size()), kTile = 16;
 
+  /// Of the polynomial of one tile.
   [[gnu::always_inline]] static T at(const float* tiles, const T& place, const T& f, const T& g) {
 #if defined(__AVX2__)
-    alignas(sizeof(F)) int first[kLanes];
+    unsigned first[kLanes];
     places(place, first);
     const Raw along = static_cast<Raw>(f.v);
-    const Raw r0 = group<0>(tiles, first, along), r1 = group<1>(tiles, first, along),
-              r2 = group<2>(tiles, first, along), r3 = group<3>(tiles, first, along);
-    const Raw low = unpack_low(r0, r1), low2 = unpack_low(r2, r3), high = unpack_high(r0, r1),
-              high2 = unpack_high(r2, r3);
-    const F c0(halves<0x44>(low, low2)), c1(halves<0xee>(low, low2)), c2(halves<0x44>(high, high2)),
-        c3(halves<0xee>(high, high2));
-    return T(F(((c3 * g.v + c2) * g.v + c1) * g.v + c0));
+    return across(group<0>(tiles, first, along), group<1>(tiles, first, along),
+                  group<2>(tiles, first, along), group<3>(tiles, first, along), g);
 #else
     F out(0.0F);
     for (int l = 0; l < kLanes; ++l) {
@@ -36,6 +34,25 @@ struct ScalarTiles<SimdSingle<V>> {
     return T(out);
 #endif
   }
+  /// Of the mean of four tiles that follow each other, with weights.
+  [[gnu::always_inline]] static T mean_at(const float* tiles, const T& place, const T& f,
+                                          const T& g, const T (&weight)[4]) {
+#if defined(__AVX512F__)
+    unsigned first[kLanes];
+    places(place, first);
+    alignas(sizeof(F)) float share[4][kLanes];
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; ++j) weight[j].v.copy_to(share[j], stdx::vector_aligned);
+    const Raw along = static_cast<Raw>(f.v);
+    return across(
+        mean_group<0>(tiles, first, share, along), mean_group<1>(tiles, first, share, along),
+        mean_group<2>(tiles, first, share, along), mean_group<3>(tiles, first, share, along), g);
+#else
+    T sum = weight[0] * at(tiles, place, f, g);
+    for (int j = 1; j < 4; ++j) sum = sum + weight[j] * at(tiles + j * kTile, place, f, g);
+    return sum;
+#endif
+  }
 
 #if defined(__AVX2__)
  private:
@@ -44,24 +61,61 @@ struct ScalarTiles<SimdSingle<V>> {
   // the quarters, are the four powers of g of all lanes in their order.
 #if defined(__AVX512F__)
   using Raw = __m512;
-  [[gnu::always_inline]] static void places(const T& place, int* first) {
-    _mm512_store_si512(first, _mm512_slli_epi32(_mm512_cvttps_epi32(static_cast<Raw>(place.v)), 4));
+  /// In eighths of a register: taking lanes out one by one would keep the arithmetic ports busy.
+  [[gnu::always_inline]] static void places(const T& place, unsigned* first) {
+    const __m512i all = _mm512_slli_epi32(_mm512_cvttps_epi32(static_cast<Raw>(place.v)), 4);
+    two_places<0>(all, first);
+    two_places<1>(all, first);
+    two_places<2>(all, first);
+    two_places<3>(all, first);
   }
-  [[gnu::always_inline]] static Raw row(const float* a, const float* b, const float* c,
-                                        const float* d) {
-    Raw x = _mm512_castps128_ps512(_mm_loadu_ps(a));
-    x = _mm512_mask_broadcast_f32x4(x, 0x00f0, _mm_loadu_ps(b));
-    x = _mm512_mask_broadcast_f32x4(x, 0x0f00, _mm_loadu_ps(c));
-    return _mm512_mask_broadcast_f32x4(x, 0xf000, _mm_loadu_ps(d));
+  template <int kQuarter>
+  [[gnu::always_inline]] static void two_places(__m512i all, unsigned* first) {
+    const __m128i quarter = _mm512_extracti32x4_epi32(all, kQuarter);
+    const auto low = static_cast<std::uint64_t>(_mm_cvtsi128_si64(quarter)),
+               high = static_cast<std::uint64_t>(_mm_extract_epi64(quarter, 1));
+    first[4 * kQuarter] = static_cast<unsigned>(low);
+    first[4 * kQuarter + 1] = static_cast<unsigned>(low >> 32);
+    first[4 * kQuarter + 2] = static_cast<unsigned>(high);
+    first[4 * kQuarter + 3] = static_cast<unsigned>(high >> 32);
+  }
+  /// ((r3 f + r2) f + r1) f + r0 from quarters r0 r1 | r0 r1 of lanes a b, c d, and r2 r3 likewise.
+  [[gnu::always_inline]] static Raw along_rows(Raw ab, Raw cd, Raw ab2, Raw cd2, Raw f) {
+    Raw sum = _mm512_shuffle_f32x4(ab2, cd2, 0xdd);
+    sum = _mm512_fmadd_ps(sum, f, _mm512_shuffle_f32x4(ab2, cd2, 0x88));
+    sum = _mm512_fmadd_ps(sum, f, _mm512_shuffle_f32x4(ab, cd, 0xdd));
+    return _mm512_fmadd_ps(sum, f, _mm512_shuffle_f32x4(ab, cd, 0x88));
+  }
+  [[gnu::always_inline]] static Raw pair(const float* a, const float* b) {
+    const Raw x = _mm512_castps256_ps512(_mm256_loadu_ps(a));
+    return _mm512_mask_broadcast_f32x8(x, 0xff00, _mm256_loadu_ps(b));
   }
   template <int kGroup>
-  [[gnu::always_inline]] static Raw group(const float* tiles, const int* first, Raw f) {
+  [[gnu::always_inline]] static Raw group(const float* tiles, const unsigned* first, Raw f) {
     const float *a = tiles + first[kGroup], *b = tiles + first[kGroup + 4],
                 *c = tiles + first[kGroup + 8], *d = tiles + first[kGroup + 12];
-    const Raw at = _mm512_permute_ps(f, 0x55 * kGroup);
-    Raw sum = row(a + 12, b + 12, c + 12, d + 12);
-    for (int i = 8; i >= 0; i -= 4) sum = _mm512_fmadd_ps(sum, at, row(a + i, b + i, c + i, d + i));
+    return along_rows(pair(a, b), pair(c, d), pair(a + 8, b + 8), pair(c + 8, d + 8),
+                      _mm512_permute_ps(f, 0x55 * kGroup));
+  }
+  /// A whole tile fills a register: the mean of four is taken there.
+  [[gnu::always_inline]] static Raw mean(const float* tiles, const float* share) {
+    Raw sum = _mm512_set1_ps(share[0]) * _mm512_loadu_ps(tiles);
+#pragma GCC unroll 4
+    for (int j = 1; j < 4; ++j)
+      sum = _mm512_fmadd_ps(_mm512_set1_ps(share[j * kLanes]), _mm512_loadu_ps(tiles + j * kTile),
+                            sum);
     return sum;
+  }
+  template <int kGroup>
+  [[gnu::always_inline]] static Raw mean_group(const float* tiles, const unsigned* first,
+                                               const float (&share)[4][kLanes], Raw f) {
+    const Raw a = mean(tiles + first[kGroup], share[0] + kGroup),
+              b = mean(tiles + first[kGroup + 4], share[0] + kGroup + 4),
+              c = mean(tiles + first[kGroup + 8], share[0] + kGroup + 8),
+              d = mean(tiles + first[kGroup + 12], share[0] + kGroup + 12);
+    return along_rows(_mm512_shuffle_f32x4(a, b, 0x44), _mm512_shuffle_f32x4(c, d, 0x44),
+                      _mm512_shuffle_f32x4(a, b, 0xee), _mm512_shuffle_f32x4(c, d, 0xee),
+                      _mm512_permute_ps(f, 0x55 * kGroup));
   }
   [[gnu::always_inline]] static Raw unpack_low(Raw a, Raw b) { return _mm512_unpacklo_ps(a, b); }
   [[gnu::always_inline]] static Raw unpack_high(Raw a, Raw b) { return _mm512_unpackhi_ps(a, b); }
@@ -71,18 +125,19 @@ struct ScalarTiles<SimdSingle<V>> {
   }
 #else
   using Raw = __m256;
-  [[gnu::always_inline]] static void places(const T& place, int* first) {
-    _mm256_store_si256(reinterpret_cast<__m256i*>(first),
-                       _mm256_slli_epi32(_mm256_cvttps_epi32(static_cast<Raw>(place.v)), 4));
+  [[gnu::always_inline]] static void places(const T& place, unsigned* first) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(first),
+                        _mm256_slli_epi32(_mm256_cvttps_epi32(static_cast<Raw>(place.v)), 4));
   }
   [[gnu::always_inline]] static Raw row(const float* a, const float* b) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(a)), _mm_loadu_ps(b), 1);
   }
   template <int kGroup>
-  [[gnu::always_inline]] static Raw group(const float* tiles, const int* first, Raw f) {
+  [[gnu::always_inline]] static Raw group(const float* tiles, const unsigned* first, Raw f) {
     const float *a = tiles + first[kGroup], *b = tiles + first[kGroup + 4];
     const Raw at = _mm256_permute_ps(f, 0x55 * kGroup);
     Raw sum = row(a + 12, b + 12);
+#pragma GCC unroll 3
     for (int i = 8; i >= 0; i -= 4) sum = _mm256_fmadd_ps(sum, at, row(a + i, b + i));
     return sum;
   }
@@ -93,6 +148,14 @@ struct ScalarTiles<SimdSingle<V>> {
     return _mm256_shuffle_ps(a, b, kWhich);
   }
 #endif
+  /// From the four groups.
+  [[gnu::always_inline]] static T across(Raw r0, Raw r1, Raw r2, Raw r3, const T& g) {
+    const Raw low = unpack_low(r0, r1), low2 = unpack_low(r2, r3), high = unpack_high(r0, r1),
+              high2 = unpack_high(r2, r3);
+    const F c0(halves<0x44>(low, low2)), c1(halves<0xee>(low, low2)), c2(halves<0x44>(high, high2)),
+        c3(halves<0xee>(high, high2));
+    return T(F(((c3 * g.v + c2) * g.v + c1) * g.v + c0));
+  }
 #endif
 };
 

@@ -108,29 +108,46 @@ inline void evaluate_rollers_asking(const RollerKernelInput& in) {
 
 using AnswerOfOil = SlicesInOil<V>::Answer;
 
-/// Rollers in a lubricant. @param films FilmOnSlices of the law, which `answer` knows
+/// Rollers in a lubricant, two at a time: slices of one may wait for those of the next.
+/// @param films FilmOnSlices of the law, which `answer` knows
 [[gnu::noinline]] inline void evaluate_rollers_in_oil(const RollerKernelInput& in,
                                                       const void* films, AnswerOfOil answer) {
-  const bool rolls = in.rolling != nullptr;
+  struct Roller {
+    std::size_t index = 0;
+    contact::RollerRaceSums<V> sums;
+    OilOnRoller<V> oil;
+  };
+  Roller two[2];
+  SlicesInOil<V> slices(films, answer, in.rolling != nullptr);
+  const auto put_roller = [&](Roller& one) {
+    if (one.oil.at == nullptr) return;
+    if (slices.waits_for(one.oil)) slices.finish();
+    RollerKernelAction& out = in.out[one.index];
+    one.sums.force = one.sums.force + one.oil.traction.force;
+    one.sums.moment = one.sums.moment + one.oil.traction.moment;
+    one.sums.heat = one.oil.traction.heat;
+    put(one.sums, out);
+    out.turning = in.slopes != nullptr ? Lanes::sum(one.sums.turning) : 0.0;
+    if (in.rolling != nullptr) put_addition(one.oil.rolling, in.rolled[one.index]);
+  };
+  int which = 0;
   for (std::size_t i = 0; i < in.n; ++i) {
     const contact::RollerPose& at = in.rollers[i];
     in.out[i] = {};
-    if (rolls) in.rolled[i] = {};
+    if (in.rolling != nullptr) in.rolled[i] = {};
     if (at.open) continue;
-    contact::RollerRaceSums<V> traction, rolling;
-    SlicesInOil<V> slices(films, answer, rolls, at, traction, rolling);
+    Roller& one = two[which];
+    put_roller(one);
+    one.index = i;
+    one.oil = {&at, {}, {}};
+    slices.begin(one.oil);
     const HandsToOil<V> hands{slices};
-    auto sums = in.slopes != nullptr
-                    ? contact::roller_race_sums<V>(in.slices[i], at, hands, in.slopes[i])
-                    : contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, hands);
-    slices.finish();
-    sums.force = sums.force + traction.force;
-    sums.moment = sums.moment + traction.moment;
-    sums.heat = traction.heat;
-    put(sums, in.out[i]);
-    in.out[i].turning = in.slopes != nullptr ? Lanes::sum(sums.turning) : 0.0;
-    if (rolls) put_addition(rolling, in.rolled[i]);
+    one.sums = in.slopes != nullptr
+                   ? contact::roller_race_sums<V>(in.slices[i], at, hands, in.slopes[i])
+                   : contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, hands);
+    which = 1 - which;
   }
+  for (Roller& one : two) put_roller(one);
 }
 
 template <class Law>

@@ -91,27 +91,37 @@ struct FilmOnSlices {
   }
 };
 
-/// Takes the slices of one roller from roller_race_sums; one type for all laws.
+/// What the oil does to one roller.
+template <class T>
+struct OilOnRoller {
+  const contact::RollerPose* at = nullptr;
+  contact::RollerRaceSums<T> traction, rolling;  ///< forces, moments and heats
+};
+
+/// Takes slices from roller_race_sums, of one roller after the other, and the last of a roller with
+/// the first of the next; one type for all laws.
 template <class T>
 class SlicesInOil {
  public:
   using Answer = void (*)(const void* films, const WaitingSlices<T>&, T* over_slip, T* resistance);
 
-  /// @param traction, rolling forces, moments and heats are added
-  SlicesInOil(const void* films, Answer answer, bool rolls, const contact::RollerPose& roller,
-              contact::RollerRaceSums<T>& traction, contact::RollerRaceSums<T>& rolling)
-      : films_(films),
-        answer_(answer),
-        rolls_(rolls),
-        roller_(roller),
-        traction_(traction),
-        rolling_(rolling) {}
+  SlicesInOil(const void* films, Answer answer, bool rolls)
+      : films_(films), answer_(answer), rolls_(rolls) {}
+
+  /// Slices that come are of this roller.
+  void begin(OilOnRoller<T>& of) { now_ = &of; }
 
   [[gnu::always_inline]] void keep(const contact::KeptSlice<T>& slice,
                                    const contact::SlicePlace<T>& at) {
     waiting_.slice[waiting_.count] = slice;
     waiting_.place[waiting_.count] = at;
+    owner_[waiting_.count] = now_;
     if (++waiting_.count == WaitingSlices<T>::kMost) add();
+  }
+  [[nodiscard]] bool waits_for(const OilOnRoller<T>& one) const {
+    for (int k = 0; k < waiting_.count; ++k)
+      if (owner_[k] == &one) return true;
+    return false;
   }
   void finish() {
     if (waiting_.count > 0) add();
@@ -122,9 +132,10 @@ class SlicesInOil {
     T over_slip[WaitingSlices<T>::kMost], resistance[WaitingSlices<T>::kMost];
     answer_(films_, waiting_, over_slip, resistance);
     for (int k = 0; k < waiting_.count; ++k) {
-      contact::add_kept(traction_, waiting_.slice[k], over_slip[k]);
+      OilOnRoller<T>& of = *owner_[k];
+      contact::add_kept(of.traction, waiting_.slice[k], over_slip[k]);
       if (rolls_)
-        add_rolling(waiting_.slice[k], waiting_.place[k], resistance[k], roller_, rolling_);
+        add_rolling(waiting_.slice[k], waiting_.place[k], resistance[k], *of.at, of.rolling);
     }
     waiting_.count = 0;
   }
@@ -132,9 +143,9 @@ class SlicesInOil {
   const void* films_;
   Answer answer_;
   bool rolls_;
-  const contact::RollerPose& roller_;
-  contact::RollerRaceSums<T>&traction_, &rolling_;
+  OilOnRoller<T>* now_ = nullptr;
   WaitingSlices<T> waiting_;
+  OilOnRoller<T>* owner_[WaitingSlices<T>::kMost];
 };
 
 /// What roller_race_sums is given; it takes what it is given as constant.

@@ -245,12 +245,14 @@ Prepared prepare_model(LoadedDeck input) {
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > statics::kTrustedOverStrips)
-    add_remark(out, Severity::Note,
-               fmt::format("the rolling resistance of the balls in oil is {:.2g} times that of "
-                           "strips with the law of lines, which knows the pressure coefficient of "
-                           "the oil: so thick an oil at such a speed is beyond what the law of "
-                           "points was checked for, and its heat may be that much too large",
-                           ratio));
+    add_remark(
+        out, Severity::Note,
+        fmt::format("the rolling resistance of the balls in oil, whose law knows no pressure "
+                    "coefficient of the oil, is {:.2g} times that of strips with the law of "
+                    "lines, which does. Reynolds' equation solved for point contacts lies "
+                    "between both: in so thick an oil at such a speed this resistance and "
+                    "its heat may be some {:.0f} % too large",
+                    ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)));
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))

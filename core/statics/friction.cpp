@@ -308,6 +308,11 @@ double rolling_over_strips(const Bearing& bearing, const StaticSolution& solutio
   return strips > 0.0 ? points / strips : 0.0;
 }
 
+double rolling_excess(double over_strips) {
+  constexpr double kShare = 0.3;
+  return std::pow(std::max(over_strips, 1.0), kShare);
+}
+
 FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution& solution) {
   const Oil oil(bearing);
   FrictionEstimate out = begin(bearing, oil);

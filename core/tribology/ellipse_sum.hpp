@@ -354,6 +354,7 @@ class EllipseSum {
     }
     constexpr int kNodes[4] = {0, 1, 3, 2};  // of both rows at one, then at the next
     T slip[8], inverse[8], kappa[8], p[4];
+#pragma GCC unroll 8
     for (int i = 0; i < 8; ++i) {
       const int j = kNodes[i / 2], r = i % 2;
       const T u_c = cross_slip(rows.row[r], j);
@@ -363,6 +364,7 @@ class EllipseSum {
     law_.law.template several<8, 4>(slip, p, kappa);
     for (int r = 0; r < rows.count; ++r) {
       T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
+#pragma GCC unroll 4
       for (int i = r; i < 8; i += 2) {
         const int j = kNodes[i / 2];
         const T g = ScalarMath<T>::over(kappa[i], slip[i], inverse[i]);
@@ -384,6 +386,7 @@ class EllipseSum {
     }
     T slip[4], inverse[4], kappa[4];
     const T peak[2] = {peak_pressure_ * rows.chord[0], peak_pressure_ * rows.chord[1]};
+#pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) {
       const Row& r = rows.row[i % 2];
       const T u_c = cross_slip(r, i / 2);

@@ -78,6 +78,7 @@ RollingResistance rolling_resistance(const Lubricant& oil, const bearing::Lubric
   out.log_speed = std::log(oil.base_viscosity(s.wall_temperature) / s.modulus);
   out.log_material = std::log(std::max(oil.base_alpha(s.wall_temperature) * s.modulus, 1e-30));
   out.modulus = s.modulus;
+  out.single = s.single;
   return out;
 }
 

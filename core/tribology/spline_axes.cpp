@@ -36,24 +36,29 @@ void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, st
   for (std::size_t k = 0; k < n + 2; ++k) v[first + k * stride] = c[k];
 }
 
-void append_tiles(std::vector<float>& tiles, const double* table, std::size_t lines,
-                  std::size_t line) {
+Tiles tiles_of(const double* table, std::size_t lines, std::size_t line, std::size_t sheets) {
   // Coefficients of the powers of f in the four weights of spline_axis.hpp.
   constexpr double kPower[4][4] = {{1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0},
                                    {2.0 / 3.0, 0.0, -1.0, 0.5},
                                    {1.0 / 6.0, 0.5, 0.5, -0.5},
                                    {0.0, 0.0, 0.0, 1.0 / 6.0}};
-  tiles.reserve(tiles.size() + (lines - 3) * (line - 3) * 16);
+  Tiles tiles;
+  tiles.reserve((lines - 3) * (line - 3) * sheets);
   for (std::size_t i = 0; i + 3 < lines; ++i)
     for (std::size_t j = 0; j + 3 < line; ++j)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t l = 0; l < 4; ++l) {
-          double sum = 0.0;
-          for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b)
-              sum += kPower[a][k] * kPower[b][l] * table[(i + a) * line + j + b];
-          tiles.push_back(static_cast<float>(sum));
-        }
+      for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
+        const double* const from = table + sheet * lines * line + i * line + j;
+        Tile& tile = tiles.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k)
+          for (std::size_t l = 0; l < 4; ++l) {
+            double sum = 0.0;
+            for (std::size_t a = 0; a < 4; ++a)
+              for (std::size_t b = 0; b < 4; ++b)
+                sum += kPower[a][k] * kPower[b][l] * from[a * line + b];
+            tile.power[4 * k + l] = static_cast<float>(sum);
+          }
+      }
+  return tiles;
 }
 
 }  // namespace adore::tribology

@@ -19,9 +19,16 @@ namespace adore::tribology {
 /// from each end (quadratic ends: c = 3 c' - 3 c'' + c''').
 void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n);
 
-/// Powers of f and g in each cell of a table of splines, for single precision (base/single.hpp):
-/// 16 of a cell, cell (i, j) behind (i, j - 1); `lines` and `line` coefficients along both.
-void append_tiles(std::vector<float>& tiles, const double* table, std::size_t lines,
-                  std::size_t line);
+/// One cell of a surface for single precision: its 16 powers (base/single.hpp), where one load
+/// takes them.
+struct alignas(64) Tile {
+  float power[16];
+};
+using Tiles = std::vector<Tile>;
+
+/// Of all cells of `sheets` tables of splines that follow each other, `lines` and `line`
+/// coefficients along each: cell (i, j) behind (i, j - 1), that of all sheets together.
+[[nodiscard]] Tiles tiles_of(const double* table, std::size_t lines, std::size_t line,
+                             std::size_t sheets = 1);
 
 }  // namespace adore::tribology

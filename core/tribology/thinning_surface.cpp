@@ -43,9 +43,7 @@ ThinningSurface make(double half_power, const Sizes& n) {
     to_spline(*table, (i + 1) * line, 1, n.heats);
   }
   for (std::size_t j = 0; j < line; ++j) to_spline(*table, j, line, n.rates);
-  auto tiles = std::make_shared<std::vector<float>>();
-  append_tiles(*tiles, table->data(), n.rates + 2, line);
-  out.tiles = std::move(tiles);
+  out.tiles = std::make_shared<const Tiles>(tiles_of(table->data(), n.rates + 2, line));
   out.table = std::move(table);
   return out;
 }
@@ -94,7 +92,7 @@ double log_thinning(double half_power, double rate, double heat) noexcept {
 
 void ThinningSurface::give(ThinningFilm& film) const {
   film.surface = table->data();
-  film.tiles = tiles->data();
+  film.tiles = tiles->data()->power;
   film.log_rate = log_rate;
   film.log_heat = log_heat;
   film.most_rate = kMostRate;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tribology/laws/thinning_film.hpp"
+#include "tribology/spline_axes.hpp"
 
 #include <array>
 #include <memory>
@@ -16,7 +17,7 @@ namespace adore::tribology {
 struct ThinningSurface {
   SplineAxis log_rate, log_heat;
   std::shared_ptr<const std::vector<double>> table;
-  std::shared_ptr<const std::vector<float>> tiles;  ///< the same as powers of each cell
+  std::shared_ptr<const Tiles> tiles;  ///< the same as powers of each cell
   /// Relative errors of the stress on the hold-out grid: the largest, and the root of the mean
   /// square.
   std::array<double, 2> error{};

@@ -70,7 +70,7 @@ constexpr Sizes kLevels[] = {{5, 20, 26, 16, 120}, {8, 32, 40, 24, 180}, {11, 44
 /// All that a film points at.
 struct Tables {
   std::vector<double> numbers;
-  std::vector<float> tiles, corner_tiles;
+  Tiles tiles, corner_tiles;
 };
 
 class Builder {
@@ -124,11 +124,10 @@ class Builder {
     for (std::size_t k = 0; k < sheet; ++k) to_spline(v, k, sheet, n.transits);
     f.saturation = v.data();
     f.corner = v.data() + saturation;
-    for (std::size_t i = 0; i < n.transits + 2; ++i)
-      append_tiles(tables->tiles, v.data() + i * sheet, n.pressures + 2, slips);
-    append_tiles(tables->corner_tiles, f.corner, n.corner_transits + 2, corners);
-    f.tiles = tables->tiles.data();
-    f.corner_tiles = tables->corner_tiles.data();
+    tables->tiles = tiles_of(v.data(), n.pressures + 2, slips, n.transits + 2);
+    tables->corner_tiles = tiles_of(f.corner, n.corner_transits + 2, corners);
+    f.tiles = tables->tiles.data()->power;
+    f.corner_tiles = tables->corner_tiles.data()->power;
     out.table = std::shared_ptr<const std::vector<double>>(tables, &tables->numbers);
     return out;
   }

@@ -132,7 +132,9 @@ struct FilmLawOf {
     [[gnu::always_inline]] bool of_single(const T* slip, const T* pressure, T* kappa) const {
       using To = SingleOf<T>;
       typename To::Type slips[N / 2], pressures[P / 2], of[N / 2];
+#pragma GCC unroll 8
       for (int i = 0; i < N / 2; ++i) slips[i] = To::pack(slip[2 * i], slip[2 * i + 1]);
+#pragma GCC unroll 8
       for (int k = 0; k < P / 2; ++k) pressures[k] = To::pack(pressure[2 * k], pressure[2 * k + 1]);
       const auto single = fluid.single();
       if constexpr (requires { single.template several_if<N / 2, P / 2>(slips, pressures, of); }) {
@@ -140,6 +142,7 @@ struct FilmLawOf {
       } else {
         single.template several<N / 2, P / 2>(slips, pressures, of);
       }
+#pragma GCC unroll 8
       for (int i = 0; i < N / 2; ++i) To::unpack(of[i], kappa[2 * i], kappa[2 * i + 1]);
       return true;
     }
@@ -183,6 +186,8 @@ struct FilmLawOf {
 
   template <class T>
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c) const {
+    if constexpr (kHasSingle<T> && requires { fluid.single_until; })
+      if (fluid.single_until >= 0.0) return at(c, film.by_floats(c));
     return at(c, film.at(c));
   }
   /// The same where the film of the contact is known.

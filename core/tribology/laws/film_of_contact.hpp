@@ -27,6 +27,16 @@ struct InletLogs {
   T log_speed, log_curve, log_load;  ///< ln u, ln 1/R, ln W
 };
 
+/// A contact in single precision, twice in each vector.
+template <class T>
+[[gnu::always_inline]] inline ContactPoint<typename SingleOf<T>::Type> floats_of(
+    const ContactPoint<T>& c) {
+  using To = SingleOf<T>;
+  return {To::both(c.load),       To::both(c.peak_pressure), To::both(c.half_major),
+          To::both(c.half_minor), To::both(c.entrainment),   To::both(c.slip),
+          To::both(c.curvature)};
+}
+
 /// Constants of the films of one race at the temperature of its inlets, which stays for the run.
 /// SI. Set by film_law.hpp.
 struct FilmOfContact {
@@ -52,6 +62,19 @@ struct FilmOfContact {
   template <class T>
   [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c) const {
     return at(c, logs(c));
+  }
+  /// The same by floats: to some 1e-6.
+  template <class T>
+  [[gnu::always_inline]] FilmHere<T> by_floats(const ContactPoint<T>& c) const {
+    using To = SingleOf<T>;
+    const auto here = at(floats_of(c));
+    FilmHere<T> out;
+    T twice;
+    To::unpack(here.thickness, out.thickness, twice);
+    To::unpack(here.thinnest, out.thinnest, twice);
+    To::unpack(here.share, out.share, twice);
+    To::unpack(here.factor, out.factor, twice);
+    return out;
   }
   template <class T>
   [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c, const InletLogs<T>& inlet) const {

@@ -43,11 +43,13 @@ struct HeatedFilm {
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
       T root_viscosity[P], scale[P];
+#pragma GCC unroll 8
       for (int k = 0; k < P; ++k) {
         root_viscosity[k] = M::exp(half_alpha * pressure[k]);
         scale[k] =
             stress_scale * root_viscosity[k] * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       }
+#pragma GCC unroll 8
       for (int i = 0; i < N; ++i) {
         const T S = heating * slip[i] * root_viscosity[i % P];
         const T S2 = S * S;

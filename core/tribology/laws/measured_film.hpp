@@ -41,12 +41,14 @@ struct MeasuredFilm {
       using M = ScalarMath<T>;
       T viscosity[P], heating[P];
       fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+#pragma GCC unroll 8
       for (int k = 0; k < P; ++k) {
         heating[k] = M::exp(heating[k]);
         viscosity[k] =
             M::exp(viscosity[k]) * inverse_thickness *
             InverseRoots<T>::first(M::max(pressure[k], T(1.0)) * heating[k]);  // over p h
       }
+#pragma GCC unroll 8
       for (int i = 0; i < N; ++i) {
         const T S = slip[i] * heating[i % P];
         const T S2 = S * S;

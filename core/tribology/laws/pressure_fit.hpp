@@ -42,17 +42,20 @@ template <int N, class T>
 [[gnu::always_inline]] inline void fits_at(const PressureFit& first, const PressureFit& second,
                                            const T* pressure, T* of_first, T* of_second) {
   T x[N], y[N];
+#pragma GCC unroll 4
   for (int i = 0; i < N; ++i) {
     x[i] = first.place(pressure[i]);
     y[i] = second.place(pressure[i]);
     of_first[i] = of_second[i] = 0.0;
   }
   const int terms = first.terms > second.terms ? first.terms : second.terms;
-  for (int k = terms - 1; k >= 0; --k)  // terms that one lacks are 0
+  for (int k = terms - 1; k >= 0; --k) {  // terms that one lacks are 0
+#pragma GCC unroll 4
     for (int i = 0; i < N; ++i) {
       of_first[i] = of_first[i] * x[i] + first.template power<T>(k);
       of_second[i] = of_second[i] * y[i] + second.template power<T>(k);
     }
+  }
 }
 
 }  // namespace adore::tribology

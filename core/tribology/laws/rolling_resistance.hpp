@@ -27,10 +27,10 @@
 /// times φT φS of the contact's film (heated and starved inlets). Checked: the line against
 /// numerical solutions of Reynolds' equation with elastic bodies, within 15 % (test); the point
 /// against torques measured on three balls, experiments SPIN-DOWN.
-/// The law of points has no pressure coefficient, lines go with G^-0.342. Strips of a point contact
-/// that resist as lines (α 20/GPa, k 3 to 14, 0.6 to 4 GPa) have 0.8 to 0.9 of it at U = 4e-12, 0.5
-/// to 0.7 at 1e-10, 0.3 to 0.5 from 1e-9 on: in thick oil at speed it may be two to three times too
-/// large, and outputs say so where the strips have less than half (statics/friction.hpp).
+/// The law of points has no pressure coefficient, lines go with G^-0.342. Reynolds' equation solved
+/// for points (test; k 3 and 8, 0.6 to 2 GPa, α 10 and 20/GPa) has 0.97 of it at U = 4e-12, 0.93 at
+/// 4e-11 and 0.76 to 0.88 at 4e-10, between it and strips that resist as lines (0.71, 0.59, 0.4 to
+/// 0.5): outputs say how much it may be too large where strips have less than half (friction.hpp).
 /// No oil shears more than 0.11 of the load (decision 330), as a smooth minimum (limited.hpp): it
 /// counts where an oil is nearly a solid, 200 K below its range.
 /// F has the sign of u and is odd in it, smooth at u = 0; it vanishes with load and film. Limits:
@@ -44,12 +44,19 @@ struct RollingResistance {
   double log_speed = 0.0;     ///< ln(μ0/E') [s]
   double log_material = 0.0;  ///< ln G
   double modulus = 0.0;       ///< E' [Pa]
+  bool single = false;        ///< vectors by floats: to some 1e-6
 
   /// F with the sign of the entrainment [N]; of lines per length [N/m].
   template <class T>
   [[gnu::always_inline]] T force(const ContactPoint<T>& c) const {
-    const InletLogs<T> inlet = film.logs(c);
-    return force(c, inlet, film.at(c, inlet).factor);
+    if constexpr (kHasSingle<T>) {
+      if (single) {
+        T F, twice;
+        SingleOf<T>::unpack(force_of(floats_of(c)), F, twice);
+        return F;
+      }
+    }
+    return force_of(c);
   }
   /// The same where the film of the contact is known. @param factor φT φS
   template <class T>
@@ -66,6 +73,11 @@ struct RollingResistance {
   }
 
  private:
+  template <class T>
+  [[gnu::always_inline]] T force_of(const ContactPoint<T>& c) const {
+    const InletLogs<T> inlet = film.logs(c);
+    return force(c, inlet, film.at(c, inlet).factor);
+  }
   static constexpr double kMostOfLoad = 0.11;
   static constexpr double kLogRound = 0.029558802241544403;  ///< ln 1.03
 

@@ -27,8 +27,8 @@ struct SplineAxis {
     using M = ScalarMath<T>;
     const double last = static_cast<double>(knots - 3);
     const T steps = (x - from) * inverse_step;
-    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), T(last));
-    const T whole = ScalarLanes<T>::floor(M::min(s, T(last - 1e-3)));
+    const T s = M::min(M::max(T(0.0), steps), T(last));
+    const T whole = M::min(ScalarLanes<T>::floor(s), T(last - 1.0));
     return {whole, s - whole};
   }
   template <class T>

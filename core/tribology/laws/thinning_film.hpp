@@ -68,12 +68,14 @@ struct ThinningFilm {
       using M = ScalarMath<T>;
       T viscosity[P], heating[P], over_pressure[P];
       fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+#pragma GCC unroll 8
       for (int k = 0; k < P; ++k) {
         over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
         viscosity[k] = viscosity[k] + log_scale;
       }
       T rate[N], heat[N];  // ln r0, ½ ln D0
       T most_rate = -1e30, most_heat = -1e30;
+#pragma GCC unroll 8
       for (int i = 0; i < N; ++i) {
         const T log_slip = ScalarLog<T>::log(M::max(slip[i], T(1e-30)));
         rate[i] = viscosity[i % P] + log_slip;
@@ -82,13 +84,15 @@ struct ThinningFilm {
         most_heat = M::max(most_heat, heat[i]);
       }
       if (M::any(most_rate > film->most_rate) || M::any(most_heat > film->most_heat)) return false;
+      const double line = film->log_heat.knots - 3;
+#pragma GCC unroll 8
       for (int i = 0; i < N; ++i) {
         const auto along = film->log_rate.cell(rate[i]), across = film->log_heat.cell(heat[i]);
-        const T tile = ScalarTiles<T>::at(
-            film->tiles, along.cell * static_cast<double>(film->log_heat.knots - 3) + across.cell,
-            along.inside, across.inside);
-        kappa[i] = film->limit.of(M::exp(rate[i] + tile) * over_pressure[i % P]);
+        rate[i] = rate[i] + ScalarTiles<T>::at(film->tiles, along.cell * line + across.cell,
+                                               along.inside, across.inside);
       }
+#pragma GCC unroll 8
+      for (int i = 0; i < N; ++i) kappa[i] = film->limit.of(M::exp(rate[i]) * over_pressure[i % P]);
       return true;
     }
     /// Of N points at once at P pressures (film_law_of.hpp).

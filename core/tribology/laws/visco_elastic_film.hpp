@@ -41,8 +41,8 @@ struct ViscoElasticFilm {
   const double* saturation = nullptr;   ///< S: [transit][pressure][slip]
   const double* corner = nullptr;       ///< ln γ_r: [transit][pressure], axes of its own
   double stress = 0.0, stress_p = 0.0;  ///< κ_s = stress_p + 4/π stress/p
-  /// Both for single precision: 16 powers of each cell over pressure and slip (of each line over
-  /// transit), over transit and pressure of the corner (base/single.hpp).
+  /// Both for single precision: 16 powers of each cell over pressure and slip, of all transits
+  /// one behind the other; over transit and pressure of the corner (base/single.hpp).
   const float *tiles = nullptr, *corner_tiles = nullptr;
   double single_until = -1.0;  ///< film_law_of.hpp
   SplineAxis root_pressure, log_rate, log_transit, corner_root_pressure, corner_log_transit;
@@ -247,9 +247,9 @@ struct ViscoElasticFilm {
       const auto corner_transit = film->corner_log_transit.cell(c);
       T weight[4];
       SplineAxis::weights(transit.inside, weight);
-      const double slips = film->log_rate.knots - 3,
-                   sheet = (film->root_pressure.knots - 3) * slips,
+      const double transits = film->log_transit.knots, line = (film->log_rate.knots - 3) * transits,
                    corners = film->corner_root_pressure.knots - 3;
+#pragma GCC unroll 2
       for (int k = 0; k < P; ++k) {
         const T p = M::max(peak[k], T(1.0));
         const T asked = M::pick(peak[k] > 1.0, place.wanted, T(0.0));
@@ -264,15 +264,14 @@ struct ViscoElasticFilm {
                                             corner_transit.cell * corners + corner_pressure.cell,
                                             corner_transit.inside, corner_pressure.inside);
         const T ceiling = film->stress_p + kFourOverPi * film->stress / p;
-        const T line = transit.cell * sheet + pressure.cell * slips;
+        const T first = pressure.cell * line + transit.cell;
+#pragma GCC unroll 4
         for (int i = k; i < N; i += P) {
           const T w = ScalarLog<T>::log(M::max(slip[i], T(1e-30))) - log_corner;
           const auto rate = film->log_rate.cell(w);
-          T value = M::min(w - film->log_rate.from, T(0.0));
-          for (int j = 0; j < 4; ++j)
-            value = value + weight[j] * Tiles::at(film->tiles, line + rate.cell + j * sheet,
-                                                  pressure.inside, rate.inside);
-          kappa[i] = ceiling * M::exp(value);
+          const T value = Tiles::mean_at(film->tiles, rate.cell * transits + first, pressure.inside,
+                                         rate.inside, weight);
+          kappa[i] = ceiling * M::exp(value + M::min(w - film->log_rate.from, T(0.0)));
         }
       }
       return true;

@@ -83,12 +83,28 @@ TEST_CASE("single precision: each lane reads the polynomial of its own tile", "[
     g.v[l] = 1.0F - 0.03F * static_cast<float>(l);
   }
   const Single is = ScalarTiles<Single>::at(tiles.data(), place, f, g);
-  for (std::size_t l = 0; l < 2 * kLanes; ++l) {
+  const auto polynomial = [&](std::size_t l, int tile) {
     double sum = 0.0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        sum += tiles[static_cast<std::size_t>(16 * static_cast<int>(place.v[l]) + 4 * i + j)] *
+        sum += tiles[static_cast<std::size_t>(16 * tile + 4 * i + j)] *
                std::pow(static_cast<double>(f.v[l]), i) * std::pow(static_cast<double>(g.v[l]), j);
-    CHECK(is.v[l] == Approx(sum).margin(2e-6));
+    return sum;
+  };
+  for (std::size_t l = 0; l < 2 * kLanes; ++l)
+    CHECK(is.v[l] == Approx(polynomial(l, static_cast<int>(place.v[l]))).margin(2e-6));
+  // The mean of four that follow each other.
+  Single weight[4];
+  for (std::size_t l = 0; l < 2 * kLanes; ++l) {
+    place.v[l] = static_cast<float>((5 * l + 2) % (kTiles - 3));
+    for (std::size_t j = 0; j < 4; ++j)
+      weight[j].v[l] = 0.1F * static_cast<float>(j + 1) - 0.02F * static_cast<float>(l);
+  }
+  const Single mean = ScalarTiles<Single>::mean_at(tiles.data(), place, f, g, weight);
+  for (std::size_t l = 0; l < 2 * kLanes; ++l) {
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+      sum += static_cast<double>(weight[j].v[l]) * polynomial(l, static_cast<int>(place.v[l]) + j);
+    CHECK(mean.v[l] == Approx(sum).margin(3e-6));
   }
 }
