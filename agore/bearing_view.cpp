@@ -177,7 +177,7 @@ void cage_view(const Scene& s) {
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
   if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
-  key.push_back({t.curves[0], cleared ? way : way + " about its middle"});
+  key.push_back({t.curves[0], cleared ? way : QString("orbit about its middle")});
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

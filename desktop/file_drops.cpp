@@ -1,5 +1,6 @@
 #include "desktop/file_drops.hpp"
 
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QUrl>
@@ -11,8 +12,8 @@
 namespace adore::desktop {
 namespace {
 
-/// Stands before the window system's events of one window. Qt sends none to a window below a modal
-/// one.
+/// Stands before the window system's events of one window, and of those that its docks are while
+/// they float. Qt sends none to a window below a modal one.
 class FileDrops : public QObject {
  public:
   FileDrops(QWidget& window, std::function<void(const QStringList&)> opened)
@@ -20,9 +21,15 @@ class FileDrops : public QObject {
     window.installEventFilter(this);
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (watched == &window_) {
-      if (event->type() == QEvent::Show && window_.windowHandle() != nullptr)
-        window_.windowHandle()->installEventFilter(this);  // once, however often
+    if (auto* widget = qobject_cast<QWidget*>(watched)) {
+      if (event->type() != QEvent::Show) return false;
+      if (widget->isWindow() && widget->windowHandle() != nullptr)
+        widget->windowHandle()->installEventFilter(this);  // once, however often
+      if (widget == &window_)
+        for (auto* dock : window_.findChildren<QDockWidget*>()) {
+          dock->setAcceptDrops(true);
+          dock->installEventFilter(this);
+        }
       return false;
     }
     const auto type = event->type();

@@ -11,6 +11,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -196,6 +197,23 @@ TEST_CASE("opening: dropped and recent decks, folders, files that are none", "[g
   }
   CHECK(window.document().deck() == deck::new_deck("tapered"));
   CHECK(window.windowTitle().startsWith("DATA.txt"));
+  // A dock that floats is a window of its own.
+  const auto docks = window.findChildren<QDockWidget*>();
+  REQUIRE(docks.size() >= 3);
+  for (QDockWidget* dock : docks) {
+    INFO(dock->objectName().toStdString());
+    dock->show();
+    dock->setFloating(true);
+    QCoreApplication::processEvents();
+    REQUIRE(dock->isWindow());
+    const QList<QPoint> places = test::places_of(*dock);
+    for (const QPoint& place : {places.front(), places[places.size() / 2], places.back()}) {
+      window.newDeck("ball");
+      CHECK(test::drop_on(*dock, folder.path(), {"."}, place));
+      CHECK(window.document().deck() == deck::new_deck("tapered"));
+    }
+    dock->setFloating(false);
+  }
 
   window.newDeck("ball");
   CHECK(window.document().deck() == deck::new_deck("ball"));
