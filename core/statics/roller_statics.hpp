@@ -52,7 +52,7 @@ struct RollerOptions {
                                   ///< share of the largest contact deflection
   bool guide = true;  ///< guide ring or cage hold what the centrifugal force of barrels has along
                       ///< their axis; false: nothing does, they lean on their grooves
-  bool warm_start = false;        ///< begin at StaticConstraints::displacement even where it is 0
+  bool warm_start = false;  ///< begin at StaticConstraints::displacement even where it is 0
   const RollerSolution* start = nullptr;  ///< begin where an earlier solution of the same bearing
                                           ///< ended (sweeps, tables); outlives the call
 };
