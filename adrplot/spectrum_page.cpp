@@ -20,6 +20,7 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 
 constexpr std::string_view kHere = "Nothing vibrates here: ";
+constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "Nothing vibrates here: the value does not change.";
 constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
 
@@ -41,7 +42,7 @@ std::string missing_values(const std::vector<double>& t, const std::vector<doubl
   std::string where = fmt::format("at {} of {} steps", missing, values.size());
   if (missing == values.size() - behind) where = "after " + seconds(behind - 1);
   if (missing == first) where = "before " + seconds(first);
-  return "there are no values " + where + ", so there is no frequency spectrum.";
+  return "there are no values " + where + std::string(kSo);
 }
 
 /// Why a curve has no spectrum.
@@ -98,8 +99,12 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
   if (!reasons.empty() && same) panel.message = capital(reasons.front().why);
   if (same) return;
   panel.message.clear();
-  for (const Reason& reason : reasons)
-    panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, reason.why);
+  for (const Reason& reason : reasons) {
+    std::string why = reason.why;
+    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one says it
+      why.replace(why.size() - kSo.size(), kSo.size(), ".");
+    panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, why);
+  }
 }
 
 /// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a

@@ -329,11 +329,17 @@ void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
 }
 
 void ChartScene::addMessage(const QRectF& area, const QString& text, const Metrics& m) {
-  auto* item = addText(text, ui_font(m.text_font + 1));
+  auto* item = addText(text);
   item->setDefaultTextColor(theme_->muted);
-  item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
-  QTextOption option(Qt::AlignCenter);
-  item->document()->setDefaultTextOption(option);
+  item->document()->setDefaultTextOption(QTextOption(Qt::AlignCenter));
+  // In a low panel smaller letters, before words lie on the axes.
+  constexpr int kSmallest = 10;
+  const qreal margins = 2.0 * item->document()->documentMargin();
+  for (int size = m.text_font + 1; size >= kSmallest; --size) {
+    item->setFont(ui_font(size));
+    item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
+    if (item->boundingRect().height() - margins <= area.height()) break;
+  }
   item->setPos(area.center() - item->boundingRect().center());
 }
 

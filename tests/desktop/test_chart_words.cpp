@@ -8,6 +8,7 @@
 #include <QGraphicsTextItem>
 #include <QImage>
 #include <QRegularExpression>
+#include <QTextDocument>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -420,4 +421,34 @@ TEST_CASE("a legend says which curves have no values", "[gui][desktop]") {
   scene.setPage(page);
   CHECK(words(scene).contains("inner race (none)"));
   CHECK(words(scene).contains("outer race"));
+}
+
+TEST_CASE("the reason of an empty panel stays within it", "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "A page";
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  page.x = {0.0, 1.0};
+  page.note = "A note that takes a line of its own.";
+  page.marks = {{0.5, "shaft"}};
+  page.panels = {{"Contact load", "N", {{"", {0.0, 1.0}, {}}}}};
+  ChartPanel empty{"Contact angle", "deg", {{"outer race", {}, {}}, {"inner race", {}, {}}}};
+  empty.message =
+      "Outer race: there are no values at 2 of 5690 steps. Inner race: there are no values at 3757 "
+      "of 5690 steps, so there is no frequency spectrum.";
+  page.panels.insert(page.panels.end(), 2, empty);
+  ChartScene scene;
+  scene.setPageSize(QSizeF(700, 450));
+  scene.setPage(page);
+  int found = 0;
+  for (const QGraphicsItem* item : scene.items()) {
+    const auto* text = dynamic_cast<const QGraphicsTextItem*>(item);
+    if (text == nullptr || !text->toPlainText().startsWith("Outer")) continue;
+    ++found;
+    const qreal margin = text->document()->documentMargin();
+    const QRectF words = text->sceneBoundingRect().adjusted(margin, margin, -margin, -margin);
+    CHECK((scene.plotAreas()[1].contains(words) || scene.plotAreas()[2].contains(words)));
+  }
+  CHECK(found == 2);
+  CHECK(text_faults(scene).empty());
 }
