@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -19,6 +20,7 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 
 constexpr std::string_view kHere = "Nothing vibrates here: ";
+constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "Nothing vibrates here: the value does not change.";
 constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
 
@@ -40,7 +42,7 @@ std::string missing_values(const std::vector<double>& t, const std::vector<doubl
   std::string where = fmt::format("at {} of {} steps", missing, values.size());
   if (missing == values.size() - behind) where = "after " + seconds(behind - 1);
   if (missing == first) where = "before " + seconds(first);
-  return "no values " + where + ", so no frequency spectrum.";
+  return "there are no values " + where + std::string(kSo);
 }
 
 /// Why a curve has no spectrum.
@@ -48,34 +50,61 @@ struct Reason {
   std::string curve, why;
 };
 
-/// In the panel when none of its curves is drawn, else in the page's note with the panel's name.
-void tell_reasons(ChartPage& chart, ChartPanel& panel, const std::vector<Reason>& reasons) {
+std::string capital(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// The title of a panel behind another.
+std::string small(std::string text) {
+  const bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
+  if (word) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// Not "here": the curve, or the panel with all of it.
+std::string named(const std::string& name, std::string why) {
+  if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
+  return capital(name.empty() ? why : name + ": " + why);
+}
+
+/// Curves without a spectrum beside others that have one.
+struct Aside {
+  Reason reason;
+  std::string panels;
+};
+
+/// In the panel when none of its curves is drawn, else for the page's note.
+void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
+                  std::vector<Aside>& asides) {
   const bool drawn = std::any_of(panel.curves.begin(), panel.curves.end(),
                                  [](const ChartCurve& curve) { return !curve.y.empty(); });
-  const auto named = [](const std::string& name, std::string why) {
-    // Not "here": the curve, or the panel with all of it.
-    if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
-    return name.empty() ? why : name + ": " + why;
-  };
   if (drawn) {
-    for (const Reason& reason : reasons)
-      add_note(chart,
-               panel.title + (reason.curve.empty() ? "" : ", ") + named(reason.curve, reason.why));
+    for (const Reason& reason : reasons) {
+      const auto same = std::find_if(asides.begin(), asides.end(), [&](const Aside& aside) {
+        return aside.reason.curve == reason.curve && aside.reason.why == reason.why;
+      });
+      if (same == asides.end())
+        asides.push_back({reason, panel.title});
+      else
+        same->panels += " and " + small(panel.title);
+    }
     return;
   }
   if (reasons.empty() && panel.message.empty())
-    panel.message = "No values, so there is no frequency spectrum.";
+    panel.message = "There are no values, so there is no frequency spectrum.";
   const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
     return reason.why == reasons.front().why;
   });
-  if (!reasons.empty() && same) {
-    panel.message = reasons.front().why;
-    if (panel.message.front() == 'n') panel.message.front() = 'N';
-  }
+  if (!reasons.empty() && same) panel.message = capital(reasons.front().why);
   if (same) return;
   panel.message.clear();
-  for (const Reason& reason : reasons)
-    panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, reason.why);
+  for (const Reason& reason : reasons) {
+    std::string why = reason.why;
+    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one says it
+      why.replace(why.size() - kSo.size(), kSo.size(), ".");
+    panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, why);
+  }
 }
 
 /// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a
@@ -124,6 +153,7 @@ bool only_rounding(const std::vector<double>& values, const std::string& unit, d
 
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
   std::vector<double> frequency;
+  std::vector<Aside> asides;
   for (ChartPanel& panel : chart.panels) {
     std::vector<Reason> reasons;  // of the curves without a spectrum
     for (ChartCurve& curve : panel.curves) {
@@ -156,12 +186,17 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
     }
-    tell_reasons(chart, panel, reasons);
+    tell_reasons(panel, reasons, asides);
     panel.wraps = false;
     panel.least_span = 0.0;
     if (options.scale != SpectrumScale::Units)
       panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
   }
+  // One sentence for panels of which the same is to be said.
+  for (const Aside& aside : asides)
+    add_note(chart,
+             named(aside.panels + (aside.reason.curve.empty() ? "" : ", ") + aside.reason.curve,
+                   aside.reason.why));
   if (chart.title.find("pectrum") == std::string::npos) chart.title += ": amplitude spectrum";
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";

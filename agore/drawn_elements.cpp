@@ -102,19 +102,23 @@ void draw_elements(const Scene& s) {
 
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
+  const double outside = s.options.view == View::Cage
+                             ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+                             : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
+  // Numbers of a small picture are as small as leaves them apart.
+  const double apart = 2.0 * kPi * outside * s.sketch.scale() /
+                       static_cast<double>(std::max<std::size_t>(1, s.frame.elements.size()));
+  const int letters = static_cast<int>(std::clamp(0.6 * apart, 8.0, 12.0));
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const QPointF centre = element_centre(s, k);
     const bool contact = s.frame.elements[k].pocket_force > 0.0;
     if (s.animation.has_cage && contact)
       s.sketch.asterisk(
           s.sketch.at(centre.x(), centre.y()),
-          std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 5.0, 13.0), t.red);
+          std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0), t.red);
     const double angle = std::atan2(-centre.x(), centre.y());
-    const double outside = s.options.view == View::Cage
-                               ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
-                               : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
     s.sketch.label(s.sketch.around({0, 0}, outside, angle), QString::number(k + 1),
-                   contact && s.animation.has_cage ? t.red : t.muted, 12, contact);
+                   contact && s.animation.has_cage ? t.red : t.muted, letters, contact);
   }
 }
 

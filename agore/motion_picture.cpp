@@ -1,5 +1,6 @@
 #include "agore/motion_picture.hpp"
 
+#include "agore/view_layout.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/svg_writer.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kSmall = 11;  // letters of two lines where else one is
 constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
+constexpr double kTileTop = 28, kTileFoot = 2;  // of one of several views: its title, its frame
 
 /// Value of each curve nearest to a time, as text under the data area's title: one line or, where
 /// that is too narrow, two; the values alone in the order of the legends where these are as well.
@@ -72,19 +74,10 @@ double MotionPicture::progress(std::size_t frame) const {
              : 1.0;
 }
 
-QRectF MotionPicture::dataArea(const QRectF& area) {
-  const double width = std::clamp(0.36 * area.width(), 200.0, 560.0);
-  const double bottom = area.bottom() - kBarSpace;
-  return {area.right() - kMargin - width, area.top() + kHeading, width,
-          std::min(bottom - area.top() - kHeading, 1.25 * width)};
-}
+namespace {
 
-std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views) {
-  const QRectF data = dataArea(area);
-  const QRectF all(area.left() + kMargin, area.top() + kHeading,
-                   data.left() - 10 - area.left() - kMargin, area.height() - kHeading - kBarSpace);
-  if (views <= 1) return {all};
-  // The number of columns that leaves the largest squares.
+/// Places of several pictures of a size, in the number of columns that leaves the largest squares.
+std::vector<QRectF> tiles_of(const QRectF& all, std::size_t views) {
   int columns = 1;
   double best = 0.0;
   const int n = static_cast<int>(views);
@@ -102,6 +95,40 @@ std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t 
                      size);
   for (QRectF& tile : out) tile.adjust(3.0, 3.0, -3.0, -3.0);
   return out;
+}
+
+double data_width(const QRectF& area) { return std::clamp(0.36 * area.width(), 200.0, 560.0); }
+
+/// Of all pictures, without a key that they share.
+QRectF pictures_area(const QRectF& area) {
+  return {area.left() + kMargin, area.top() + kHeading,
+          area.width() - 2.0 * kMargin - data_width(area) - 10.0,
+          area.height() - kHeading - kBarSpace};
+}
+
+}  // namespace
+
+QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
+  if (views <= 1) return {};
+  const QRectF tile = tiles_of(pictures_area(area), views).front();
+  if (tile.height() - kTileTop - kTileFoot >= kTooLow) return {};
+  const double height = SharedKey::height();
+  return {area.left() + kMargin, area.bottom() - kBarSpace - height, area.width() - 2.0 * kMargin,
+          height};
+}
+
+QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views) {
+  const double width = data_width(area);
+  const double bottom = area.bottom() - kBarSpace - sharedKeyArea(area, views).height();
+  return {area.right() - kMargin - width, area.top() + kHeading, width,
+          std::min(bottom - area.top() - kHeading, 1.25 * width)};
+}
+
+std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views) {
+  QRectF all = pictures_area(area);
+  if (views <= 1) return {all};
+  all.setHeight(all.height() - sharedKeyArea(area, views).height());
+  return tiles_of(all, views);
 }
 
 std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position) const {
@@ -138,7 +165,15 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
   }
   for (std::size_t i = 0; i < tiles.size(); ++i)
     paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i], Layers::Moving);
-  paintMoment(painter, dataArea(area), frame, options);
+  if (const QRectF place = sharedKeyArea(area, tiles.size()); !place.isEmpty()) {
+    std::vector<KeyEntry> entries;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      const std::vector<KeyEntry>& own = kept_[i].key.leftOut();
+      entries.insert(entries.end(), own.begin(), own.end());
+    }
+    shared_key_.draw(painter, place, theme_of(options), std::move(entries));
+  }
+  paintMoment(painter, dataArea(area, tiles.size()), frame, options);
   paintTimeBar(painter, timeBar(area), frame, theme_of(options));
   painter.restore();
 }
@@ -146,7 +181,7 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
 std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t views) {
   std::vector<QRectF> tiles = pictureAreas(area, views);
   if (tiles.size() > 1)
-    for (QRectF& tile : tiles) tile.adjust(4.0, 28.0, -4.0, -2.0);
+    for (QRectF& tile : tiles) tile.adjust(4.0, kTileTop, -4.0, -kTileFoot);
   return tiles;
 }
 
@@ -221,7 +256,7 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
     painter.drawText(tiles[i].adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
                      QString::fromStdString(view_title(options.tile(i).view)));
   }
-  const QRectF data = dataArea(area);
+  const QRectF data = dataArea(area, tiles.size());
   makeDataPage(data.size(), options);
   painter.save();
   data_.paintPage(painter, data);

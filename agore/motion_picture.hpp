@@ -34,7 +34,9 @@ class MotionPicture {
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
   /// Places of the pictures (one for each view) and of the curves inside `area`.
   [[nodiscard]] static std::vector<QRectF> pictureAreas(const QRectF& area, std::size_t views);
-  [[nodiscard]] static QRectF dataArea(const QRectF& area);
+  [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1);
+  /// Place of the key that several views share where they are too low for their own; empty: none.
+  [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views);
   /// Time at a position on one of the curves' panels, as painted last; none beside them.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
@@ -72,6 +74,7 @@ class MotionPicture {
   Setting setting_, data_setting_;
   std::vector<StillKey> still_;  ///< of each view
   std::vector<Kept> kept_;       ///< of each view
+  SharedKey shared_key_;
 };
 
 }  // namespace adore::agore

@@ -51,9 +51,9 @@ int key_columns(std::size_t entries, QSizeF size) {
 }
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
-  const std::vector<KeyEntry> entries =
-      s.sketch.area().height() < kTooLow ? std::vector<KeyEntry>{} : all;
-  s.key.draw(s.sketch, entries, remark);
+  const bool low = s.sketch.area().height() < kTooLow;
+  s.key.leaveOut(low ? all : std::vector<KeyEntry>{});
+  s.key.draw(s.sketch, low ? std::vector<KeyEntry>{} : all, remark);
 }
 
 void KeyPicture::draw(const Sketch& sketch, const std::vector<KeyEntry>& entries,
@@ -93,7 +93,20 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   double width = 0.0;
   for (const QString& text : remarks) width = std::max(width, metrics.horizontalAdvance(text));
   constexpr double kGap = 12.0;
-  const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area.size()));
+  auto columns = static_cast<std::size_t>(key_columns(entries.size(), area.size()));
+  // Entries that two columns would cut stand in one, if that leaves the picture its room.
+  constexpr double kMostOfHeight = 1.0 / 3.0;
+  const auto all = static_cast<double>(entries.size()) + static_cast<double>(remarks.size());
+  const auto longest = [&](std::size_t from, std::size_t to) {
+    double out = 0.0;
+    for (std::size_t i = from; i < to; ++i)
+      out = std::max(out, metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+    return out;
+  };
+  const std::size_t half = (entries.size() + 1) / 2;
+  if (longest(0, half) + kGap + longest(half, entries.size()) > area.width() - 8.0 &&
+      line * all < kMostOfHeight * area.height())
+    columns = 1;
   const std::size_t rows = (entries.size() + columns - 1) / columns;
   std::array<double, 2> column{};
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -127,6 +140,62 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
     if (entry.colour.isValid()) draw_mark(p, entry.mark, entry.colour, {left, y - 4});
   }
   return box;
+}
+
+double SharedKey::height() { return kLines * key_line() + 4.0; }
+
+void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
+                     std::vector<KeyEntry> entries) {
+  // A mark that several pictures have is named once; words about what is not drawn say nothing
+  // here.
+  std::vector<KeyEntry> each;
+  for (KeyEntry& entry : entries)
+    if (entry.colour.isValid() && std::find(each.begin(), each.end(), entry) == each.end())
+      each.push_back(std::move(entry));
+  if (!on_pixels(painter)) {
+    paint(painter, place, theme, each);
+    return;
+  }
+  const double ratio = painter.device()->devicePixelRatioF();
+  if (each != entries_ || place.size() != size_ || ratio != ratio_ || theme.kind != kind_ ||
+      image_.isNull()) {
+    entries_ = std::move(each), size_ = place.size(), ratio_ = ratio, kind_ = theme.kind;
+    image_ = QImage((size_ * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image_.setDevicePixelRatio(ratio);
+    image_.fill(Qt::transparent);
+    QPainter once(&image_);
+    once.setRenderHint(QPainter::Antialiasing);
+    paint(once, QRectF(QPointF(0.0, 0.0), size_), theme, entries_);
+  }
+  painter.drawImage(place.topLeft(), image_);
+}
+
+void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& theme,
+                      const std::vector<KeyEntry>& entries) {
+  constexpr double kGap = 16.0;
+  p.setFont(desktop::ui_font(12));
+  const QFontMetricsF metrics(p.font());
+  const double line = key_line();
+  const auto more = [](std::size_t count) { return QString("%1 more").arg(count); };
+  const double kept = metrics.horizontalAdvance(more(entries.size())) + kGap;
+  double x = place.left(), y = place.top() + line - 4.0;
+  int row = 1;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const KeyEntry& entry = entries[i];
+    const double width = kKeyIndent + metrics.horizontalAdvance(entry.text);
+    const bool last = i + 1 == entries.size();
+    if (x > place.left() && row < kLines && x + width > place.right())
+      x = place.left(), y += line, ++row;
+    if (row == kLines && x + width > place.right() - (last ? 0.0 : kept)) {
+      p.setPen(theme.muted);
+      p.drawText(QPointF(x, y), more(entries.size() - i));
+      return;
+    }
+    draw_mark(p, entry.mark, entry.colour, {x, y - 4.0});
+    p.setPen(theme.muted);
+    p.drawText(QPointF(x + kKeyIndent, y), entry.text);
+    x += width + kGap;
+  }
 }
 
 }  // namespace adore::agore

@@ -7,6 +7,7 @@
 #include <QRectF>
 #include <QString>
 
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -34,14 +35,37 @@ struct KeyEntry {
 class KeyPicture {
  public:
   void draw(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
+  /// Marks of the view last drawn that its picture was too low to name.
+  [[nodiscard]] const std::vector<KeyEntry>& leftOut() const { return left_out_; }
+  void leaveOut(std::vector<KeyEntry> entries) { left_out_ = std::move(entries); }
 
  private:
   /// Returns the box that the key fills.
   static QRectF paint(QPainter& painter, const QRectF& area, const desktop::Theme& theme,
                       const std::vector<KeyEntry>& entries, const QString& remark);
-  std::vector<KeyEntry> entries_;
+  std::vector<KeyEntry> entries_, left_out_;
   QString remark_;
   QRectF area_, place_;
+  double ratio_ = 0.0;
+  desktop::ThemeKind kind_{};
+  QImage image_;
+};
+
+/// One key for several small pictures, which have no room for their own: entries beside each other
+/// in lines of one height. What has no line of its own is counted.
+class SharedKey {
+ public:
+  static constexpr int kLines = 3;
+  /// Height of its lines [pixels].
+  [[nodiscard]] static double height();
+  void draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
+            std::vector<KeyEntry> entries);
+
+ private:
+  static void paint(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
+                    const std::vector<KeyEntry>& entries);
+  std::vector<KeyEntry> entries_;
+  QSizeF size_;
   double ratio_ = 0.0;
   desktop::ThemeKind kind_{};
   QImage image_;

@@ -5,11 +5,20 @@
 #include <utility>
 
 namespace adore::agore {
+namespace {
+
+/// Of a roller's pocket at its end 0 (-x) or 1.
+double wall(const PocketOutline& p, std::size_t end) {
+  return 0.5 * (p.roller_length + p.clearance_1) + p.leaning.at(end);
+}
+
+}  // namespace
+
 QSizeF pocket_half(const PocketOutline& p) {
   const double half = p.radius + 0.5 * p.clearance_1;
   if (p.roller_length > 0.0) {
-    const double high = 0.5 * (p.roller_length + p.clearance_1);
-    return {half + std::abs(p.taper) * high, high};
+    const double high = wall(p, p.taper < 0.0 ? 0 : 1);
+    return {half + std::abs(p.taper) * high, std::max(wall(p, 0), wall(p, 1))};
   }
   switch (p.code) {
     case 2:  // elongated round the bearing
@@ -30,10 +39,12 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   const QRectF box(-half.width(), -half.height(), 2.0 * half.width(), 2.0 * half.height());
   QPainterPath path;
   if (p.roller_length > 0.0) {
-    const double middle = p.radius + 0.5 * p.clearance_1, high = half.height();
+    const double middle = p.radius + 0.5 * p.clearance_1;
     QPolygonF window;
-    for (const auto& [side, up] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
-      window.append({side * (middle + p.taper * up * high), up * high});
+    for (const auto& [side, up] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+      const double high = up * wall(p, up < 0.0 ? 0 : 1);
+      window.append({side * (middle + p.taper * high), high});
+    }
     path.addPolygon(window);
     path.closeSubpath();
   } else if (p.code == 3)

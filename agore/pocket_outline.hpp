@@ -2,6 +2,8 @@
 
 #include <QPainterPath>
 
+#include <array>
+
 namespace adore::agore {
 
 /// A pocket seen from outside, about its centre: right is the way round, up the bearing axis.
@@ -11,16 +13,18 @@ struct PocketOutline {
   double roller_length = 0.0;                   ///< 0: balls
   double taper = 0.0;                           ///< of a roller and its window, along the axis
   double clearance_1 = 0.0, clearance_2 = 0.0;  ///< diametral, as drawn
+  /// How much farther than half a roller its end walls at -x and +x stand, of one that leans.
+  std::array<double, 2> leaning{};
 };
 
 /// The hole. Lengths in one unit of the caller's. A roller has half of clearance I at its sides and
-/// at its ends (decision 213), and its window its taper.
+/// at its ends, however it leans towards the viewer (decision 213), and its window its taper.
 [[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
 
 /// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
 [[nodiscard]] QPainterPath pocket_far_edge(const PocketOutline& pocket);
 
-/// Half sizes of it, the way round and along the axis.
+/// Half sizes of it, the way round and along the axis, the larger one.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
 
 }  // namespace adore::agore

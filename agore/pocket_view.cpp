@@ -33,8 +33,36 @@ PocketOutline pocket_of(const Animation& animation) {
     const RollerProfile roller = roller_profile(animation);
     pocket.roller_length = 2.0 * roller.half;
     pocket.taper = roller.slope;
+    if (animation.motion)
+      pocket.leaning =
+          leaning_walls(roller, nominal_lean(animation) - cage_profile(animation).lean);
   }
   return pocket;
+}
+
+/// A roller's axis about its pocket [rad]: across it towards increasing azimuth, and towards who
+/// looks from outside along the pocket's axis, which leans as a conical cage does. A file without
+/// the cage's cone does not tell the latter.
+AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& element,
+                     double azimuth) {
+  const Vec3 axis = rotation(element.angles).col(0);
+  const double sine = std::sin(azimuth), cosine = std::cos(azimuth);
+  const double skewed = -axis.y() * cosine - axis.z() * sine;
+  if (!animation.motion) return {0.0, std::atan2(skewed, axis.x())};
+  const double cone = cage_profile(animation).lean;
+  const double out = -axis.y() * sine + axis.z() * cosine;
+  const double along = axis.x() * std::cos(cone) + out * std::sin(cone);
+  return {std::atan2(out * std::cos(cone) - axis.x() * std::sin(cone), std::hypot(along, skewed)),
+          std::atan2(skewed, along)};
+}
+
+/// "top leans 7.5° towards the viewer": of a lean that can be seen.
+std::string lean_remark(double lean) {
+  constexpr double kSeen = 0.5;  // [degrees]
+  const double degrees = lean * 180.0 / kPi;
+  if (std::abs(degrees) < kSeen) return {};
+  return fmt::format("  ·  top leans {}° {}", desktop::tick_text(std::abs(degrees), 1),
+                     degrees > 0.0 ? "towards the viewer" : "away");
 }
 
 }  // namespace
@@ -79,13 +107,11 @@ void pocket_view(const Scene& s) {
   }
   const QPointF centre(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
   const double azimuth = s.pocket_azimuth(k);
+  const AxisAngles lies = rollers ? in_pocket(s.animation, element, azimuth) : AxisAngles{};
   if (rollers) {
-    const Vec3 axis = rotation(element.angles).col(0);
-    const double skew =
-        std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), axis.x());
     QTransform turned = to_picture;
     turned.translate(centre.x(), centre.y())
-        .rotateRadians(0.5 * kPi - drawn_skew(roller, skew, factor));  // the axis upright
+        .rotateRadians(0.5 * kPi - drawn_skew(roller, lies.skew, factor));  // the axis upright
     QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
                           to_picture.map(centre + QPointF(g.element_radius, 0)));
     shade.setColorAt(0.0, t.steel_dark);
@@ -93,7 +119,9 @@ void pocket_view(const Scene& s) {
     shade.setColorAt(1.0, t.steel_dark);
     p.setPen(QPen(t.steel_dark.darker(150), 1));
     p.setBrush(shade);
-    p.drawPath(turned.map(roller.outline()));
+    p.drawPath(turned.map(roller.outline(lies.lean)));
+    p.setBrush(Qt::NoBrush);
+    p.drawPath(turned.map(roller.end_seen(lies.lean)));
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
@@ -125,14 +153,15 @@ void pocket_view(const Scene& s) {
       s,
       {{element.pocket_force > 0.0 ? t.red : QColor(),
         element.pocket_force > 0.0 ? QString::fromStdString(fmt::format(
-                                         "contact: {} at {}°", force,
+                                         "contact in the pocket: {} at {}°", force,
                                          desktop::tick_text(element.pocket_angle * 180.0 / kPi, 0)))
                                    : QString("no contact")}},
       QString::fromStdString(fmt::format(
-          "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}", k + 1,
+          "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}{}", k + 1,
           s.frame.elements.size(),
           rollers && !roller.is_barrel() ? "clearance and skew" : "clearance",
           desktop::pretty_number(factor, 3),
+          s.sketch.area().height() < kTooLow ? "" : lean_remark(lies.lean),
           arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
           shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
           : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"

@@ -80,6 +80,51 @@ QPainterPath RollerProfile::outline() const {
   return path;
 }
 
+QPainterPath RollerProfile::outline(double lean) const {
+  constexpr double kUpright = 1e-6;
+  if (std::abs(std::sin(lean)) < kUpright) return outline();
+  constexpr int kParts = 48;
+  const double along = std::cos(lean), towards = std::sin(lean);
+  std::vector<QPointF> points;
+  for (const QPointF& disc : meridian())
+    for (int i = 0; i < kParts; ++i) {
+      const double phi = 2.0 * std::numbers::pi * i / kParts;
+      points.emplace_back(disc.x() * along - disc.y() * std::cos(phi) * towards,
+                          disc.y() * std::sin(phi));
+    }
+  std::sort(points.begin(), points.end(), [](const QPointF& a, const QPointF& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  // Andrew's monotone chain: lower side, then the upper one back.
+  std::vector<QPointF> hull;
+  const auto add = [&hull](const QPointF& p, std::size_t least) {
+    const auto turn = [&] {
+      const QPointF a = hull[hull.size() - 2], b = hull.back();
+      return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    };
+    while (hull.size() >= least && !(turn() > 0.0)) hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const QPointF& p : points) add(p, 2);
+  const std::size_t lower = hull.size() + 1;
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
+  QPainterPath path;
+  path.addPolygon(QPolygonF(QList<QPointF>(hull.begin(), hull.end())));
+  path.closeSubpath();
+  return path;
+}
+
+QPainterPath RollerProfile::end_seen(double lean) const {
+  QPainterPath path;
+  constexpr double kSeen = 1e-3;
+  if (std::abs(std::sin(lean)) < kSeen) return path;
+  const bool far_end = lean > 0.0;  // the end at +u looks towards the viewer
+  const double way = far_end ? 1.0 : -1.0, round = corner[far_end ? 1 : 0];
+  const double rim = line(way * half) - round;
+  path.addEllipse(QPointF(way * half * std::cos(lean), 0.0), rim * std::abs(std::sin(lean)), rim);
+  return path;
+}
+
 RollerProfile roller_profile(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const bool tapered = animation.file.bearing_type >= 4;

@@ -144,7 +144,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     addRemark(label, at, area, m);
   }
   if (page_.closed_outline) {
-    addLegend(panel, {}, area, m);
+    addLegend(panel, {}, area, labelsTop(area, y_axis, m), m);
     return;
   }
   auto* key = addText(QString());

@@ -17,9 +17,9 @@
 namespace adore::desktop {
 
 ChartScene::Metrics ChartScene::metrics() const {
-  if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 17, 13, 11, 10, 1.4, 1.0};
-  const qreal note =
-      18.0 * static_cast<qreal>(noteLines(28).size()) + (noteLines(28).isEmpty() ? 0 : 2);
+  if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 20, 13, 11, 10, 1.4, 1.0};
+  const auto lines = static_cast<qreal>(noteLines(28).lines.size());
+  const qreal note = 18.0 * lines + (lines > 0.0 ? 2.0 : 0.0);
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
 }
 
@@ -299,7 +299,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const bool scaled = any && !log_of_none;
   const QRectF below_legend =
       area.adjusted(0.0, names_above ? -mark_rise(page_, m.tick_font) : 0.0, 0.0, 0.0);
-  const qreal legend = scaled ? addLegend(panel, shown, below_legend, m) : area.right();
+  const qreal legend =
+      scaled ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m) : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
   QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();

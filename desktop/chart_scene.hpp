@@ -95,7 +95,11 @@ class ChartScene : public QGraphicsScene {
   /// no more than a pixel, or not at all.
   enum class Alike : unsigned char { Covers, Near, Equal };
   [[nodiscard]] Metrics metrics() const;
-  [[nodiscard]] QStringList noteLines(qreal right) const;
+  struct NoteLines {
+    QStringList lines;
+    int font = 0;
+  };
+  [[nodiscard]] NoteLines noteLines(qreal right) const;
   void rebuild();
   void addHeading(const Metrics& m);
   /// Range of the values in the view, not finer than a bearing's numbers are.
@@ -120,9 +124,13 @@ class ChartScene : public QGraphicsScene {
                const std::vector<QPolygonF>& drawn, const Metrics& m);
   void addOrbit(const QRectF& space, const Metrics& m);
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
-  /// Returns its left end.
+  /// Returns its left end. A legend that reaches over the labels of the axis stands above
+  /// `labels_top`.
   qreal addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown, const QRectF& area,
-                  const Metrics& m);
+                  qreal labels_top, const Metrics& m);
+  /// Upper end of the labels of a panel's own axis.
+  [[nodiscard]] qreal labelsTop(const QRectF& area, const AxisScale& y_axis,
+                                const Metrics& m) const;
   /// Names stand above the panel, as near to their lines as they have room; a step between the two
   /// leads from a name to a line that is not below it.
   void addMarks(const QRectF& area, bool label, const Metrics& m);

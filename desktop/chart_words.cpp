@@ -11,23 +11,28 @@
 /// What is written on a page of charts: heading, note, ticks, titles, legends, names of marks.
 namespace adore::desktop {
 
-/// The page's note as lines of the page's width, four at most.
-QStringList ChartScene::noteLines(qreal right) const {
+/// The page's note as lines of the page's width, four at most: in smaller letters before it is cut.
+ChartScene::NoteLines ChartScene::noteLines(qreal right) const {
   if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kFont = 13, kLeft = 24, kMost = 4;
-  const QFontMetricsF metrics(ui_font(kFont));
+  constexpr int kLargest = 13, kSmallest = 11, kLeft = 24, kMost = 4;
   const qreal width = size_.width() - kLeft - right;
-  QStringList lines{QString()};
-  for (const QString& word : text_of(page_.note).split(' ')) {
-    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
-    if (lines.size() < kMost && !lines.back().isEmpty() &&
-        metrics.horizontalAdvance(longer) > width)
-      lines << word;
-    else
-      lines.back() = longer;
+  const QStringList words = text_of(page_.note).split(' ');
+  NoteLines out;
+  for (out.font = kLargest;; --out.font) {
+    const QFontMetricsF metrics(ui_font(out.font));
+    out.lines = QStringList{QString()};
+    for (const QString& word : words) {
+      const QString longer = out.lines.back().isEmpty() ? word : out.lines.back() + ' ' + word;
+      if (out.lines.size() < kMost && !out.lines.back().isEmpty() &&
+          metrics.horizontalAdvance(longer) > width)
+        out.lines << word;
+      else
+        out.lines.back() = longer;
+    }
+    if (out.font > kSmallest && metrics.horizontalAdvance(out.lines.back()) > width) continue;
+    for (QString& line : out.lines) line = metrics.elidedText(line, Qt::ElideRight, width);
+    return out;
   }
-  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, width);
-  return lines;
 }
 
 void ChartScene::addHeading(const Metrics& m) {
@@ -63,8 +68,9 @@ void ChartScene::addHeading(const Metrics& m) {
                  18);
   }
   qreal y = 60;
-  for (const QString& text : noteLines(m.right)) {
-    line(text, ui_font(m.text_font), theme_->accent, y);
+  const NoteLines note = noteLines(m.right);
+  for (const QString& text : note.lines) {
+    line(text, ui_font(note.font), theme_->accent, y);
     y += 18;
   }
 }
@@ -123,8 +129,15 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
 }
 
+qreal ChartScene::labelsTop(const QRectF& area, const AxisScale& y_axis, const Metrics& m) const {
+  const auto ticks = axis_ticks(y_axis);
+  if (ticks.empty()) return area.bottom();
+  const qreal part = (ticks.back().at - y_axis.min) / (y_axis.max - y_axis.min);
+  return area.bottom() - part * area.height() - 0.5 * QFontMetricsF(ui_font(m.tick_font)).height();
+}
+
 qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown,
-                            const QRectF& area, const Metrics& m) {
+                            const QRectF& area, qreal labels_top, const Metrics& m) {
   if (panel.curves.size() < 2 || panel.one_colour) return area.right();
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
@@ -146,6 +159,8 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
                          .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
                    : tr("%1 (%2)").arg(text_of(curve.name), sign);
     }
+    if (std::none_of(curve.y.begin(), curve.y.end(), is_drawable))
+      return tr("%1 (none)").arg(text_of(curve.name));
     return panel.log && nothing_above_0(curve) ? tr("%1 (not above 0)").arg(text_of(curve.name))
                                                : text_of(curve.name);
   };
@@ -164,16 +179,25 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   const qreal most =
       names + count * (line + gap) <= room ? room : std::max(0.0, room / count - line - gap);
   const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
-  qreal x = area.right();
+  std::vector<QString> texts;
+  qreal x = area.right() + gap;
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    texts.push_back(metrics.elidedText(name_of(i, whole), Qt::ElideMiddle, most));
+    x -= metrics.horizontalAdvance(texts.back()) + line + gap;
+  }
+  constexpr qreal kAbove = 3.0, kLabelGap = 8.0;
+  const bool over_labels = x < area.left() - kLabelGap + 4.0;
+  const qreal foot = over_labels ? std::min(area.top() - kAbove, labels_top) : area.top() - kAbove;
+  x = area.right();
   for (std::size_t i = panel.curves.size(); i-- > 0;) {
     const ChartCurve& curve = panel.curves[i];
-    const QString name = metrics.elidedText(name_of(i, whole), Qt::ElideMiddle, most);
+    const QString& name = texts[i];
     x -= metrics.horizontalAdvance(name);
     auto* label = addSimpleText(name, font);
     label->setBrush(curve.hidden ? theme_->muted : theme_->text);
     label->setToolTip(name_of(i, true));
-    label->setPos(x, area.top() - metrics.height() - 3);
-    const qreal middle = area.top() - 0.5 * metrics.height() - 3;
+    label->setPos(x, foot - metrics.height());
+    const qreal middle = foot - 0.5 * metrics.height();
     const auto colour = [&](std::size_t of) { return theme_->curves[of % theme_->curves.size()]; };
     QPen pen(curve.hidden ? theme_->frame : colour(i), 2.4);
     if (curve.dashed) pen.setDashPattern({2.0, 1.5});
@@ -183,7 +207,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
       pen.setCapStyle(Qt::FlatCap);
     }
     addLine(QLineF(x - line, middle, x - 6, middle), pen);
-    legend_.push_back({QRectF(x - line, area.top() - metrics.height() - 3,
+    legend_.push_back({QRectF(x - line, foot - metrics.height(),
                               metrics.horizontalAdvance(name) + line, metrics.height()),
                        index, i});
     x -= line + gap;
@@ -305,11 +329,17 @@ void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
 }
 
 void ChartScene::addMessage(const QRectF& area, const QString& text, const Metrics& m) {
-  auto* item = addText(text, ui_font(m.text_font + 1));
+  auto* item = addText(text);
   item->setDefaultTextColor(theme_->muted);
-  item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
-  QTextOption option(Qt::AlignCenter);
-  item->document()->setDefaultTextOption(option);
+  item->document()->setDefaultTextOption(QTextOption(Qt::AlignCenter));
+  // In a low panel smaller letters, before words lie on the axes.
+  constexpr int kSmallest = 10;
+  const qreal margins = 2.0 * item->document()->documentMargin();
+  for (int size = m.text_font + 1; size >= kSmallest; --size) {
+    item->setFont(ui_font(size));
+    item->setTextWidth(std::min<qreal>(area.width() - 20, 640));
+    if (item->boundingRect().height() - margins <= area.height()) break;
+  }
   item->setPos(area.center() - item->boundingRect().center());
 }
 

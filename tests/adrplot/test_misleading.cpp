@@ -269,11 +269,14 @@ TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit]
   auto page = page_with(file, "Race interactions 1", options);
   REQUIRE(page.panels.at(1).title == "Contact angle");
   CHECK_FALSE(page.panels[1].curves.at(0).y.empty());
-  CHECK(page.note.find("Contact angle, inner race: no values after ") != std::string::npos);
+  CHECK(page.note.find("Contact angle and spin/roll, inner race: there are no values after ") !=
+        std::string::npos);
   race("contact.angle.outer", [](double& v, std::size_t) { v = 15.0; });
   page = page_with(file, "Race interactions 1", options);
   const std::string& message = page.panels.at(1).message;
-  CHECK(message.find("outer race: the value does not change. inner race: no values after ") == 0);
+  CHECK(message.find("Outer race: the value does not change. Inner race: there are no values "
+                     "after ") == 0);
+  CHECK(message.find(", so there is no frequency spectrum.") != std::string::npos);
   CHECK(page.note.find("missing") == std::string::npos);
 }
 

@@ -1,6 +1,7 @@
 #include "agore/depth_canvas.hpp"
 #include "agore/motion_picture.hpp"
 #include "agore/ring_profile.hpp"
+#include "agore/short_run.hpp"
 #include "agore/solid_view.hpp"
 #include "core/results/synthetic.hpp"
 #include "results/results_h5.hpp"
@@ -138,6 +139,44 @@ TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui
     options.moving = false;
     CHECK(picture.image({700, 500}, 4, options) != turned);
   }
+}
+
+TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui][agore]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  MotionPicture picture = picture_of_run(folder);
+  ViewOptions options;
+  options.beside = {{View::Solid}, {View::Element}, {View::Pocket}};
+  const QRectF low(0, 0, 700, 450), high(0, 0, 1280, 800);
+  const QRectF key = MotionPicture::sharedKeyArea(low, 4);
+  REQUIRE_FALSE(key.isEmpty());
+  CHECK(MotionPicture::sharedKeyArea(high, 4).isEmpty());
+  CHECK(MotionPicture::sharedKeyArea(low, 1).isEmpty());
+  for (const QRectF& tile : MotionPicture::pictureAreas(low, 4)) CHECK_FALSE(tile.intersects(key));
+  CHECK_FALSE(MotionPicture::dataArea(low, 4).intersects(key));
+  CHECK(key.bottom() < MotionPicture::timeBar(low).top() - 21.0);
+  const auto count = [&](const QRectF& area, const char* words) {
+    return picture.svg(area.size().toSize(), 8, options).count(words);
+  };
+  for (const char* const words :
+       {"outer race frame", "inner race frame", "cage frame", "spot of the inner race",
+        "contact in the pocket", "direction of land contact", "guide land"}) {
+    INFO(words);
+    CHECK(count(low, words) >= 1);
+    CHECK(count(high, words) >= 1);
+  }
+  CHECK(count(low, "inner race frame") == 1);  // once for all views
+  // A load and its slip are told whole.
+  options.beside.clear();
+  options.view = View::Element;
+  const QByteArray element = picture.svg({700, 450}, 8, options);
+  CHECK(element.contains("load "));
+  CHECK_FALSE(element.contains("…"));
+  options.view = View::Bearing;
+  options.beside = {{View::Solid}, {View::Element}, {View::Pocket}};
+  // The star is drawn where it is named.
+  const QImage image = picture.image({700, 450}, 8, options);
+  CHECK(test::pixels_of(image, key.toRect(), theme_of(options).red) > 20);
 }
 
 TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {

@@ -269,6 +269,41 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
   CHECK(window.contains(QPointF(4.7, 7.4)));
 }
 
+TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
+          "[unit][agore][pocket]") {
+  agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
+  CHECK(shape.outline(0.0) == shape.outline());
+  CHECK(shape.end_seen(0.0).isEmpty());
+  for (const double lean : {0.2, -0.35}) {
+    const double sine = std::abs(std::sin(lean)), cosine = std::cos(lean);
+    const QRectF seen = shape.outline(lean).boundingRect(),
+                 end = shape.end_seen(lean).boundingRect();
+    CHECK(seen.height() == Approx(10.0));
+    CHECK(seen.right() == Approx(7.0 * cosine + 5.0 * sine));
+    CHECK(seen.left() == Approx(-seen.right()));
+    // The end at +u is seen when that leans towards the viewer.
+    CHECK(end.center().x() == Approx((lean > 0.0 ? 7.0 : -7.0) * cosine));
+    CHECK(end.width() == Approx(10.0 * sine));
+  }
+  // Cones with corners: what the section's walls leave room for is what is seen here.
+  shape.slope = -0.1;
+  shape.corner = {0.5, 1.0};
+  for (const double lean : {0.0, 0.15, -0.3}) {
+    const auto walls = agore::leaning_walls(shape, lean);
+    const QRectF seen = shape.outline(lean).boundingRect();
+    CHECK(seen.left() == Approx(-7.0 - walls[0]).epsilon(1e-3));
+    CHECK(seen.right() == Approx(7.0 + walls[1]).epsilon(1e-3));
+    agore::PocketOutline pocket{.radius = 5.0, .roller_length = 14.0, .taper = -0.1};
+    pocket.clearance_1 = 1.0;
+    pocket.leaning = walls;
+    const QRectF hole = agore::pocket_hole(pocket).boundingRect();
+    CHECK(hole.top() == Approx(seen.left() - 0.5).epsilon(1e-3));
+    CHECK(hole.bottom() == Approx(seen.right() + 0.5).epsilon(1e-3));
+    CHECK(agore::pocket_half(pocket).height() == Approx(std::max(-hole.top(), hole.bottom())));
+    CHECK(2.0 * agore::pocket_half(pocket).width() == Approx(hole.width()));
+  }
+}
+
 TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes", "[unit][agore]") {
   agore::RollerProfile r{.half = 7.0, .radius = 5.0, .slope = -0.1};
   CHECK(r.side(-7.0) == Approx(5.7));

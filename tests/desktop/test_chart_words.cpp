@@ -8,6 +8,7 @@
 #include <QGraphicsTextItem>
 #include <QImage>
 #include <QRegularExpression>
+#include <QTextDocument>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -350,4 +351,104 @@ TEST_CASE("chart_scene: a panel without values has no scale, and says why", "[gu
     });
     CHECK(told);
   }
+}
+
+TEST_CASE("a legend that reaches over the labels of its axis stands above them", "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "Contact loads of element 1";
+  page.x_title = "Time", page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0, 3.0};
+  ChartScene scene(ChartStyle::Compact);
+  bool any_over = false, any_beside = false;
+  for (const char* const name : {"b", "inner race (over)", "inner race (over the outer one)"})
+    for (const double top : {1.49, 1.5, 1.501, 1.7})
+      for (const double width : {200.0, 252.0, 330.0}) {
+        page.panels = {{"Load", "N", {{"outer race", {0.0, top, 0.0, top}, {}}}}};
+        page.panels.front().curves.push_back({name, {0.0, 0.3, 0.6, 0.2}, {}});
+        scene.setPageSize(QSizeF(width, 334.0));
+        scene.setPage(page);
+        REQUIRE(scene.legend().size() == 2);
+        INFO(name << " up to " << top << ", " << width << " wide");
+        const bool over = scene.legend().back().place.left() < scene.plotAreas().front().left();
+        any_over = any_over || over, any_beside = any_beside || !over;
+        for (const LegendEntry& entry : scene.legend())
+          for (const QGraphicsItem* item : scene.items()) {
+            const auto* text = dynamic_cast<const QGraphicsSimpleTextItem*>(item);
+            if (text == nullptr || text->rotation() != 0.0) continue;
+            bool number = false;
+            text->text().toDouble(&number);
+            INFO(text->text().toStdString());
+            if (number) CHECK_FALSE(entry.place.intersects(text->sceneBoundingRect()));
+          }
+      }
+  CHECK(any_over);
+  CHECK(any_beside);
+}
+
+TEST_CASE("a note takes smaller letters before it is cut", "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "A page";
+  page.x = {0.0, 1.0};
+  page.panels = {{"Load", "N", {{"", {0.0, 1.0}, {}}}}};
+  ChartScene scene;
+  scene.setPageSize(QSizeF(700, 450));
+  const auto told = [&](int count) {
+    page.note.clear();
+    for (int i = 0; i < count; ++i) page.note += (i > 0 ? " word" : "word") + std::to_string(i);
+    scene.setPage(page);
+    QString all;
+    int cut = 0;
+    for (const QString& text : words(scene))
+      if (text.startsWith("word")) all += text + " ", cut += text.endsWith(QChar(0x2026)) ? 1 : 0;
+    return std::pair(cut, all.contains("word" + QString::number(count - 1) + " "));
+  };
+  int whole = 0;
+  while (told(whole + 1).second) ++whole;
+  const double letters = QFontMetricsF(ui_font(13)).horizontalAdvance("word10 ");
+  CHECK(whole * letters > 1.05 * 4.0 * (700.0 - 24.0 - 28.0));  // more than 13 pixels hold
+  CHECK(told(whole).first == 0);
+  CHECK(told(whole + 5).first == 1);  // and then it says so
+}
+
+TEST_CASE("a legend says which curves have no values", "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.x = {0.0, 1.0};
+  page.panels = {{"Load", "N", {{"outer race", {0.0, 1.0}, {}}, {"inner race", {}, {}}}}};
+  ChartScene scene;
+  scene.setPage(page);
+  CHECK(words(scene).contains("inner race (none)"));
+  CHECK(words(scene).contains("outer race"));
+}
+
+TEST_CASE("the reason of an empty panel stays within it", "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "A page";
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  page.x = {0.0, 1.0};
+  page.note = "A note that takes a line of its own.";
+  page.marks = {{0.5, "shaft"}};
+  page.panels = {{"Contact load", "N", {{"", {0.0, 1.0}, {}}}}};
+  ChartPanel empty{"Contact angle", "deg", {{"outer race", {}, {}}, {"inner race", {}, {}}}};
+  empty.message =
+      "Outer race: there are no values at 2 of 5690 steps. Inner race: there are no values at 3757 "
+      "of 5690 steps, so there is no frequency spectrum.";
+  page.panels.insert(page.panels.end(), 2, empty);
+  ChartScene scene;
+  scene.setPageSize(QSizeF(700, 450));
+  scene.setPage(page);
+  int found = 0;
+  for (const QGraphicsItem* item : scene.items()) {
+    const auto* text = dynamic_cast<const QGraphicsTextItem*>(item);
+    if (text == nullptr || !text->toPlainText().startsWith("Outer")) continue;
+    ++found;
+    const qreal margin = text->document()->documentMargin();
+    const QRectF words = text->sceneBoundingRect().adjusted(margin, margin, -margin, -margin);
+    CHECK((scene.plotAreas()[1].contains(words) || scene.plotAreas()[2].contains(words)));
+  }
+  CHECK(found == 2);
+  CHECK(text_faults(scene).empty());
 }
