@@ -415,19 +415,24 @@ class Study {
     }
   }
 
-  /// What a millionth of the loads changes, more and less, with the cheapest settings of the second
-  /// round whose energy adds up: a motion that is regular changes by as little.
+  /// What a millionth of the loads changes, more and less: a motion that is regular changes by as
+  /// little. With the cheapest settings of the second round that keep to what the references know,
+  /// else with the most accurate ones: errors of their own are to play no part.
   void measure_irregularity() {
     if (study_.digest == earlier_.digest && earlier_.irregular.speed >= 0.0) {
       study_.irregular = earlier_.irregular;
       return;
     }
     const AccuracyRow* row = nullptr;
+    const auto rank = [&](const AccuracyRow& one) {
+      const bool keeps = study_.keeps(one.errors);
+      return std::pair(!keeps, keeps ? one.seconds : one.errors.largest());
+    };
     for (const AccuracyRow& other : study_.finals)
       if (other.failure.empty() && !(other.energy_share > results::kMovedWarning) &&
-          (row == nullptr || other.seconds < row->seconds))
+          left() > 3.0 * other.seconds && (row == nullptr || rank(other) < rank(*row)))
         row = &other;
-    if (row == nullptr || nearby_loads(deck_, 1.0).empty() || left() < 3.0 * row->seconds) return;
+    if (row == nullptr || nearby_loads(deck_, 1.0).empty()) return;
     const auto run = [&](double change) {
       Subject subject = subject_;
       for (auto& load : nearby_loads(deck_, change)) subject.request.sets.push_back(load);

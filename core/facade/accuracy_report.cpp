@@ -256,6 +256,10 @@ std::string accuracy_table(const AccuracyStudy& study) {
   if (study.irregular.largest() > 0.0)
     out += fmt::format("A millionth of the loads changes these means by {} ({}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular));
+  else if (!study.finals.empty() && study.irregular.speed < 0.0)
+    out +=
+        "What a millionth of the loads changes was not measured (no loads, no time left, or a run "
+        "that failed): only the references tell how regular the motion is.\n";
   if (study.untried > 0)
     out += fmt::format("{} more settings or models were not run: the budget left no time.\n",
                        study.untried);

@@ -249,9 +249,9 @@ Prepared prepare_model(LoadedDeck input) {
         out, Severity::Note,
         fmt::format("the rolling resistance of the balls in oil, whose law knows no pressure "
                     "coefficient of the oil, is {:.2g} times that of strips with the law of "
-                    "lines, which does. Reynolds' equation solved for point contacts lies "
-                    "between both: in so thick an oil at such a speed this resistance and "
-                    "its heat may be some {:.0f} % too large",
+                    "lines, which does. Reynolds' equation solved for point contacts (up to 2.5 "
+                    "times) lies between both: in so thick an oil at such a speed this resistance "
+                    "and its heat may be some {:.0f} % too large",
                     ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)));
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(

@@ -10,6 +10,9 @@
 namespace adore::statics {
 namespace {
 
+/// Longest last step of a ball that is taken without being evaluated, over the offsets' sum.
+constexpr double kLastStep = 2.5e-3;
+
 struct Point {
   double x = 0.0, rho = 0.0;
 };
@@ -74,7 +77,7 @@ bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& r
       return false;
     }
     if (length <= position_noise ||
-        (now.size() <= accuracy * now.scale && length <= 1e-2 * longest)) {
+        (now.size() <= accuracy * now.scale && length <= kLastStep * m.offset_sum())) {
       return true;
     }
     if (length <=
@@ -227,8 +230,8 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
     inverse /= determinant;
     ball.follow = -inverse * on_ball_race;
     share.stiffness += on_race_ball * ball.follow;
-    if (last_step) {
-      const Eigen::Vector2d step = -inverse * Eigen::Vector2d(f.axial.v, f.radial.v);
+    const Eigen::Vector2d step = -inverse * Eigen::Vector2d(f.axial.v, f.radial.v);
+    if (last_step && step.norm() <= kLastStep * m.offset_sum()) {
       ball.x += step(0);
       ball.rho += step(1);
       share.load += on_race_ball * step;

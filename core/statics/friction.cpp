@@ -309,7 +309,7 @@ double rolling_over_strips(const Bearing& bearing, const StaticSolution& solutio
 }
 
 double rolling_excess(double over_strips) {
-  constexpr double kShare = 0.3;
+  constexpr double kShare = 0.35;
   return std::pow(std::max(over_strips, 1.0), kShare);
 }
 

@@ -62,7 +62,8 @@ struct FrictionEstimate {
 [[nodiscard]] double rolling_over_strips(const bearing::Bearing& bearing,
                                          const StaticSolution& solution);
 /// What the law of points has over a numerical solution of the contact, of that ratio: at most
-/// ratio^0.3 (0.1 to 0.29 in six contacts up to a ratio of 2.5, theory/tribology.md 2a).
+/// ratio^0.35 in six contacts up to a ratio of 2.5 (exponents 0.1 to 0.30, and 0.32 with what a
+/// finer grid changes; theory/tribology.md 2a); beyond, it is extrapolated.
 [[nodiscard]] double rolling_excess(double over_strips);
 /// From which on outputs doubt the law of points [choice]: it is 1.1 to 1.3 where it agrees with
 /// measured torques.

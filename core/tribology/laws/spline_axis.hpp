@@ -27,7 +27,7 @@ struct SplineAxis {
     using M = ScalarMath<T>;
     const double last = static_cast<double>(knots - 3);
     const T steps = (x - from) * inverse_step;
-    const T s = M::min(M::max(T(0.0), steps), T(last));
+    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), T(last));  // no number: the first
     const T whole = M::min(ScalarLanes<T>::floor(s), T(last - 1.0));
     return {whole, s - whole};
   }
