@@ -54,6 +54,12 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   return path;
 }
 
+QPointF touched_wall(bool roller, QPointF centre, double angle, double direction) {
+  if (roller) return {-direction * std::cos(angle), 0.0};
+  const double way = std::hypot(centre.x(), centre.y());
+  return way > 0.0 ? centre / way : QPointF(-direction * std::cos(angle), std::sin(angle));
+}
+
 QPainterPath pocket_far_edge(const PocketOutline& p) {
   QPainterPath path;
   constexpr int kConical = 4;

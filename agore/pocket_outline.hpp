@@ -24,6 +24,12 @@ struct PocketOutline {
 /// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
 [[nodiscard]] QPainterPath pocket_far_edge(const PocketOutline& pocket);
 
+/// Which way from an element's centre the wall lies that carries it, at most 1 long: of a ball
+/// where it has gone, or by the stored angle where it has not (0: the cage drives). A roller's
+/// angle is that of a guide surface beside it, while it may have gone to the pocket's end as well.
+/// `direction`: 1 where the cage turns to the right, else -1.
+[[nodiscard]] QPointF touched_wall(bool roller, QPointF centre, double angle, double direction);
+
 /// Half sizes of it, the way round and along the axis, the larger one.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
 

@@ -136,12 +136,7 @@ void pocket_view(const Scene& s) {
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
   if (element.pocket_force > 0.0) {
-    const double way = std::hypot(centre.x(), centre.y());
-    // The wall that is touched lies where the element has gone; without a way out, the stored angle
-    // tells (0: the cage drives).
-    const QPointF u = way > 0.0 ? centre / way
-                                : QPointF(-direction * std::cos(element.pocket_angle),
-                                          std::sin(element.pocket_angle));
+    const QPointF u = touched_wall(rollers, centre, element.pocket_angle, direction);
     s.sketch.arrow(
         s.sketch.at(centre.x(), centre.y()),
         s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),

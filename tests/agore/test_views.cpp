@@ -269,6 +269,18 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
   CHECK(window.contains(QPointF(4.7, 7.4)));
 }
 
+TEST_CASE("the arrow of a pocket points to the wall that carries", "[unit][agore][pocket]") {
+  using agore::touched_wall;
+  const QPointF down(0.1, -5.0);  // far along the axis
+  for (const double direction : {1.0, -1.0}) {
+    // The roller drives: the wall before it, whichever way the cage turns; and behind it.
+    CHECK(touched_wall(true, down, agore::kPi, direction) == QPointF(direction, 0.0));
+    CHECK(touched_wall(true, down, 0.0, direction) == QPointF(-direction, 0.0));
+    CHECK(touched_wall(false, {0.0, 0.0}, 0.0, direction) == QPointF(-direction, 0.0));
+    CHECK(touched_wall(false, {0.0, -5.0}, 0.0, direction) == QPointF(0.0, -1.0));
+  }
+}
+
 TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
           "[unit][agore][pocket]") {
   agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
