@@ -1,11 +1,13 @@
 #include "adrinput/lubricant_panel.hpp"
 
 #include "base/errors.hpp"
+#include "calculators/deck_lubricant.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/lubricant_pages.hpp"
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -15,17 +17,8 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kPause = 300;  // ms
-constexpr int kUsers = 9;    // kTrac
-
-/// A value of the deck in SI that is there and in use, else the fallback.
-double value_or(const deck::Deck& deck, const char* name, double fallback) {
-  try {
-    return deck.has(name) ? deck.si(name) : fallback;
-  } catch (const InputError&) {
-    return fallback;  // not typed yet
-  }
-}
+constexpr int kPause = 300;                           // ms
+constexpr int kLeastWidth = 400, kLeastHeight = 360;  // of a chart with four lines of notes
 
 desktop::ChartPage sentence(const std::string& text) {
   desktop::ChartPage page;
@@ -36,22 +29,6 @@ desktop::ChartPage sentence(const std::string& text) {
 
 }  // namespace
 
-std::optional<calculators::LubricantContact> lubricant_contact(const deck::Deck& deck) {
-  const long long code = deck.integer("kTrac");
-  if (code < 1 || code == kUsers) return std::nullopt;
-  calculators::LubricantContact out;
-  out.code = static_cast<int>(code);
-  out.temperature = 0.5 * (value_or(deck, "raceTemp2", out.temperature) +
-                           value_or(deck, "reTemp", out.temperature));
-  out.roughness = value_or(deck, "rmsAspHt2", out.roughness);
-  out.critical_film = value_or(deck, "reRaceFilm", out.critical_film);
-  out.meniscus = value_or(deck, "strParam", out.meniscus);
-  out.metal_type = static_cast<int>(deck.integer("kTracType"));
-  for (std::size_t n = 0; n < out.metal.size(); ++n)
-    out.metal[n] = value_or(deck, ("reRaceTC" + std::to_string(n + 1)).c_str(), out.metal[n]);
-  return out;
-}
-
 LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   pages_ = new QComboBox(this);
@@ -60,11 +37,20 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
       {tr("Traction over slip"), tr("Viscosity over pressure"), tr("Film and lambda")});
   chart_ = new desktop::ChartView(this);
   chart_->setObjectName("lubricant-chart");
+  chart_->setMinimumSize(kLeastWidth, kLeastHeight);
+  conditions_ = new QLabel(this);
+  conditions_->setObjectName("lubricant-conditions");
+  conditions_->setWordWrap(true);
+  conditions_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // Docks ask no label how high it is at its width: three lines at the least width.
+  conditions_->setMinimumHeight(3 * conditions_->fontMetrics().lineSpacing() + 4);
+  conditions_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   pause_ = new QTimer(this);
   pause_->setSingleShot(true);
   pause_->setInterval(kPause);
   column->addWidget(pages_);
   column->addWidget(chart_, 1);
+  column->addWidget(conditions_);
   connect(pause_, &QTimer::timeout, this, &LubricantPanel::showPage);
   connect(pages_, &QComboBox::currentIndexChanged, this, &LubricantPanel::showPage);
 }
@@ -96,20 +82,25 @@ void LubricantPanel::showEvent(QShowEvent* event) {
 
 void LubricantPanel::showPage() {
   if (!isVisible()) return;
-  const std::optional<calculators::LubricantContact> contact = lubricant_contact(deck_);
-  if (!contact)
-    return chart_->showPage(sentence(
-        deck_.integer("kTrac") == kUsers
-            ? "kTrac = 9 is the lubricant of records 10.4.0 to 10.4.4: it has no charts here; a "
-              "quasi-static solution (F6) shows its films and friction"
-            : "kTrac on record 10.0 names no lubricant of the table (1 to 20 but 9)"));
+  conditions_->hide();
   try {
+    const auto contact = calculators::lubricant_contact(deck_);
+    if (!contact)
+      return chart_->showPage(
+          sentence(deck_.integer("kTrac") == 0
+                       ? "kTrac = 0 on record 10.0: no lubricant. All contacts have the traction "
+                         "of their curves (records 10.1 to 10.5), which the drawing of those "
+                         "records shows"
+                       : "kTrac on record 10.0 names no lubricant of the table: a routine ADRX7 "
+                         "has its own traction"));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
                                   .at(static_cast<std::size_t>(pages_->currentIndex()));
-    // There is little room: what is drawn stands in the list above, doubts come before conditions.
-    page.note += (page.note.empty() ? "" : "; ") + page.subtitle;
+    // There is little room: what is drawn stands in the list above, conditions below the chart.
+    conditions_->setText(QString::fromStdString(page.title + ": " + page.subtitle));
+    page.title = page.title.substr(0, page.title.find(" ("));
     page.subtitle.clear();
     chart_->showPage(page);
+    conditions_->show();
   } catch (const InputError& error) {
     chart_->showPage(sentence(error.what()));
   }

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "calculators/lubricant_curves.hpp"
 #include "deck/deck.hpp"
 
 #include <QWidget>
 
-#include <optional>
-
 class QComboBox;
+class QLabel;
 class QMainWindow;
 class QTimer;
 namespace adore::desktop {
@@ -41,11 +39,8 @@ class LubricantPanel : public QWidget {
   deck::Deck deck_;
   QComboBox* pages_ = nullptr;
   desktop::ChartView* chart_ = nullptr;
+  QLabel* conditions_ = nullptr;
   QTimer* pause_ = nullptr;
 };
-
-/// The deck's lubricant in a contact of usual size; nothing without a lubricant of the table.
-[[nodiscard]] std::optional<calculators::LubricantContact> lubricant_contact(
-    const deck::Deck& deck);
 
 }  // namespace adore::adrinput

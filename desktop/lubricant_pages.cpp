@@ -41,6 +41,10 @@ ChartPage page_of(const LubricantCurves& all, LubricantTitle title,
 
 constexpr double kMeasured = 0.12;  ///< the most that disc machines read of any oil
 
+void add_note(ChartPage& page, const std::string& text) {
+  if (!text.empty()) page.note += (page.note.empty() ? "" : "; ") + text;
+}
+
 double largest(const CurveChart& chart) {
   double out = 0.0;
   for (const calculators::NamedCurve& curve : chart.curves)
@@ -56,20 +60,21 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
   std::vector<ChartPage> pages{page_of(all, title, {&all.traction}),
                                page_of(all, title, {&all.viscosity}),
                                page_of(all, title, {&all.film, &all.lambda})};
+  // Laws without a limit reach hundreds: on an even scale nothing else would be seen.
+  pages[0].panels[0].log = largest(all.traction) > 1.0;
   if (largest(all.traction) > kMeasured)
-    pages.front().note += (pages.front().note.empty() ? "" : "; ") +
-                          std::string(
-                              "coefficients above 0.12 are extrapolations: no disc machine "
-                              "has measured them, and this law has no limit");
-  if (all.name.find("to 1 GPa") != std::string::npos)
-    for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
-      pages[page].note += (pages[page].note.empty() ? "" : "; ") +
-                          std::string("beyond 1 GPa, where its measurements end, extrapolated");
+    add_note(pages[0],
+             "coefficients above 0.12 are extrapolations: no disc machine has measured them, and "
+             "this law has no limit");
+  for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
+    add_note(pages[page], all.beyond_range);
+  constexpr double kNearGlass = 0.99e12;  // tribology/viscosity/glass.hpp
+  if (largest(all.viscosity) > kNearGlass)
+    add_note(pages[1], "level at 10¹² Pa·s: a glass, where the laws end");
   if (all.beyond_heating)
-    pages.back().note += (pages.back().note.empty() ? "" : "; ") +
-                         std::string(
-                             "the inlet's heating is held at a tenth: films that rise again "
-                             "behind a dip are extrapolations");
+    add_note(pages.back(),
+             "the inlet's heating is held at a tenth: films that rise again behind a dip are "
+             "extrapolations");
   return pages;
 }
 

@@ -4,6 +4,7 @@
 #include "tribology/film_thickness.hpp"
 #include "tribology/flash_strip.hpp"
 #include "tribology/lubricant.hpp"
+#include "tribology/lubricant_range.hpp"
 #include "tribology/newton_film_walls.hpp"
 #include "tribology/shear_thinning_film.hpp"
 #include "tribology/starvation.hpp"
@@ -89,7 +90,8 @@ Json of_lubricant(const Json& in, double p, double T) {
           {"specificHeat", oil.specific_heat.at(T)},
           {"conductivity", oil.conductivity.at(T)},
           {"name", oil.name},
-          {"provenance", oil.provenance}};
+          {"provenance", oil.provenance},
+          {"range", beyond_range(pressure_range(oil.code), p)}};
 }
 
 std::optional<Json> viscosity_case(const Json& the_case) {

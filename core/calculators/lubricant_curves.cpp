@@ -5,6 +5,7 @@
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/film_law.hpp"
+#include "tribology/lubricant_range.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,16 @@ void check(const LubricantContact& c) {
   for (const auto& [name, value] : not_negative)
     if (!(value >= 0.0) || !std::isfinite(value))
       throw InputError(fmt::format("{} is {:g}; give 0 or more", name, value));
+  if (c.user) {
+    const std::pair<const char*, double> users[] = {{"refTemp", c.user->T0},
+                                                    {"refVis", c.user->viscosity},
+                                                    {"lubTherCond", c.user->conductivity},
+                                                    {"refTracVis", c.user->traction_viscosity}};
+    for (const auto& [name, value] : users)
+      if (!(value > 0.0) || !std::isfinite(value))
+        throw InputError(
+            fmt::format("{} of the lubricant is {:g}; give a number above 0", name, value));
+  }
   if (c.radius > c.across)
     throw InputError(fmt::format(
         "radius is {:g} m and across {:g} m; rolling goes along the shorter axis of the contact: "
@@ -51,9 +62,19 @@ void check(const LubricantContact& c) {
   if (c.metal.size() != 4) throw InputError("metal has four values, those of record 10.1C");
 }
 
+bearing::Lubrication lubrication_of(const LubricantContact& contact) {
+  bearing::Lubrication out;
+  out.code = contact.code;
+  out.user = contact.user;
+  out.critical_film = contact.critical_film;
+  out.meniscus = contact.meniscus;
+  return out;
+}
+
 /// The contact at one load, with its oil.
 struct Point {
-  explicit Point(const LubricantContact& c) : contact(c), oil(tribology::lubricant(c.code)) {
+  explicit Point(const LubricantContact& c)
+      : contact(c), oil(tribology::lubricant_of(lubrication_of(c))) {
     const contact::RelativeCurvature rho{1.0 / c.across, 1.0 / c.radius};
     const contact::HertzConstants hertz = contact::hertz_constants(rho, 0.5 * c.modulus);
     // p0 = 3 Q/(2 π a b), a b = a_hat b_hat Q^(2/3).
@@ -75,10 +96,6 @@ struct Point {
     return tribology::contact_film(inlet, f);
   }
   [[nodiscard]] tribology::TractionLaw law() const {
-    bearing::Lubrication lubrication;
-    lubrication.code = contact.code;
-    lubrication.critical_film = contact.critical_film;
-    lubrication.meniscus = contact.meniscus;
     tribology::FilmSurface surface;
     surface.radius = contact.radius;
     surface.modulus = contact.modulus;
@@ -88,7 +105,7 @@ struct Point {
     return tribology::film_law(
         tribology::traction_curve(contact.metal_type, {contact.metal[0], contact.metal[1],
                                                        contact.metal[2], contact.metal[3]}),
-        oil, lubrication, surface);
+        oil, lubrication_of(contact), surface);
   }
   [[nodiscard]] double traction(const tribology::TractionLaw& law, double slip) const {
     const tribology::EllipseGeometry g{load, a, b, 0.0, 0.0};
@@ -101,7 +118,7 @@ struct Point {
   }
 
   LubricantContact contact;
-  const tribology::Lubricant& oil;
+  tribology::Lubricant oil;
   double load = 0.0, a = 0.0, b = 0.0;
   tribology::InletOil inlet;
 };
@@ -126,13 +143,20 @@ std::optional<Json> traction_case(const Json& the_case) {
   if (in.contains("metal")) c.metal = in.at("metal").get<std::vector<double>>();
   const LubricatedPoint p = lubricated_point(c, in.at("slip").get<std::vector<double>>());
   const tribology::Lubricant& oil = tribology::lubricant(c.code);
-  return Json{{"kappa", p.traction},         {"load", p.load},
-              {"halfWidth", p.half_width},   {"k", p.ratio},
-              {"mu", p.viscosity},           {"alpha", p.alpha},
-              {"hCentral", p.central},       {"hMin", p.minimum},
-              {"thermal", p.thermal},        {"starvation", p.starvation},
-              {"lambda", p.lambda},          {"name", oil.name},
-              {"provenance", oil.provenance}};
+  return Json{{"kappa", p.traction},
+              {"load", p.load},
+              {"halfWidth", p.half_width},
+              {"k", p.ratio},
+              {"mu", p.viscosity},
+              {"alpha", p.alpha},
+              {"hCentral", p.central},
+              {"hMin", p.minimum},
+              {"thermal", p.thermal},
+              {"starvation", p.starvation},
+              {"lambda", p.lambda},
+              {"name", oil.name},
+              {"provenance", oil.provenance},
+              {"range", tribology::beyond_range(tribology::pressure_range(c.code), c.pressure)}};
 }
 
 }  // namespace
@@ -161,10 +185,13 @@ LubricatedPoint lubricated_point(const LubricantContact& contact,
 
 LubricantCurves lubricant_curves(const LubricantContact& contact) {
   check(contact);
-  const tribology::Lubricant& oil = tribology::lubricant(contact.code);
+  const tribology::Lubricant oil = tribology::lubricant_of(lubrication_of(contact));
   LubricantCurves out;
   out.name = oil.name;
   out.provenance = oil.provenance;
+  if (!contact.user)
+    out.beyond_range =
+        tribology::beyond_range(tribology::pressure_range(contact.code), kLargestPressure);
   out.conditions = fmt::format(
       "{:.0f} K; R {:.3g} mm along, {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s where not "
       "varied; roughness {:.2g} µm",
@@ -173,7 +200,7 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
 
   out.traction = {"Traction over slip", "Slip", "m/s", "Traction coefficient", "", true, false, {}};
   const std::vector<double> slips = logarithmic(1e-3, 10.0);
-  for (const double pressure : {0.8e9, 1.2e9, 1.6e9, 2.0e9}) {
+  for (const double pressure : {0.8e9, 1.2e9, 1.6e9, kLargestPressure}) {
     LubricantContact c = contact;
     c.pressure = pressure;
     out.traction.curves.push_back(
@@ -190,9 +217,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
   for (const double T : temperatures) {
     const std::string name = fmt::format("{:.0f} K", T);
     NamedCurve viscosity{name, {}, {}}, film{name, speeds, {}}, lambda{name, speeds, {}};
-    constexpr double kMost = 2.0;  // GPa
     for (int i = 0; i < kPoints; ++i) {
-      const double p = kMost * i / (kPoints - 1);
+      const double p = 1e-9 * kLargestPressure * i / (kPoints - 1);
       viscosity.x.push_back(p);
       viscosity.y.push_back(oil.pressed_viscosity(1e9 * p, T));
     }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "bearing/lubrication.hpp"
 #include "calculators/adapter.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +17,18 @@
 namespace adore::calculators {
 
 struct LubricantContact {
-  int code = 0;                   ///< kTrac 1 to 20 but 9
-  double temperature = 350.0;     ///< of oil and walls [K]
-  double radius = 0.006;          ///< of both bodies along rolling [m]
-  double across = 0.15;           ///< of both across it [m]
-  double modulus = 2.26e11;       ///< E' [Pa], steel on steel
-  double pressure = 1.2e9;        ///< largest [Pa]
-  double speed = 10.0;            ///< mean of both surfaces [m/s]
-  double roughness = 1.0e-7;      ///< of both, root of the sum of squares [m]
-  double critical_film = 1.0e-8;  ///< reRaceFilm [m]
-  double meniscus = 10.0;         ///< strParam
-  int metal_type = 1;             ///< kTracType of the metal contact
+  int code = 0;                                ///< kTrac 1 to 20
+  std::optional<bearing::UserLubricant> user;  ///< with kTrac 9
+  double temperature = 350.0;                  ///< of oil and walls [K]
+  double radius = 0.006;                       ///< of both bodies along rolling [m]
+  double across = 0.15;                        ///< of both across it [m]
+  double modulus = 2.26e11;                    ///< E' [Pa], steel on steel
+  double pressure = 1.2e9;                     ///< largest [Pa]
+  double speed = 10.0;                         ///< mean of both surfaces [m/s]
+  double roughness = 1.0e-7;                   ///< of both, root of the sum of squares [m]
+  double critical_film = 1.0e-8;               ///< reRaceFilm [m]
+  double meniscus = 10.0;                      ///< strParam
+  int metal_type = 1;                          ///< kTracType of the metal contact
   /// Its four values, of record 10.1C unless said else.
   std::vector<double> metal{0.0, 0.1, 0.08, 1.0};
 };
@@ -52,12 +55,16 @@ struct CurveChart {
   bool log_x = false, log_y = false;
   std::vector<NamedCurve> curves;
 };
+/// To which the charts of traction and viscosity go [Pa].
+inline constexpr double kLargestPressure = 2.0e9;
 struct LubricantCurves {
   std::string name;        ///< of the lubricant
-  std::string provenance;  ///< weakest word for its numbers
+  std::string provenance;  ///< weakest word for its numbers; "given" of kTrac 9
   std::string conditions;  ///< of the contact, a sentence
   /// Some film stands where the heating of its inlet is held at its floor (thermal_reduction.hpp).
   bool beyond_heating = false;
+  /// Of traction and viscosity beyond the measurements (lubricant_range.hpp); empty: within.
+  std::string beyond_range;
   CurveChart traction, viscosity, film, lambda;
 };
 [[nodiscard]] LubricantCurves lubricant_curves(const LubricantContact& contact);

@@ -1,5 +1,6 @@
 #include "listing/print_heat.hpp"
 
+#include "deck/unit_text.hpp"
 #include "results/quantities.hpp"
 
 #include <fmt/format.h>
@@ -164,7 +165,7 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
   report.text(
       "Each contact creeps so that it carries no force along the rolling direction; elastic "
       "hysteresis is left out.");
-  for (const std::string& note : f.notes) report.text(note);
+  for (const std::string& note : f.notes) report.text(deck::message_in_units(note, report.units()));
 }
 
 void print_steady_state(Report& report, const thermal::SteadyState& steady) {

@@ -10,6 +10,7 @@
 #include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
+#include "setup/user_lubricant.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -110,19 +111,10 @@ bearing::Lubrication lubrication(const Deck& deck) {
   out.meniscus = deck.si("strParam");
   out.critical_film = si_where(out.meniscus > 0.0, deck, "reRaceFilm");
   if (out.code != kUserLubricant) return out;
-  bearing::UserLubricant user;
-  user.name = deck.text("lubName");
-  user.T0 = deck.si("refTemp");
-  user.viscosity = deck.si("refVis");
-  user.alpha = deck.si("prVisCoeff");
-  user.beta = deck.si("tempVisCoeff");
-  user.conductivity = deck.si("lubTherCond");
+  bearing::UserLubricant user = user_lubricant(deck);
   const bool cools = deck.integer("kTherm") > 0 && deck.integer("kCoolant") == 1;
   user.density = si_where(cools || deck.integer("kChrn") == 1, deck, "lubDen");
   user.specific_heat = si_where(cools, deck, "lubSpHeat");
-  user.traction_viscosity = deck.si("refTracVis");
-  user.traction_alpha = deck.si("tracVisCoeff1");
-  user.traction_beta = deck.si("tracVisCoeff2");
   out.user = user;
   return out;
 }

@@ -9,6 +9,7 @@
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/film_law.hpp"
+#include "tribology/lubricant_range.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -225,6 +226,26 @@ FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
   return out;
 }
 
+/// Of contacts pressed beyond what was measured of the lubricant. @param largest by race [Pa]
+void add_range(const Bearing& bearing, const std::array<double, 2>& largest,
+               FrictionEstimate& out) {
+  if (!bearing.lubrication || bearing.lubrication->user) return;
+  const tribology::PressureRange& range = tribology::pressure_range(bearing.lubrication->code);
+  if (!range.measured_to) {
+    out.notes.push_back(
+        fmt::format("to which pressure the traction of this lubricant was measured "
+                    "is not known: {}",
+                    range.source));
+    return;
+  }
+  for (std::size_t j = 0; j < 2; ++j)
+    if (largest[j] > *range.measured_to)
+      out.notes.push_back(fmt::format(
+          "contacts with the {} race are pressed to {:.3g} GPa; the traction of this lubricant was "
+          "measured to {:.3g} GPa ({}): beyond, its law is an extrapolation",
+          j == 0 ? "outer" : "inner", 1e-9 * largest[j], 1e-9 * *range.measured_to, range.source));
+}
+
 void add_drag(const Bearing& bearing, double orbit, double spin, FrictionEstimate& out) {
   if (!bearing.churning) return;
   const tribology::BearingDrag drag(bearing);
@@ -260,6 +281,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
   const double race_speed =
       0.5 * balls.pitch_diameter * std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
   double orbit = 0.0, spin = 0.0;
+  std::array<double, 2> largest{};
   for (const StaticBall& ball : solution.balls) {
     const auto share = 1.0 / static_cast<double>(solution.balls.size());
     orbit += share * ball.orbital_speed;
@@ -267,6 +289,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
+      largest[j] = std::max(largest[j], ball.p_max[j]);
       const double alpha = ball.alpha[j];
       const double groove = 2.0 * balls.groove_factor[j] * R;
       EllipseGeometry g{ball.Q[j], ball.a[j], ball.b[j], 0.0, 0.0};
@@ -291,6 +314,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       one.rolling = oil.rolling(j, film, 0.0);
     }
   }
+  add_range(bearing, largest, out);
   add_drag(bearing, orbit, spin, out);
   return out;
 }
@@ -323,12 +347,14 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
   // About the roller axis and in the orbiting frame; signs as for balls: against the outer race.
   const double orbit = solution.orbital_speed;
   const double axis_r = std::sin(-rollers.axis_angle), axis_x = std::cos(rollers.axis_angle);
+  std::array<double, 2> largest{};
   for (std::size_t i = 0; i < solution.rollers.size(); ++i) {
     const StaticRoller& roller = solution.rollers[i];
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       const RollerRaceContact& at = roller.race[j];
       if (!(at.load > 0.0) || !(at.length > 0.0)) continue;
+      largest[j] = std::max(largest[j], at.peak_pressure);
       const double side = j == 0 ? 1.0 : -1.0;
       const double angle = rollers.race_angle[j];
       const double n_x = side * std::sin(angle), n_r = side * std::cos(angle);
@@ -405,6 +431,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       }
     }
   }
+  add_range(bearing, largest, out);
   add_drag(bearing, orbit, std::abs(solution.spin_speed), out);
   return out;
 }

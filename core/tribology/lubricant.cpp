@@ -50,7 +50,7 @@ LubricantProperty property(const Json& entry, const char* key) {
   return constant(number(entry, key));
 }
 
-/// Every number below `json` with what is said of it.
+/// Every constant below `json` with what is said of it.
 void collect(const Json& json, const std::string& path, std::vector<LubricantSource>& out) {
   if (!json.is_object()) return;
   if (json.contains("value") && json.contains("provenance")) {
@@ -61,7 +61,8 @@ void collect(const Json& json, const std::string& path, std::vector<LubricantSou
     return;
   }
   for (const auto& [key, value] : json.items())
-    if (key != "equivalentTypeII") collect(value, path.empty() ? key : path + "." + key, out);
+    if (key != "equivalentTypeII" && key != "measuredTo")
+      collect(value, path.empty() ? key : path + "." + key, out);
 }
 
 LubricantModel model_of(const std::string& name) {

@@ -1,13 +1,20 @@
 #include "adrinput/lubricant_panel.hpp"
+#include "calculators/deck_lubricant.hpp"
 #include "deck/templates.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/lubricant_pages.hpp"
 #include "support/qt_app.hpp"
+#include "tribology/lubricant.hpp"
+#include "tribology/lubricant_range.hpp"
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
 
 using namespace adore;
 
@@ -29,7 +36,7 @@ TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
   deck.set("raceTemp2", "360.0");
   deck.set("reTemp", "370.0");
   deck.set("rmsAspHt2", "2.0e-7");
-  const auto contact = adrinput::lubricant_contact(deck);
+  const auto contact = calculators::lubricant_contact(deck);
   REQUIRE(contact);
   CHECK(contact->code == 4);
   CHECK(contact->temperature == Approx(365.0));
@@ -40,11 +47,11 @@ TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
   deck.set("kTracType", "0");  // two slopes where the film breaks down
   deck.complete();
   deck.set("reRaceTC2", "0.07");
-  const auto other = adrinput::lubricant_contact(deck);
+  const auto other = calculators::lubricant_contact(deck);
   REQUIRE(other);
   CHECK(other->metal_type == 0);
   CHECK(other->metal[1] == Approx(0.07));
-  CHECK_FALSE(adrinput::lubricant_contact(deck::new_deck("ball")));
+  CHECK_FALSE(calculators::lubricant_contact(deck::new_deck("ball")));
 }
 
 TEST_CASE("the lubricant's dock is closed at first and draws what it is asked for", "[gui][film]") {
@@ -64,7 +71,7 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   CHECK(panel->chart().chartScene().page().panels.size() == 1);
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
   const std::string lubricant = panel->chart().chartScene().page().title;
-  const auto whole = desktop::lubricant_pages(*adrinput::lubricant_contact(in_oil("4")));
+  const auto whole = desktop::lubricant_pages(*calculators::lubricant_contact(in_oil("4")));
   CHECK(whole.front().title.starts_with(lubricant + ": "));  // what is drawn stands in the list
   panel->findChild<QComboBox*>("lubricant-page")->setCurrentIndex(2);
   CHECK(panel->chart().chartScene().page().panels.size() == 2);
@@ -72,4 +79,59 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   panel->drawNow();
   CHECK(panel->chart().chartScene().page().panels.empty());
   CHECK(panel->chart().chartScene().page().note.find("kTrac") != std::string::npos);
+}
+
+TEST_CASE("charts of traction and viscosity say where the measurements of a lubricant end",
+          "[gui][film]") {
+  for (const int code : tribology::lubricant_codes()) {
+    CAPTURE(code);
+    calculators::LubricantContact contact;
+    contact.code = code;
+    const auto pages = desktop::lubricant_pages(contact);
+    REQUIRE(pages.size() == 3);
+    const std::optional<double> end = tribology::pressure_range(code).measured_to;
+    const std::string said =
+        end ? fmt::format("beyond {:g} GPa, where its measurements end", 1e-9 * *end)
+            : "to which pressure it was measured is not known";
+    CHECK_THAT(pages[0].note, Catch::Contains(said));
+    CHECK_THAT(pages[1].note, Catch::Contains(said));
+    CHECK_THAT(pages[2].note, !Catch::Contains("measure"));  // films are made at low pressure
+  }
+}
+
+TEST_CASE("the lubricant of records 10.4 has the charts of a table's one, or says what it lacks",
+          "[gui][film]") {
+  test::use_qt();
+  deck::Deck deck = in_oil("9");
+  for (const auto& [name, value] :
+       {std::pair{"raceTemp2", "350.0"}, std::pair{"reTemp", "350.0"}, std::pair{"lubName", "mine"},
+        std::pair{"refTemp", "313.0"}, std::pair{"refVis", "0.03"},
+        std::pair{"prVisCoeff", "1.5e-8"}, std::pair{"tempVisCoeff", "4000.0"},
+        std::pair{"lubTherCond", "0.14"}, std::pair{"lubDen", "900.0"},
+        std::pair{"lubSpHeat", "2000.0"}, std::pair{"refTracVis", "0.2"},
+        std::pair{"tracVisCoeff1", "2.0e-8"}, std::pair{"tracVisCoeff2", "0.03"}})
+    deck.set(name, value);
+  adrinput::LubricantPanel panel;
+  panel.resize(panel.minimumSizeHint());
+  panel.show();
+  panel.setDeck(deck);
+  panel.drawNow();
+  auto* conditions = panel.findChild<QLabel*>("lubricant-conditions");
+  CHECK_THAT(conditions->text().toStdString(), Catch::Contains("mine: 350 K"));
+  CHECK(conditions->height() >= conditions->heightForWidth(conditions->width()));
+  CHECK(conditions->geometry().top() > panel.chart().geometry().bottom());
+  const desktop::ChartPage& page = panel.chart().chartScene().page();
+  REQUIRE(page.panels.size() == 1);
+  CHECK(page.title == "mine");
+  CHECK(page.panels[0].log);  // a law without a limit: hundreds at 2 GPa
+  CHECK_THAT(page.note, Catch::Contains("no limit") && !Catch::Contains("measurements end"));
+  panel.findChild<QComboBox*>("lubricant-page")->setCurrentIndex(1);
+  const auto& curve = panel.chart().chartScene().page().panels[0].curves[1].y;
+  // 350 K: the traction's viscosity, of type I.
+  CHECK(curve.front() == Approx(0.2 * std::exp(0.03 * (313.0 - 350.0))).epsilon(1e-6));
+  deck.set("refTracVis", "0.0");
+  panel.setDeck(deck);
+  panel.drawNow();
+  CHECK(panel.chart().chartScene().page().panels.empty());
+  CHECK_THAT(panel.chart().chartScene().page().note, Catch::Contains("refTracVis"));
 }

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 /// Rolling resistance of the oil as an effect of motion (dynamics/effects/rolling_resistance.cpp).
 using namespace adore;
@@ -237,5 +240,50 @@ TEST_CASE(
         CHECK(rough.energy.rate("heat", race) != heat);
       }
     }
+  }
+}
+
+TEST_CASE("rollers in oil: slices that share a vector with the next roller's stay with their own",
+          "[physics][rollers][film]") {
+  // 17 slices fill three vectors of eight, so that the last ones of a roller wait for the next one.
+  // A bearing turned by a pitch has its rollers one further: other partners, the same forces.
+  using enum Effect;
+  constexpr int kSlices = 17;
+  for (const int code : {1, 8, 13}) {
+    bearing::Bearing b = roller_bearings::cylindrical(6000.0);
+    roller_scene::add_friction(b);
+    b.lubrication = oil();
+    b.lubrication->code = code;
+    const ScenePlan plan =
+        roller_scene::plan_of({RaceContact, RaceTraction, FlangeContact, RollingResistance});
+    const int n = b.element_count();
+    const auto rates = [&](double first_azimuth) {
+      SystemOptions options;
+      System system = roller_scene::scene_of(b, plan, kSlices, first_azimuth, options).system;
+      const std::vector<double> y = system.initial_state();
+      std::vector<double> out(y.size());
+      REQUIRE(system.rhs(0.0, y.data(), out.data()) == RhsStatus::Ok);
+      return std::pair(system.layout().groups(), out);
+    };
+    const auto [groups, here] = rates(0.0);
+    const auto there = rates(2.0 * std::numbers::pi / n).second;
+    int compared = 0;
+    for (const auto& group : groups) {
+      if (group.slice.count != n) continue;  // one component of each roller
+      double most = 0.0, miss = 0.0, spread = 0.0;
+      for (int i = 0; i < n; ++i) {
+        const auto at = [&](const std::vector<double>& of, int k) {
+          return of[static_cast<std::size_t>(group.slice.first + k % n)];
+        };
+        most = std::max(most, std::abs(at(here, i)));
+        miss = std::max(miss, std::abs(at(there, i) - at(here, i + 1)));
+        spread = std::max(spread, std::abs(at(here, i) - at(here, i + 1)));
+      }
+      if (!(spread > 1e-3 * most)) continue;  // all rollers alike: says nothing
+      CAPTURE(code, group.name, most, miss, spread);
+      CHECK(miss < 1e-5 * most);
+      ++compared;
+    }
+    CHECK(compared >= 3);
   }
 }
