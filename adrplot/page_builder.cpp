@@ -1,6 +1,7 @@
 #include "adrplot/page_builder.hpp"
 
 #include "adrplot/known_values.hpp"
+#include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
@@ -45,18 +46,6 @@ std::vector<double> times(const SolFile& file) {
 
 bool any_value(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-std::string capital(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
-/// The title of a panel within a sentence.
-std::string small(std::string text) {
-  const bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
-  if (word) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-  return text;
 }
 
 /// Panels of a page with its curves over the stored steps. A curve without any value leaves its

@@ -1,5 +1,6 @@
 #include "adrplot/spectrum_page.hpp"
 
+#include "adrplot/sentence_words.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -49,18 +50,6 @@ std::string missing_values(const std::vector<double>& t, const std::vector<doubl
 struct Reason {
   std::string curve, why;
 };
-
-std::string capital(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
-/// The title of a panel behind another.
-std::string small(std::string text) {
-  const bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
-  if (word) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 /// Not "here": the curve, or the panel with all of it.
 std::string named(const std::string& name, std::string why) {
