@@ -105,12 +105,12 @@ scene::ScenePlan cage_plan() {
                     LandTraction, CageMotion, WearIntegrals});
 }
 
-/// ADRX3 and ADRX4 that give a quarter more than what is built in, less where walls part.
+/// ADRX3 and ADRX4 that give a quarter more than what is built in.
 struct Stiffer final : scene::UserForce, scene::UserLaws {
+  static constexpr double kMore = 1.25;
   Stiffer() { pocket = land = this; }
   bool forces(double, const Contacts& c) noexcept override {
-    for (std::size_t k = 0; k < c.n; ++k)
-      c.force[k] = c.built_in[k] * (1.25 - std::clamp(0.1 * c.gap_rate[k], -0.2, 0.2));
+    for (std::size_t k = 0; k < c.n; ++k) c.force[k] = kMore * c.built_in[k];
     return true;
   }
   [[nodiscard]] bool failed() const noexcept override { return false; }
@@ -260,5 +260,12 @@ TEST_CASE("heat of pockets and of lands sums up to the ledger's, whatever roller
             // What damping takes along the normal is an item of its own, in no part; what a
             // routine does is in them.
             if (with == With::Damping) CHECK(at.energy.rate("damping_beside") > 0.0);
+            if (with == With::Routines) {
+              // Friction grows as the forces do; what the walls take as rollers near them comes to
+              // it.
+              roller_scene::Scene plain = roller_scene::scene_of(b, plan, 9);
+              const double friction = sums_of(plain.system.snapshot(0.0, y)).pockets;
+              CHECK(sums_of(at).pockets > 1.0001 * Stiffer::kMore * friction);
+            }
           }
 }
