@@ -30,8 +30,11 @@ const Ordered* find_family(std::string_view family) {
 std::vector<CalculatorField> fields(const Ordered& rows) {
   std::vector<CalculatorField> out;
   for (const Ordered& row : rows) {
-    if (row.size() == 2)
-      out.push_back({row[0].get<std::string>(), {}, row[1].get<std::string>(), {}});
+    if (row.size() < 4)  // a result, which may have no meaning beside its name
+      out.push_back({row[0].get<std::string>(),
+                     {},
+                     row[1].get<std::string>(),
+                     row.size() == 3 ? row[2].get<std::string>() : std::string()});
     else
       out.push_back({row[0].get<std::string>(), row[1].get<std::string>(),
                      row[2].get<std::string>(), row[3].get<std::string>()});
@@ -249,8 +252,9 @@ std::string describe_calculator_text(const CalculatorInfo& info) {
                          row.value("meaning", std::string()));
     out += "\nresults\n";
     for (const Ordered& row : one.at("results"))
-      out += fmt::format("  {:<40} {}\n", row.at("name").get<std::string>(),
-                         row.at("unit").get<std::string>());
+      out += fmt::format(
+          "  {:<40} {}{}\n", row.at("name").get<std::string>(), row.at("unit").get<std::string>(),
+          row.contains("meaning") ? "  " + row.at("meaning").get<std::string>() : "");
     out += fmt::format("\nexample\n  {}\n", one.at("example").dump());
   }
   return out;

@@ -13,8 +13,9 @@ namespace {
 enum class Change : unsigned char {
   Unsaid,  ///< what a continuation is for
   Accepted,
-  NoPart,   ///< read at the start of a new run only
-  Refused,  ///< the stored state and files are of another bearing
+  NoPart,        ///< read at the start of a new run only
+  OtherBearing,  ///< refused, as the next one
+  OtherRun,      ///< the same bearing, but the stored state and files do not fit
 };
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -33,10 +34,12 @@ Change kind_of(std::string_view record, std::string_view variable, bool continue
   const bool bearing = is_one_of(record, {"3.2", "4", "9.0"}) || record.starts_with("5") ||
                        record.starts_with("6") || record.starts_with("7") ||
                        (record.starts_with("8") && !record.starts_with("8.6"));
-  const bool code = is_one_of(
-      variable, {"mode", "kDOF", "runID", "kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat",
-                 "kShftMat", "kReIP", "kRaceIP1", "kRaceIP2", "kNumPltElem", "kPltElemInd"});
-  return bearing || code ? Change::Refused : Change::Accepted;
+  const bool code = is_one_of(variable, {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat",
+                                         "kReIP", "kRaceIP1", "kRaceIP2"});
+  if (bearing || code) return Change::OtherBearing;
+  return is_one_of(variable, {"mode", "kDOF", "runID", "kNumPltElem", "kPltElemInd"})
+             ? Change::OtherRun
+             : Change::Accepted;
 }
 
 /// "rpm2: 10000.0 rpm before, 12000.0 rpm now"
@@ -75,7 +78,8 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
   std::string accepted, idle;
   for (const deck::Difference& d : deck::differences(read.deck, now)) {
     if (d.label || d.record == "12") continue;
-    switch (kind_of(d.record, d.variable, continues)) {
+    const Change kind = kind_of(d.record, d.variable, continues);
+    switch (kind) {
       case Change::Unsaid:
         break;
       case Change::Accepted:
@@ -84,10 +88,15 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
       case Change::NoPart:
         idle += (idle.empty() ? "" : "; ") + sentence(d);
         break;
-      case Change::Refused: {
+      case Change::OtherBearing:
+      case Change::OtherRun: {
         Issue issue =
             now.issue(Severity::Error, d.variable.empty() ? "kIcOpt" : d.variable,
-                      fmt::format("the run to be continued had another bearing ({})", sentence(d)),
+                      fmt::format("{} ({})",
+                                  kind == Change::OtherBearing
+                                      ? "the run to be continued had another bearing"
+                                      : "state and files of the run to be continued do not fit",
+                                  sentence(d)),
                       "give the old value, or start new files from its last state with "
                       "kIcOpt = -1",
                       d.instance);

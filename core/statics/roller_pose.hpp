@@ -72,9 +72,9 @@ Roller<S> roller_at(const RollerModel& m, const RollerState& at) {
   const S x = coordinate<S>(at.e(0), 0);
   const S r = coordinate<S>(0.5 * m.rollers.pitch_diameter + at.e(1), 1);
   const S tilt = coordinate<S>(at.e(2) - m.rollers.axis_angle, 2);
-  const S s = sine(tilt);
-  const S c = cosine(tilt);
-  return {{x, S(0.0), r}, {c, S(0.0), s}, -s, c};
+  const S s = at.skew_cos * sine(tilt);
+  const S c = at.skew_cos * cosine(tilt);
+  return {{x, S(0.0), r}, {c, S(at.skew_sin), s}, -s, c};
 }
 
 /// Roller relative to one race.

@@ -10,6 +10,7 @@ namespace adore::statics {
 struct RollerState {
   std::size_t number = 0;
   double sin = 0.0, cos = 1.0;                  ///< of the azimuth
+  double skew_sin = 0.0, skew_cos = 1.0;        ///< of the skew, its axis towards y; given
   Eigen::Vector3d e = Eigen::Vector3d::Zero();  ///< x, r - d_m/2 [m], tilt + axis angle [rad]
   bool known = false;                           ///< e comes from an earlier equilibrium
   bool idle = false;                            ///< at rest and touching nothing

@@ -138,7 +138,10 @@ TEST_CASE("a run goes on under changed loads and speeds and says so, and with no
                                   {"kRaceMat1=101", "kRaceMat1"},
                                   {"cageGsCls[2]=2.5e-4", "cageGsCls[2]"},
                                   {"raceFit2=1e-6", "raceFit2"},
-                                  {"runID=another", "another"}}) {
+                                  {"runID=another", "another"},
+                                  {"mode=1", "do not fit (mode: 0"},
+                                  {"kDOF=2", "do not fit (kDOF: 0"},
+                                  {"kPltElemInd[1]=2", "do not fit (kPltElemInd[1]: 1"}}) {
     const Result other = run(std::string("--set kIcOpt=1 --set ") + set);
     INFO(other.out);
     CHECK(other.code == 2);

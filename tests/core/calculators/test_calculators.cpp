@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 using namespace adore;
 using namespace adore::calculators;
@@ -23,9 +25,34 @@ void collect_numbers(Json& value, std::vector<Json*>& out) {
     for (Json& item : value) collect_numbers(item, out);
 }
 
+/// Paths of the numbers in a result that have no unit: none under "units", no "unit" beside them,
+/// none in their name.
+void collect_bare(const Json& value, const std::string& path, const Json& units,
+                  std::vector<std::string>& out) {
+  if (value.is_object()) {
+    for (const auto& [key, item] : value.items()) {
+      const bool named = value.contains("unit") || key.ends_with("_K");
+      if (!(named && (item.is_number() || item.is_array())))
+        collect_bare(item, path.empty() ? key : path + "." + key, units, out);
+    }
+  } else if (value.is_array()) {
+    for (const Json& item : value) collect_bare(item, path + "[]", units, out);
+  } else if (value.is_number() && !units.contains(path)) {
+    out.push_back(path);
+  }
+}
+std::vector<std::string> without_unit(Json result) {
+  std::vector<std::string> out;
+  if (!result.is_object()) return out;
+  const Json units = result.value("units", Json::object());
+  result.erase("units");
+  collect_bare(result, "", units, out);
+  return out;
+}
+
 }  // namespace
 
-TEST_CASE("every number of every calculator takes any value: results, or a sentence",
+TEST_CASE("every number of every calculator takes any value: results with units, or a sentence",
           "[unit][calc]") {
   int refused = 0, computed = 0;
   for (const CalculatorInfo& info : calculator_list()) {
@@ -33,20 +60,21 @@ TEST_CASE("every number of every calculator takes any value: results, or a sente
     for (const auto& one : described.at("calculations")) {
       const Json example = Json::parse(one.at("example").dump());
       CAPTURE(info.name, example.dump());
-      REQUIRE_NOTHROW(calculate(info.name, example));
+      CHECK(without_unit(calculate(info.name, example)) == std::vector<std::string>());
       Json changed = example;
       std::vector<Json*> numbers;
       collect_numbers(changed, numbers);
       if (numbers.size() > 12) numbers.resize(12);  // the rest are more of the same lists
       for (Json* number : numbers) {
         const Json kept = *number;
-        for (const Json& value :
-             {Json(-1), Json(0), Json(3), Json(1000000), Json(1e18), Json(-1e308), Json(nullptr)}) {
+        for (const Json& value : {Json(-1), Json(0), Json(3), Json(12), Json(1000000), Json(1e18),
+                                  Json(-1e308), Json(nullptr)}) {
           *number = value;
           CAPTURE(changed.dump());
           try {
-            (void)calculate(info.name, changed);
+            const Json result = calculate(info.name, changed);
             ++computed;
+            CHECK(without_unit(result) == std::vector<std::string>());
           } catch (const InputError& error) {
             CHECK(std::string(error.what()).find("bug") == std::string::npos);
             ++refused;
@@ -91,6 +119,7 @@ TEST_CASE("calc iso281 says at which contact angle it takes its equivalent load"
                                      .dump());
     CAPTURE(degrees, out.dump());
     REQUIRE(out.dump().find("\"P\"") != std::string::npos);
+    CHECK(without_unit(out) == std::vector<std::string>());
     CHECK((out.dump().find("\"rated_at_deg\"") != std::string::npos) ==
           (degrees > 0.0 && degrees < 15.0));
   }
