@@ -54,7 +54,7 @@ RunRequest run_of(const Subject& subject, const AccuracySetting& setting, double
   out.integrator = setting.method;
   out.tolerance = setting.tolerance;
   out.until = fmt::format("{:.17g}s", turns * subject.turn);
-  out.sets.insert(out.sets.end(), setting.sets.begin(), setting.sets.end());
+  out.changes.insert(out.changes.end(), setting.sets.begin(), setting.sets.end());
   out.options.insert(out.options.end(), setting.options.begin(), setting.options.end());
   return out;
 }
@@ -140,7 +140,7 @@ class Study {
     }
     static_cast<DeckRequest&>(subject_.request) = request_;
     if (prepared.control.start != setup::StartState::Statics)
-      subject_.request.sets.emplace_back("kIcOpt", "0");
+      subject_.request.changes.emplace_back("kIcOpt", "0");
     const double scale = make_system(prepared).scales().time;
     const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
     subject_.time_scale = scale;
@@ -411,7 +411,7 @@ class Study {
     if (row == nullptr || nearby_loads(deck_, 1.0).empty()) return;
     const auto run = [&](double change) {
       Subject subject = subject_;
-      for (auto& load : nearby_loads(deck_, change)) subject.request.sets.push_back(load);
+      for (auto& load : nearby_loads(deck_, change)) subject.request.changes.push_back(load);
       Trial out = try_setting(subject, row->setting, row->turns, kUnlimited, stop_);
       spend_unlisted(out.row.seconds);
       return out;
