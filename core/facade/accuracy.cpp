@@ -1,6 +1,7 @@
 #include "facade/accuracy.hpp"
 
 #include "base/interrupted.hpp"
+#include "facade/accuracy_judgement.hpp"
 #include "facade/accuracy_settings.hpp"
 #include "integrators/stepper.hpp"
 #include "results/energy_judgement.hpp"
@@ -32,6 +33,7 @@ constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are f
 constexpr double kReferenceTolerance = 1e-9;
 constexpr double kNearby = 1e-6;  ///< change of the loads that tells whether a motion is irregular
 constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
+constexpr int kRules = 2;  ///< of comparing; rows of a study by other ones are not taken over
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double difference(double a, double b, double scale) {
@@ -52,7 +54,7 @@ RunRequest run_of(const Subject& subject, const AccuracySetting& setting, double
   out.integrator = setting.method;
   out.tolerance = setting.tolerance;
   out.until = fmt::format("{:.17g}s", turns * subject.turn);
-  out.sets.insert(out.sets.end(), setting.sets.begin(), setting.sets.end());
+  out.changes.insert(out.changes.end(), setting.sets.begin(), setting.sets.end());
   out.options.insert(out.options.end(), setting.options.begin(), setting.options.end());
   return out;
 }
@@ -100,31 +102,6 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
   return out;
 }
 
-/// The other rows of a round against its reference: errors, order, and which of them are worth
-/// their time.
-void judge(std::vector<AccuracyRow>& rows) {
-  for (AccuracyRow& row : rows) {
-    row.front = row.failure.empty() &&
-                std::none_of(rows.begin(), rows.end(), [&](const AccuracyRow& other) {
-                  return other.failure.empty() && other.seconds < row.seconds &&
-                         other.errors.largest() < row.errors.largest();
-                });
-    row.order = 0.0;
-  }
-  for (AccuracyRow& row : rows)
-    for (const AccuracyRow& other : rows) {
-      if (!row.failure.empty() || !other.failure.empty()) continue;
-      const bool next = other.setting.method == row.setting.method &&
-                        other.setting.as_long_as_stable == row.setting.as_long_as_stable &&
-                        std::abs(other.setting.tolerance / row.setting.tolerance - 10.0) < 1.0;
-      if (!next || row.at_longest > kAtLongest || other.at_longest > kAtLongest) continue;
-      const double steps = std::log(static_cast<double>(row.steps) /
-                                    std::max(1.0, static_cast<double>(other.steps)));
-      const double errors = std::log(other.errors.largest() / row.errors.largest());
-      if (steps > 0.05 && std::isfinite(errors)) row.order = errors / steps;
-    }
-}
-
 class Study {
  public:
   Study(const AccuracyRequest& request, const AccuracySink& sink, std::stop_token stop,
@@ -163,7 +140,7 @@ class Study {
     }
     static_cast<DeckRequest&>(subject_.request) = request_;
     if (prepared.control.start != setup::StartState::Statics)
-      subject_.request.sets.emplace_back("kIcOpt", "0");
+      subject_.request.changes.emplace_back("kIcOpt", "0");
     const double scale = make_system(prepared).scales().time;
     const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
     subject_.time_scale = scale;
@@ -173,13 +150,14 @@ class Study {
     study_.turn = subject_.turn;
     study_.asked = request_.turns;
     study_.target = request_.target;
-    study_.digest =
-        request_digest(subject_.request, prepared.input) +
-        fmt::format("-{:g}-{:g}-{}", request_.turns, request_.budget, request_.methods.size());
+    study_.digest = request_digest(subject_.request, prepared.input) +
+                    fmt::format("-{:g}-{:g}-{}-{}", request_.turns, request_.budget,
+                                request_.methods.size(), kRules);
     for (const double tolerance : request_.tolerances)
       study_.digest += fmt::format("-{:g}", tolerance);
     settings_ = settings_of(prepared, request_.methods, request_.tolerances);
     models_ = models_of(prepared);
+    if (study_.digest == earlier_.digest) spend_unlisted(earlier_.unlisted_seconds);
     stp_max_ = prepared.control.step_maximum;
     deck_ = prepared.input.deck;
   }
@@ -209,6 +187,12 @@ class Study {
     return out;
   }
 
+  /// Time of runs that leave no row, which a study that goes on does not make again.
+  void spend_unlisted(double seconds) {
+    study_.seconds += seconds;
+    study_.unlisted_seconds += seconds;
+  }
+
   /// What a reference had come to when it was cut.
   struct ReferenceCut {
     double turns;
@@ -221,6 +205,7 @@ class Study {
       study_.seconds += known.seconds;
       return known;
     }
+    double spent = 0.0;
     const auto reference = [&](const char* method, double tolerance) {
       AccuracySetting setting;
       setting.method = method;
@@ -228,8 +213,11 @@ class Study {
       // Its steps may be shorter than the deck allows, not longer.
       setting.sets = {{"stpMin", fmt::format("{:.3g}", 1e-6 * std::min(1.0, stp_max_))}};
       Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
-      study_.seconds += out.row.seconds;
-      if (out.cut_at > 0.0) throw ReferenceCut{out.cut_at / subject_.turn};
+      if (out.cut_at > 0.0) {
+        spend_unlisted(spent + out.row.seconds);
+        throw ReferenceCut{out.cut_at / subject_.turn};
+      }
+      spent += out.row.seconds;
       if (!out.good())
         throw SolverError(fmt::format("no reference solution: {} at {:.0e}: {}", method, tolerance,
                                       out.row.failure));
@@ -242,6 +230,7 @@ class Study {
     const Trial check = reference("rkf5", 10.0 * tight);
     AccuracyReference out{best.results, compare_results(check.results, best.results),
                           best.row.seconds + check.row.seconds};
+    study_.seconds += spent;
     study_.reference =
         fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
     return out;
@@ -292,7 +281,7 @@ class Study {
       if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
       if (!twin) add(study_.screening, row, study_.short_reference.results);
     }
-    judge(study_.screening);
+    judge_rows(study_.screening, study_.short_reference.noise, study_.target);
   }
 
   /// Is there a row with the deck's own longest step that was allowed the very same steps?
@@ -317,23 +306,10 @@ class Study {
 
   /// The deck's own settings, and those that may be the cheapest of their accuracy.
   [[nodiscard]] std::vector<AccuracySetting> finalists() const {
-    std::vector<const AccuracyRow*> rows;
-    for (const AccuracyRow& row : study_.screening)
-      if (row.failure.empty() && !row.setting.own) rows.push_back(&row);
-    // By time, the settings on the front first; those far off the target come last.
-    const auto rank = [&](const AccuracyRow* row) {
-      const double error = row->errors.largest();
-      const double limit = std::max(study_.target, 2.0 * study_.short_reference.noise.largest());
-      return std::pair(error > 5.0 * limit            ? 2
-                       : row->front || error <= limit ? 0
-                                                      : 1,
-                       row->seconds);
-    };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&](const AccuracyRow* a, const AccuracyRow* b) { return rank(a) < rank(b); });
     std::vector<AccuracySetting> out{own_setting(settings_)};
-    for (const AccuracyRow* row : rows)
-      if (out.size() <= kFinalists) out.push_back(row->setting);
+    for (const std::size_t k :
+         candidates(study_.screening, study_.short_reference.noise, study_.target, kFinalists))
+      out.push_back(study_.screening[k].setting);
     return out;
   }
 
@@ -396,7 +372,7 @@ class Study {
                         std::max(kRowShare * left(), start_cost_));
       add(study_.finals, row, study_.long_reference.results);
     }
-    judge(study_.finals);
+    judge_rows(study_.finals, study_.noise(), study_.target);
     for (AccuracyRow& row : study_.finals) measure_growth(row);
   }
 
@@ -425,8 +401,8 @@ class Study {
     }
     const AccuracyRow* row = nullptr;
     const auto rank = [&](const AccuracyRow& one) {
-      const bool keeps = study_.keeps(one.errors);
-      return std::pair(!keeps, keeps ? one.seconds : one.errors.largest());
+      const double over = over_limits(one.errors, study_.noise(), study_.target);
+      return std::pair(over > 1.0, over > 1.0 ? over : one.seconds);
     };
     for (const AccuracyRow& other : study_.finals)
       if (other.failure.empty() && !(other.energy_share > results::kMovedWarning) &&
@@ -435,9 +411,9 @@ class Study {
     if (row == nullptr || nearby_loads(deck_, 1.0).empty()) return;
     const auto run = [&](double change) {
       Subject subject = subject_;
-      for (auto& load : nearby_loads(deck_, change)) subject.request.sets.push_back(load);
+      for (auto& load : nearby_loads(deck_, change)) subject.request.changes.push_back(load);
       Trial out = try_setting(subject, row->setting, row->turns, kUnlimited, stop_);
-      study_.seconds += out.row.seconds;
+      spend_unlisted(out.row.seconds);
       return out;
     };
     const Trial base = run(0.0), more = run(kNearby), less = run(-kNearby);
@@ -507,7 +483,7 @@ class Study {
       if (row.setting.own) repeat(row);
     for (AccuracyRow& row : study_.finals)
       if (row.front) repeat(row);
-    judge(study_.finals);
+    judge_rows(study_.finals, study_.noise(), study_.target);
   }
 
   [[nodiscard]] int choose() const {
@@ -554,9 +530,7 @@ AccuracyErrors AccuracyStudy::limits() const {
 }
 
 bool AccuracyStudy::keeps(const AccuracyErrors& errors) const {
-  const AccuracyErrors most = limits();
-  return errors.speed <= most.speed && errors.load <= most.load && errors.heat <= most.heat &&
-         errors.life <= most.life;
+  return over_limits(errors, noise(), target) <= 1.0;
 }
 
 AccuracyErrors compare_results(const results::KeyResults& run,
@@ -567,10 +541,10 @@ AccuracyErrors compare_results(const results::KeyResults& run,
     return difference(of(id), is(id), std::abs(is(id)));
   };
   AccuracyErrors out;
+  constexpr const char* kWhirl = "mean_swept_whirl_ratio";  // by windings it jumps
   const double cage = std::abs(is("mean_cage_ratio"));
   out.speed = std::max({relative("mean_orbital_ratio"), relative("mean_cage_ratio"),
-                        difference(of("mean_whirl_ratio"), is("mean_whirl_ratio"),
-                                   std::max(cage, std::abs(is("mean_whirl_ratio"))))});
+                        difference(of(kWhirl), is(kWhirl), std::max(cage, std::abs(is(kWhirl))))});
   double race = 0.0, change = 0.0;
   for (const char* id : {"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"}) {
     race += is(id) * is(id);

@@ -16,7 +16,9 @@
 /// Errors are those of what engineers read, all runs over the same span of whole turns from the
 /// same start (Δ: difference to the reference, values with ‾ are means over the span):
 ///   speed  |Δ orbital ratio‾| / |orbital ratio‾|, the same of the cage ratio, and
-///          |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|
+///          |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|, the whirl by the
+///          area that the cage's centre sweeps (results/averages.hpp): PRINT's ratio counts
+///          windings, which jump by one where a path passes the bearing axis on its other side
 ///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
 ///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
 ///   life   |Δ life| / life, by the loads of the run
@@ -79,7 +81,7 @@ struct AccuracyRow {
   double energy_share = 0.0;  ///< |residual| over the energy moved
   double order = 0.0;         ///< observed against the next tolerance of the method; 0: none
   double growth = 0.0;        ///< of energy_share per turn, from the first span to this; 0: none
-  bool front = false;         ///< no other row of its round is both cheaper and better
+  bool front = false;         ///< no other row of its round is cheaper and as good
   std::string failure;        ///< empty, or why there is no result
 };
 
@@ -103,7 +105,9 @@ struct AccuracyStudy {
   std::vector<AccuracyRow> screening, finals, models;
   int recommended = -1;  ///< among finals; negative: none keeps to the target
   double seconds = 0.0;  ///< processor time of the study, of the rows taken over, too
-  int untried = 0;       ///< settings and models for which the budget left no time
+  /// Of it in runs that leave no row: references that were cut, loads changed by a millionth.
+  double unlisted_seconds = 0.0;
+  int untried = 0;  ///< settings and models for which the budget left no time
   bool complete = false;
 
   /// How far means over the second span can be known: the larger of what two accurate runs differ

@@ -238,8 +238,9 @@ std::string accuracy_table(const AccuracyStudy& study) {
       "s: processor time of the whole run (of the recommended, the deck's own and those with * in "
       "the "
       "second round the median of three, as far as the budget goes);\n*: no other row is cheaper "
-      "and "
-      "better.\n",
+      "and as good, each error counted as far as it stands out of its own noise.\n"
+      "The whirl among the speeds is that by the area which the cage's centre sweeps, not PRINT's "
+      "windings.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -321,6 +322,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
            {"long_reference", json_of(study.long_reference)},
            {"irregular", json_of(study.irregular)},
            {"seconds", study.seconds},
+           {"unlisted_seconds", study.unlisted_seconds},
            {"untried", study.untried},
            {"recommended", study.recommended},
            {"recommendation", recommendation(study)}};
@@ -351,6 +353,7 @@ AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
     out.long_reference = reference_of(json.at("long_reference"));
     if (json.contains("irregular")) out.irregular = errors_of(json.at("irregular"));
     out.seconds = json.at("seconds").get<double>();
+    out.unlisted_seconds = json.value("unlisted_seconds", 0.0);
     out.untried = json.value("untried", 0);
     for (const Json& row : json.at("screening")) out.screening.push_back(row_of(row));
     for (const Json& row : json.at("finals")) out.finals.push_back(row_of(row));

@@ -39,12 +39,16 @@ std::vector<AccuracySetting> settings_of(const Prepared& prepared,
     for (const std::string_view name : integrators::stepper_names()) names.emplace_back(name);
   std::vector<double> tight_first = tolerances;
   std::sort(tight_first.begin(), tight_first.end());
+  const auto add = [&](AccuracySetting next) {  // what is listed twice is run once
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const AccuracySetting& other) { return other.name == next.name; }))
+      out.push_back(std::move(next));
+  };
   for (const std::string& name : names)
     for (const bool free : {false, true}) {
       if (free && constant) continue;
       for (const double tolerance : tight_first) {
-        AccuracySetting next = setting(name, tolerance, free, control.step_maximum);
-        if (next.name != out.front().name) out.push_back(std::move(next));
+        add(setting(name, tolerance, free, control.step_maximum));
         if (constant) break;  // no step is chosen by its error
       }
     }

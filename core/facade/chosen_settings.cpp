@@ -178,7 +178,7 @@ class Choice {
     RunRequest beside = reference;
     for (const char* load : {"appLoadX", "appLoadY", "appLoadZ"})
       if (const double value = prepared.input.deck.real(load); value != 0.0)
-        set_again(beside, load, fmt::format("{:.17g}", 1.000001 * value));
+        beside.changes.emplace_back(load, fmt::format("{:.17g}", 1.000001 * value));
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
       out_.text += fmt::format(". Nodes and slices stay as they are: with {} {}", finest.name,

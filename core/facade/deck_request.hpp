@@ -29,6 +29,9 @@ struct DeckRequest {
   bool in_memory = false;
   std::vector<std::pair<std::string, std::string>>
       sets;  ///< --set variable=value, in the deck's units
+  /// What the program itself changes for runs beside the one that was asked for (studies,
+  /// verification), after `sets` and over them: a variable may stand in both.
+  std::vector<std::pair<std::string, std::string>> changes;
   std::vector<std::pair<std::string, std::string>>
       options;  ///< --opt name=value, over those of ADORE.json
   /// --user: routines of the user, a shared object or a file of formulas (user/plug_in.hpp). The

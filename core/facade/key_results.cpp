@@ -114,6 +114,7 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
           key_result("mean_orbital_ratio", averages.orbital_ratio),
           key_result("mean_cage_ratio", averages.cage_ratio),
           key_result("mean_whirl_ratio", averages.whirl_ratio),
+          key_result("mean_swept_whirl_ratio", averages.swept_whirl_ratio),
           key_result("mean_load_x_N", carried.mean[0]),
           key_result("mean_load_y_N", carried.mean[1]),
           key_result("mean_load_z_N", carried.mean[2]),

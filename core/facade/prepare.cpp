@@ -335,9 +335,10 @@ LoadedDeck load_deck(const DeckRequest& request) {
   deck::ReadResult read = read_deck(request);
   std::vector<Issue> issues = std::move(read.issues);
   out.deck = std::move(read.deck);
-  if (!request.sets.empty() && read.ok()) {
+  if (!(request.sets.empty() && request.changes.empty()) && read.ok()) {
     const deck::Deck given = out.deck;
     out.deck.set_all(request.sets);
+    out.deck.set_all(request.changes);
     issues = remarks_after_sets(given, out.deck, issues);
   }
   bool wrong = false;

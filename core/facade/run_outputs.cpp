@@ -479,7 +479,7 @@ void RunOutputs::follow(const RunPoint& point) {
     const double* c = point.y.data() + first;
     mean += scene::Vec3(c[0], c[1], c[2]) / static_cast<double>(s.cage_positions.size());
   }
-  s.averages.add_cage_position(mean);
+  s.averages.add_cage_position(point.time, mean);
 }
 
 void RunOutputs::follow_loads(const dynamics::System& system, double time) {

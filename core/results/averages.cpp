@@ -50,12 +50,12 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
   started_ = true;
-  if (snapshot.cages.size() == 1) add_cage_position(snapshot.cages.front().position);
+  if (snapshot.cages.size() == 1) add_cage_position(now_.time, snapshot.cages.front().position);
   if (snapshot.cages.size() < 2) return;
   scene::Vec3 mean = scene::Vec3::Zero();
   for (const scene::CageSnapshot& cage : snapshot.cages)
     mean += cage.mass_centre / static_cast<double>(snapshot.cages.size());
-  add_cage_position(mean);
+  add_cage_position(now_.time, mean);
 }
 
 void RunAverages::add_loads(double time, std::span<const double> outer,
@@ -72,11 +72,21 @@ void RunAverages::add_largest(double time, double largest) {
   peak_ = std::max(peak_, largest);
 }
 
-void RunAverages::add_cage_position(const scene::Vec3& position) {
+void RunAverages::add_cage_position(double time, const scene::Vec3& position) {
   const double angle = orbit_motion(position, Vec3::Zero(), Vec3::Zero()).theta;
   whirl_now_ = whirl_started_ ? nearest_branch(angle, whirl_now_) : angle;
   if (!whirl_started_) whirl_start_ = whirl_now_;
   whirl_started_ = true;
+  const double y = position[1], z = position[2], passed = time - swept_time_;
+  if (swept_started_ && !(passed > 0.0)) return;  // of a run that goes on from before its last look
+  if (swept_started_) {
+    swept_area_ += swept_y_ * z - swept_z_ * y;
+    swept_square_ += 0.5 * passed * (swept_y_ * swept_y_ + swept_z_ * swept_z_ + y * y + z * z);
+  }
+  swept_started_ = true;
+  swept_time_ = time;
+  swept_y_ = y;
+  swept_z_ = z;
 }
 
 Averages RunAverages::averages() const {
@@ -87,6 +97,8 @@ Averages RunAverages::averages() const {
     out.orbital_ratio = (now_.elements - start_.elements) / turned;
     out.cage_ratio = (now_.cage - start_.cage) / turned;
     out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
+    if (swept_square_ > 0.0)
+      out.swept_whirl_ratio = swept_area_ / swept_square_ * (out.time / turned);
   }
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
   const double looked = largest_time_ - start_.time;
@@ -112,6 +124,11 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average heat", self.now_.heat);
   visit("average whirl start", self.whirl_start_);
   visit("average whirl", self.whirl_now_);
+  visit("average swept time", self.swept_time_);
+  visit("average swept y", self.swept_y_);
+  visit("average swept z", self.swept_z_);
+  visit("average swept area", self.swept_area_);
+  visit("average swept square", self.swept_square_);
   visit("average loss", self.loss_);
   visit("average force x", self.force_[0]);
   visit("average force y", self.force_[1]);
@@ -130,6 +147,7 @@ void RunAverages::save(std::map<std::string, double>& state) const {
   if (!started_) return;
   visit(*this, [&](const char* key, double value) { state[key] = value; });
   state["average whirl started"] = whirl_started_ ? 1.0 : 0.0;
+  state["average swept started"] = swept_started_ ? 1.0 : 0.0;
 }
 
 void RunAverages::restore(const std::map<std::string, double>& state) {
@@ -141,6 +159,8 @@ void RunAverages::restore(const std::map<std::string, double>& state) {
   visit(*this, [&](const char* key, double& value) {
     if (const auto found = state.find(key); found != state.end()) value = found->second;
   });
+  const auto swept = state.find("average swept started");  // earlier runs have none: from here on
+  swept_started_ = swept != state.end() && swept->second != 0.0;
   // Of runs that looked at loads in snapshots alone.
   if (state.count("average largest time") == 0) largest_time_ = now_.time;
 }

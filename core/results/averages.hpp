@@ -11,13 +11,14 @@
 namespace adore::results {
 
 struct Averages {
-  double time = 0.0;           ///< span of the average [s]
-  double orbital_ratio = 0.0;  ///< mean orbital speed of the elements
-  double cage_ratio = 0.0;     ///< cage speed about its own axis
-  double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
-  double power_loss = 0.0;     ///< [W]
-  double largest_load = 0.0;   ///< mean over time of the largest contact load at each instant [N]
-  double peak_load = 0.0;      ///< the largest contact load at all looks [N]
+  double time = 0.0;               ///< span of the average [s]
+  double orbital_ratio = 0.0;      ///< mean orbital speed of the elements
+  double cage_ratio = 0.0;         ///< cage speed about its own axis
+  double whirl_ratio = 0.0;        ///< speed of the cage's mass centre about the bearing axis
+  double swept_whirl_ratio = 0.0;  ///< the same by the area that it sweeps, see RunAverages
+  double power_loss = 0.0;         ///< [W]
+  double largest_load = 0.0;  ///< mean over time of the largest contact load at each instant [N]
+  double peak_load = 0.0;     ///< the largest contact load at all looks [N]
   double largest_residual = 0.0;           ///< of energy, in size, at all instants [J]
   scene::Vec3 load = scene::Vec3::Zero();  ///< of the inner race against its contacts
                                            ///< [N], base frame
@@ -30,12 +31,24 @@ struct Averages {
 /// largest contact load is a trapezoidal mean over all looks at it (snapshots, and add_loads()
 /// after each integration step), and its peak is that of the looks: sampled by steps, not
 /// integrated by the run. What held the inner race is such a mean over the snapshots.
+///
+/// Two whirls, with (y, z) the cage's mass centre, r its distance from the bearing axis, θ about +X
+/// from Z and Ω the mean speed of the inner race relative to the outer:
+///   whirl_ratio        (θ(end) - θ(start)) / ∫ dt / Ω, as the manual has it (4.1.12): windings. A
+///                      path that passes the axis on its other side has one winding more or less,
+///                      a step of 2π / (Ω ∫ dt) that no change of the path made.
+///   swept_whirl_ratio  ∫ (y dz - z dy) / ∫ r² dt / Ω = ∫ r² θ̇ dt / ∫ r² dt / Ω: twice the area
+///                      swept over the mean square of the radius. Continuous in the path, however
+///                      close it passes the axis; of a circle about the axis the same as windings.
+/// The second is summed over the looks at the centre, areas of triangles and the square by
+/// trapezoids: a circle of which each look turns by φ has sin φ / φ of its whirl, 1 - φ²/6 (1e-5
+/// below at 800 looks a turn of the whirl). It is 0 for a centre that never left the axis.
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);
   /// Only the cage's mass centre, that of all segments together, for steps that make no snapshot
-  /// [m].
-  void add_cage_position(const scene::Vec3& position);
+  /// [s, m].
+  void add_cage_position(double time, const scene::Vec3& position);
   /// Only the contact loads, for steps that make no snapshot: of all elements at the outer and at
   /// the inner race [N].
   void add_loads(double time, std::span<const double> outer, std::span<const double> inner);
@@ -58,15 +71,18 @@ class RunAverages {
   bool started_ = false, whirl_started_ = false;
   Totals start_, now_;
   double whirl_start_ = 0.0,
-         whirl_now_ = 0.0;                   ///< continuous azimuth of the cage's mass centre [rad]
-  double loss_ = 0.0;                        ///< of the last snapshot [W]
-  scene::Vec3 force_ = scene::Vec3::Zero();  ///< on the inner race, last snapshot [N]
-  scene::Vec3 impulse_ = scene::Vec3::Zero();  ///< its time integral [N s]
-  double largest_time_ = 0.0;                  ///< of the last look [s]
-  double largest_ = 0.0;                       ///< contact load then [N]
-  double largest_impulse_ = 0.0;               ///< its time integral [N s]
-  double peak_ = 0.0;                          ///< [N]
-  double residual_ = 0.0;                      ///< [J]
+         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass centre [rad]
+  double loss_ = 0.0;       ///< of the last snapshot [W]
+  bool swept_started_ = false;
+  double swept_time_ = 0.0, swept_y_ = 0.0, swept_z_ = 0.0;  ///< of the last look [s, m]
+  double swept_area_ = 0.0, swept_square_ = 0.0;  ///< ∫ (y dz - z dy), ∫ r² dt [m², m² s]
+  scene::Vec3 force_ = scene::Vec3::Zero();       ///< on the inner race, last snapshot [N]
+  scene::Vec3 impulse_ = scene::Vec3::Zero();     ///< its time integral [N s]
+  double largest_time_ = 0.0;                     ///< of the last look [s]
+  double largest_ = 0.0;                          ///< contact load then [N]
+  double largest_impulse_ = 0.0;                  ///< its time integral [N s]
+  double peak_ = 0.0;                             ///< [N]
+  double residual_ = 0.0;                         ///< [J]
 };
 
 }  // namespace adore::results

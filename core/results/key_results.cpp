@@ -70,6 +70,7 @@ constexpr KeyResultSpec kSpecs[] = {
     {"mean_orbital_ratio", "Mean orbital ratio", "", &unit::kNone},
     {"mean_cage_ratio", "Mean cage ratio", "", &unit::kNone},
     {"mean_whirl_ratio", "Mean whirl ratio", "", &unit::kNone},
+    {"mean_swept_whirl_ratio", "Mean whirl ratio", "by the area swept", &unit::kNone},
     {"mean_load_x_N", "Mean load", "x", &unit::kForce},
     {"mean_load_y_N", "Mean load", "y", &unit::kForce},
     {"mean_load_z_N", "Mean load", "z", &unit::kForce},

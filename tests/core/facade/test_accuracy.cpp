@@ -1,10 +1,12 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "facade/accuracy_judgement.hpp"
 #include "facade/verify.hpp"
 #include "results/energy_judgement.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,7 +21,7 @@ results::KeyResults made_up(double orbit, double cage, double whirl, double load
   using results::key_result;
   return {key_result("mean_orbital_ratio", orbit),
           key_result("mean_cage_ratio", cage),
-          key_result("mean_whirl_ratio", whirl),
+          key_result("mean_swept_whirl_ratio", whirl),
           key_result("mean_largest_load_N", load),
           key_result("mean_load_x_N", 300.0),
           key_result("mean_load_y_N", 0.0),
@@ -91,10 +93,13 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
       CHECK(best.seconds <= row.seconds);  // others are warned of
   }
   // The same settings once more: the front holds no row that another one beats.
+  const auto over = [&](const AccuracyRow& row) {
+    return over_limits(row.errors, study.short_reference.noise, study.target);
+  };
   for (const AccuracyRow& row : study.screening)
     for (const AccuracyRow& other : study.screening)
       if (row.front && other.failure.empty())
-        CHECK_FALSE((other.seconds < row.seconds && other.errors.largest() < row.errors.largest()));
+        CHECK_FALSE((other.seconds < row.seconds && over(other) <= over(row)));
 
   SECTION("a finished study comes back from its file, and nothing is run again") {
     const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
@@ -105,6 +110,22 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
     REQUIRE(again.finals.size() == study.finals.size());
     for (std::size_t k = 0; k < again.finals.size(); ++k)
       CHECK(again.finals[k].seconds == study.finals[k].seconds);
+    // Nothing is lost of what was spent before: rows, references, runs without a row.
+    CHECK(study.unlisted_seconds > 0.0);
+    CHECK(again.unlisted_seconds == study.unlisted_seconds);
+    double listed = study.short_reference.seconds + study.unlisted_seconds;
+    if (study.long_turns > study.short_turns) listed += study.long_reference.seconds;
+    for (const auto* rows : {&study.screening, &study.finals, &study.models})
+      for (const AccuracyRow& row : *rows) listed += row.runs * row.seconds;
+    CHECK(again.seconds >= 0.999 * listed);
+    AccuracyStudy spent = read;  // a study that spent its budget so has none when it goes on
+    spent.unlisted_seconds = 2.0 * request.budget;
+    spent.irregular.speed = -1.0;
+    spent.models.clear();
+    const AccuracyStudy poor = study_accuracy(request, {}, {}, spent);
+    CHECK(poor.seconds > 2.0 * request.budget);
+    CHECK(poor.models.empty());
+    CHECK(poor.irregular.speed < 0.0);
   }
   SECTION("rows of another deck are not taken over") {
     AccuracyRequest other = request;
@@ -178,11 +199,56 @@ TEST_CASE("a quantity that is irregular does not excuse errors of another", "[un
         CHECK(study.keeps(errors) == (wrong == noisy));
         errors.*wrong = 0.07;
         CHECK_FALSE(study.keeps(errors));
+        const AccuracyErrors most = study.limits();
+        for (const auto quantity : all)  // the limits that are told are those by which it keeps
+          for (const double share : {0.999, 1.001}) {
+            AccuracyErrors edge{0.0, 0.0, 0.0, 0.0};
+            edge.*quantity = share * (most.*quantity);
+            CHECK(study.keeps(edge) == (share < 1.0));
+          }
       }
   study.irregular.speed = 0.04;
   const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
   CHECK(read.irregular.speed == 0.04);
   CHECK(read.irregular.heat == study.irregular.heat);
+}
+
+TEST_CASE("one irregular quantity pushes no candidate off the second round, whichever it is",
+          "[unit][accuracy]") {
+  const std::array<double AccuracyErrors::*, 4> all{&AccuracyErrors::speed, &AccuracyErrors::load,
+                                                    &AccuracyErrors::heat, &AccuracyErrors::life};
+  for (const auto noisy : all)
+    for (const auto other : all) {
+      if (other == noisy) continue;
+      AccuracyErrors noise{0.001, 0.001, 0.001, 0.001};
+      noise.*noisy = 0.3;
+      // By the largest error the right one (0.4 of its noise 0.3) is the worst of all by far, and
+      // the wrong ones (0.2 of what is known to 0.001) are within it and cheaper.
+      std::vector<AccuracyRow> rows;
+      const auto add = [&](const char* name, double seconds, double irregular, double regular) {
+        AccuracyRow row;
+        row.setting.name = name;
+        row.seconds = seconds;
+        row.errors = {0.0005, 0.0005, 0.0005, 0.0005};
+        row.errors.*noisy = irregular;
+        row.errors.*other = regular;
+        rows.push_back(row);
+      };
+      for (int k = 0; k < 9; ++k) add("wrong", 0.5 + 0.01 * k, 0.001, 0.2 - 0.01 * k);
+      add("right", 1.0, 0.4, 0.005);
+      add("dear", 9.0, 0.01, 0.004);
+      judge_rows(rows, noise, 0.01);
+      CHECK(rows[9].front);
+      const auto first = candidates(rows, noise, 0.01, 3);
+      REQUIRE(first.size() == 3);
+      CHECK(rows[first[0]].setting.name == "right");
+      CHECK(candidates(rows, noise, 0.01, 20).size() == rows.size());
+      // The same rows where that quantity is known: then it is off.
+      const AccuracyErrors known{0.001, 0.001, 0.001, 0.001};
+      judge_rows(rows, known, 0.01);
+      CHECK_FALSE(rows[9].front);
+      CHECK(candidates(rows, known, 0.01, 20).back() == 9U);
+    }
 }
 
 TEST_CASE("a study whose budget ends early tells the growth between its spans",

@@ -6,9 +6,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <locale>
+#include <numbers>
+#include <vector>
 
 using namespace adore;
 using namespace adore::results;
@@ -183,6 +186,7 @@ TEST_CASE("averages continue from MASTER", "[unit][averages]") {
   continued.restore(state);
   for (long step = 1600; step <= 3000; step += 100) continued.add(make_snapshot(bearing, step));
   CHECK(continued.averages().whirl_ratio == whole.averages().whirl_ratio);
+  CHECK(continued.averages().swept_whirl_ratio == whole.averages().swept_whirl_ratio);
   CHECK(continued.averages().orbital_ratio == whole.averages().orbital_ratio);
   CHECK(continued.averages().power_loss == whole.averages().power_loss);
   RunAverages fresh;
@@ -199,9 +203,82 @@ TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][
     if (step % 10000 == 0)
       averages.add(snapshot);  // 45 rad apart: many turns of the whirl
     else
-      averages.add_cage_position(snapshot.cages[0].position);
+      averages.add_cage_position(snapshot.time, snapshot.cages[0].position);
   }
   CHECK(averages.averages().whirl_ratio == Approx(0.45));
+}
+
+namespace {
+
+/// Both whirls of a centre at `path(turns)` [m], followed for `turns` of the shaft (100 rad/s) by
+/// `looks` looks.
+template <class Path>
+Averages whirl_along(const Path& path, double turns, int looks) {
+  RunAverages averages;
+  scene::Snapshot shaft = make_snapshot(make_bearing(4), 0);
+  for (int k = 0; k <= looks; ++k) {
+    const double turned = turns * k / looks;
+    shaft.shaft_rotation = 2.0 * std::numbers::pi * turned;
+    shaft.time = shaft.shaft_rotation / 100.0;
+    shaft.cages[0].position = path(turned);
+    averages.add(shaft);
+  }
+  return averages.averages();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the whirl by the area swept is that of a circle, and continuous where a path passes "
+    "the axis",
+    "[unit][averages]") {
+  const double pi = std::numbers::pi;
+  const auto circle = [&](double ratio) {
+    return [=](double turns) {
+      const double angle = 2.0 * pi * ratio * turns;
+      return scene::Vec3(3e-6, -2e-5 * std::sin(angle), 2e-5 * std::cos(angle));
+    };
+  };
+  for (const double ratio : {0.43, -0.43, 2.0, 0.0}) {
+    CAPTURE(ratio);
+    const Averages of = whirl_along(circle(ratio), 5.0, 4000);
+    CHECK(of.whirl_ratio == Approx(ratio).margin(1e-12));
+    CHECK(of.swept_whirl_ratio == Approx(ratio).epsilon(1e-4).margin(1e-12));
+    const double phi = 2.0 * pi * ratio * 5.0 / 50.0;  // what few looks take from it
+    if (ratio != 0.0 && std::abs(ratio) < 1.0)
+      CHECK(whirl_along(circle(ratio), 5.0, 50).swept_whirl_ratio ==
+            Approx(ratio * std::sin(phi) / phi).epsilon(1e-12));
+  }
+  // A circle that touches the axis, three times around, passed by `off` (the axis is a look) inside
+  // or outside: three windings or none. With its centre c from the axis the swept area is R², the
+  // square R² + c².
+  const double radius = 2e-5;
+  for (const int looks : {300, 3000, 30000}) {
+    CAPTURE(looks);
+    std::vector<Averages> sides;
+    for (const double off : {3e-12, -3e-12})
+      sides.push_back(whirl_along(
+          [&](double turns) {
+            const double angle = 2.0 * pi * 0.4 * turns;
+            return scene::Vec3(0.0, -radius * std::sin(angle),
+                               radius * std::cos(angle) - radius + off);
+          },
+          2.5 * 3.0, looks));
+    CHECK(std::abs(sides[0].swept_whirl_ratio - sides[1].swept_whirl_ratio) < 1e-6);
+    CHECK(std::abs(sides[0].whirl_ratio - sides[1].whirl_ratio) == Approx(0.4).epsilon(1e-3));
+    const double phi = 2.0 * pi * 3.0 / looks;
+    CHECK(sides[0].swept_whirl_ratio == Approx(0.2 * std::sin(phi) / phi).epsilon(1e-6));
+  }
+  // Straight through beside the axis: half a turn either way by windings, nothing by area.
+  for (const double off : {1e-12, -1e-12}) {
+    const Averages of = whirl_along(
+        [&](double turns) { return scene::Vec3(0.0, 2e-5 * (turns - 0.5), off); }, 1.0, 1001);
+    CHECK(std::abs(of.whirl_ratio) == Approx(0.5).epsilon(1e-4));
+    CHECK(std::abs(of.swept_whirl_ratio) < 1e-6);
+  }
+  CHECK(
+      whirl_along([](double) { return scene::Vec3(1e-6, 0.0, 0.0); }, 1.0, 10).swept_whirl_ratio ==
+      0.0);
 }
 
 TEST_CASE("a MASTER whose place in time or scales are impossible is refused by name",

@@ -1,0 +1,70 @@
+#include "facade/accuracy_judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace adore::facade {
+namespace {
+
+constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
+constexpr double kBeyondNoise = 1.5;
+constexpr double kFarOff = 5.0;  ///< times the limits: first rounds are short, and tell as much
+
+}  // namespace
+
+AccuracyErrors standing_out(const AccuracyErrors& errors, const AccuracyErrors& noise) {
+  const auto of = [](double error, double known) {
+    return error > kBeyondNoise * known ? error : 0.0;
+  };
+  return {of(errors.speed, noise.speed), of(errors.load, noise.load), of(errors.heat, noise.heat),
+          of(errors.life, noise.life)};
+}
+
+double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise, double target) {
+  // What stands out of its noise is above 1.5 times that: of its limit only the target is left.
+  const double worst = standing_out(errors, noise).largest();
+  return worst > 0.0 ? worst / target : 0.0;
+}
+
+void judge_rows(std::vector<AccuracyRow>& rows, const AccuracyErrors& noise, double target) {
+  const auto over = [&](const AccuracyRow& row) { return over_limits(row.errors, noise, target); };
+  for (AccuracyRow& row : rows) {
+    row.front =
+        row.failure.empty() &&
+        std::none_of(rows.begin(), rows.end(), [&](const AccuracyRow& other) {
+          return other.failure.empty() && other.seconds < row.seconds && over(other) <= over(row);
+        });
+    row.order = 0.0;
+  }
+  for (AccuracyRow& row : rows)
+    for (const AccuracyRow& other : rows) {
+      if (!row.failure.empty() || !other.failure.empty()) continue;
+      const bool next = other.setting.method == row.setting.method &&
+                        other.setting.as_long_as_stable == row.setting.as_long_as_stable &&
+                        std::abs(other.setting.tolerance / row.setting.tolerance - 10.0) < 1.0;
+      if (!next || row.at_longest > kAtLongest || other.at_longest > kAtLongest) continue;
+      const double steps = std::log(static_cast<double>(row.steps) /
+                                    std::max(1.0, static_cast<double>(other.steps)));
+      const double errors = std::log(standing_out(other.errors, noise).largest() /
+                                     standing_out(row.errors, noise).largest());
+      if (steps > 0.05 && std::isfinite(errors)) row.order = errors / steps;
+    }
+}
+
+std::vector<std::size_t> candidates(const std::vector<AccuracyRow>& rows,
+                                    const AccuracyErrors& noise, double target, std::size_t most) {
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].failure.empty() && !rows[k].setting.own) out.push_back(k);
+  const auto rank = [&](std::size_t k) {
+    const double over = over_limits(rows[k].errors, noise, target);
+    return std::pair(over > kFarOff ? 2 : rows[k].front || over <= 1.0 ? 0 : 1, rows[k].seconds);
+  };
+  std::stable_sort(out.begin(), out.end(),
+                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  out.resize(std::min(out.size(), most));
+  return out;
+}
+
+}  // namespace adore::facade
