@@ -31,11 +31,6 @@ constexpr Nodes kStripNodes{
     {{10, 1}, {10, 2}, {15, 2}, {16, 2}, {20, 2}, {30, 2}, {40, 2}, {60, 4}}};
 constexpr std::array<int, 8> kSlices{7, 11, 15, 21, 31, 45, 61, 121};
 
-void set_again(RunRequest& run, const std::string& name, const std::string& value) {
-  std::erase_if(run.sets, [&](const auto& set) { return set.first == name; });
-  run.sets.emplace_back(name, value);
-}
-
 ResolutionRow nodes_row(int major, int minor) {
   ResolutionRow row;
   row.options = {{"ellipseMajor", std::to_string(major)}, {"ellipseMinor", std::to_string(minor)}};
@@ -178,7 +173,7 @@ class Choice {
     RunRequest beside = reference;
     for (const char* load : {"appLoadX", "appLoadY", "appLoadZ"})
       if (const double value = prepared.input.deck.real(load); value != 0.0)
-        set_again(beside, load, fmt::format("{:.17g}", 1.000001 * value));
+        beside.set_again(load, fmt::format("{:.17g}", 1.000001 * value));
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
       out_.text += fmt::format(". Nodes and slices stay as they are: with {} {}", finest.name,
@@ -238,7 +233,7 @@ class Choice {
 void add_choice(RunRequest& request, const ChosenSettings& chosen) {
   request.integrator = chosen.integrator;
   request.tolerance = chosen.tolerance;
-  for (const auto& [name, value] : chosen.sets) set_again(request, name, value);
+  for (const auto& [name, value] : chosen.sets) request.set_again(name, value);
   request.options.insert(request.options.end(), chosen.options.begin(), chosen.options.end());
 }
 

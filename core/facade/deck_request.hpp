@@ -28,7 +28,12 @@ struct DeckRequest {
   /// a file or not, and run options are those of the request alone: no ADORE.json is read.
   bool in_memory = false;
   std::vector<std::pair<std::string, std::string>>
-      sets;  ///< --set variable=value, in the deck's units
+      sets;  ///< --set variable=value, in the deck's units; a variable is set once
+  /// Sets a variable, whatever it was set to before: of runs beside the user's own.
+  void set_again(const std::string& name, const std::string& value) {
+    std::erase_if(sets, [&](const auto& set) { return set.first == name; });
+    sets.emplace_back(name, value);
+  }
   std::vector<std::pair<std::string, std::string>>
       options;  ///< --opt name=value, over those of ADORE.json
   /// --user: routines of the user, a shared object or a file of formulas (user/plug_in.hpp). The

@@ -76,8 +76,8 @@ RunDown run_down(const DeckRequest& moving, const std::vector<TorqueAtSpeed>& at
   const std::filesystem::path routine = folder.path() / "rolling.json";
   RunRequest request;
   static_cast<DeckRequest&>(request) = moving;
-  request.sets.emplace_back("rpm2", fmt::format("{:#.12g}", at.back().speed / kRpm));
-  request.sets.emplace_back("raceMIx2", fmt::format("{:#.12g}", inertia));
+  request.set_again("rpm2", fmt::format("{:#.12g}", at.back().speed / kRpm));
+  request.set_again("raceMIx2", fmt::format("{:#.12g}", inertia));
   request.out = folder.path() / "run";
   request.until = fmt::format("{:.12g}s", time_down(at, inertia));
   const RunOutcome outcome = run(request);

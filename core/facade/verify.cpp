@@ -19,14 +19,14 @@ Verification verify(const RunRequest& request, const RunOutcome& outcome, std::s
   tight.tolerance = tolerance;
   const double scale = make_system(prepared).scales().time;
   const double longest = 0.5 * outcome.longest_step / scale;
-  tight.sets.emplace_back("stpMax", fmt::format("{:.6g}", longest));
+  tight.set_again("stpMax", fmt::format("{:.6g}", longest));
   if (prepared.control.step_minimum > longest ||
       prepared.control.step_minimum == prepared.control.step_maximum)
-    tight.sets.emplace_back("stpMin", fmt::format("{:.6g}", longest));
+    tight.set_again("stpMin", fmt::format("{:.6g}", longest));
   // Stored at the same times, as nearly as steps allow.
   const int every = std::max(1, prepared.control.substeps);
-  tight.sets.emplace_back("nStps", std::to_string(2 * every));
-  if (prepared.control.start == setup::StartState::Continue) tight.sets.emplace_back("kIcOpt", "0");
+  tight.set_again("nStps", std::to_string(2 * every));
+  if (prepared.control.start == setup::StartState::Continue) tight.set_again("kIcOpt", "0");
   Verification out;
   out.tighter = fmt::format("tol {:g}, steps at most {:.3g} s", tolerance, longest * scale);
   const MeasuredRun run =

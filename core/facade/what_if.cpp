@@ -35,10 +35,10 @@ std::string switch_of(const std::string& because) {
 }
 
 /// Records that name bodies of the cage name none of a bearing without it: the first element alone.
-void leave_out_the_cage(std::vector<std::pair<std::string, std::string>>& sets) {
-  sets.emplace_back("nCseg", "0");
-  sets.emplace_back("kNumPltElem", "1");
-  sets.emplace_back("kPltElemInd", "1");
+void leave_out_the_cage(DeckRequest& run) {
+  run.set_again("nCseg", "0");
+  run.set_again("kNumPltElem", "1");
+  run.set_again("kPltElemInd", "1");
 }
 
 std::vector<LeftOut> ways_of(const scene::ScenePlan& plan) {
@@ -99,7 +99,7 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
         "a quasi-static deck (mode < 0) has no effects to leave out one by one; set mode = 0");
   RunRequest run;
   static_cast<DeckRequest&>(run) = request;
-  if (prepared.control.start != setup::StartState::Statics) run.sets.emplace_back("kIcOpt", "0");
+  if (prepared.control.start != setup::StartState::Statics) run.set_again("kIcOpt", "0");
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   const double whole = prepared.control.end_time * make_system(prepared).scales().time;
   const double turn = speed > 0.0 ? 2.0 * std::numbers::pi / speed : whole;
@@ -115,7 +115,8 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   out.seconds = base.seconds;
   out.base = base.outcome.summary;
   RunRequest beside = run;
-  for (auto& load : nearby_loads(prepared.input.deck, 1e-6)) beside.sets.push_back(load);
+  for (auto& load : nearby_loads(prepared.input.deck, 1e-6))
+    beside.set_again(load.first, load.second);
   const MeasuredRun other = measured(beside);
   out.time_spread = std::abs(other.seconds - base.seconds) / base.seconds;
   out.noise = change_of(other.outcome.summary, out.base);
@@ -135,9 +136,9 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
       row.without = "effectsOff=" + way.option;
     } else {
       if (way.variable == "nCseg")
-        leave_out_the_cage(without.sets);
+        leave_out_the_cage(without);
       else
-        without.sets.emplace_back(way.variable, "0");
+        without.set_again(way.variable, "0");
       row.without = way.variable + "=0";
     }
     try {
