@@ -70,6 +70,7 @@ class StepPages {
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
     };
+    if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));

@@ -383,7 +383,10 @@ bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) 
     return false;
   }
   desktop::remember_file(kApp, QString::fromStdString(path.string()));
-  const std::string& note = picture_->animation().file.note;
+  const std::string &note = picture_->animation().file.note,
+                    &gaps = picture_->animation().file.gaps;
+  if (note.empty() && !gaps.empty())
+    desktop::show_message(this, tr("Of the file %1.").arg(QString::fromStdString(gaps)));
   if (!note.empty())
     desktop::show_message(this, tr("The file is incomplete: %1. Its %2 complete frames are shown.")
                                     .arg(QString::fromStdString(note))

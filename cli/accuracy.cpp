@@ -84,13 +84,20 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
   const auto sets = facade::recommended_sets(study);
   if (sets.empty()) throw InputError("--apply: nothing is recommended, so the deck stays as it is");
   const std::filesystem::path path = facade::deck_path(std::filesystem::path(options.deck));
-  const deck::KeptText text = deck::with_values(contents(path), sets);
+  const std::string before = contents(path);
+  const deck::KeptText text = deck::with_values(before, sets);
+  std::filesystem::path backup = path;
+  backup += ".bak";
+  if (!text.kept) write_file_atomically(backup, before);
   write_file_atomically(path, text.text);
   std::string said;
   for (const auto& [name, value] : sets)
     said += fmt::format("{}{} = {}", said.empty() ? "" : ", ", name, value);
   fmt::print("{}: {}{}\n", path.string(), said,
-             text.kept ? "" : " (written anew, without remarks behind the values)");
+             text.kept ? ""
+                       : fmt::format(" (written anew, without remarks behind the values; {} is the "
+                                     "deck as it was)",
+                                     backup.string()));
 }
 
 int run(const Options& options) {
@@ -124,6 +131,9 @@ int run(const Options& options) {
           fmt::format("--continue: there is no {}; leave it out to begin a study", json.string()));
     earlier = facade::read_accuracy(contents(json), json.string());
   }
+  // Where results cannot go is said before they are made.
+  check_export(folder / "ACCURACY.csv", facade::accuracy_csv(earlier), {options.deck});
+  check_export(json, facade::accuracy_json(earlier), {options.deck});
   const auto write = [&](const facade::AccuracyStudy& study) {
     write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
     write_export(json, facade::accuracy_json(study), {options.deck});
@@ -151,8 +161,9 @@ int run(const Options& options) {
              json.string());
   if (options.apply) apply(options, study);
   const std::filesystem::path picture = folder / "ACCURACY.png";
-  if (run_picture_program({"accuracy-chart", json.string(), picture.string()}))
-    fmt::print("{}\n", picture.string());
+  if (!has_pictures()) return 0;
+  if (!run_picture_program({"accuracy-chart", json.string(), picture.string()})) return 2;
+  fmt::print("{}\n", picture.string());
   return 0;
 }
 

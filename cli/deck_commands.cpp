@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/option_ranges.hpp"
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
@@ -75,6 +76,7 @@ std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& re
 }
 
 void plan(const PlanOptions& options) {
+  check_range("--turns", options.turns);
   facade::DeckRequest request;
   options.fill(request);
   facade::PlanReport report = facade::plan(request);
@@ -177,7 +179,6 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         "run a short span without each effect: what it changes, and its share of the cost");
     command->add_option("--turns", options->turns, "turns of the shaft of these runs")
         ->needs(what_if)
-        ->check(CLI::PositiveNumber)
         ->capture_default_str();
     command->footer(
         "Examples\n"

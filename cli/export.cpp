@@ -76,9 +76,14 @@ void check_place(const fs::path& path, std::string_view start,
 
 }  // namespace
 
-void write_export(const fs::path& path, std::string_view text,
+void check_export(const fs::path& path, std::string_view text,
                   const std::vector<fs::path>& inputs) {
   check_place(path, beginning(text), inputs);
+}
+
+void write_export(const fs::path& path, std::string_view text,
+                  const std::vector<fs::path>& inputs) {
+  check_export(path, text, inputs);
   write_file_atomically(path, text);
 }
 

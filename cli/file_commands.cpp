@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/export.hpp"
+#include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "results/convert.hpp"
@@ -14,14 +15,22 @@
 namespace adore::cli {
 namespace {
 
-void convert(const std::string& file, const std::string& format, const std::string& out) {
+/// @returns what is wrong with the file
+std::string convert_to(const std::string& file, const std::string& format, const std::string& out) {
   if (out.empty() || out == kStream) return results::convert_file(file, format, std::cout);
   std::filesystem::path path(out);
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     path /= std::filesystem::path(file).filename().string() + "." + format;
-  write_export(path, [&](std::ostream& text) { results::convert_file(file, format, text); },
+  std::string note;
+  write_export(path, [&](std::ostream& text) { note = results::convert_file(file, format, text); },
                {file});
+  return note;
+}
+
+void convert(const std::string& file, const std::string& format, const std::string& out) {
+  if (const std::string note = convert_to(file, format, out); !note.empty())
+    tell(fmt::format("adore: warning: {}: {}\n", file, note));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct RunOptions : DeckOptions {
     const auto add = [&](const char* name, const std::string& value) {
       if (!value.empty()) line += fmt::format(" {} {}", name, quoted(value));
     };
-    add("--out", out);
+    if (!out.empty()) line += " --out " + quoted_path(out);
     for (const std::string& text : sets) add("--set", text);
     for (const std::string& text : this->options) add("--opt", text);
     add("--user", user);

@@ -20,7 +20,7 @@ std::string picture_lines(const facade::RunOutcome& outcome) {
   std::string plots, animation, motion, table;
   for (const std::filesystem::path& file : outcome.files) {
     const FileSort sort = sort_of_file(file);
-    const std::string name = " " + quoted(file.string());
+    const std::string name = " " + quoted_path(file);
     if (sort == FileSort::Plot) plots += name;
     if (sort == FileSort::Animation) animation = name;
     if (sort == FileSort::ResultsH5) motion = name;
@@ -30,7 +30,7 @@ std::string picture_lines(const facade::RunOutcome& outcome) {
   // Without SOL8 the same from there.
   if (animation.empty() && outcome.results.empty()) animation = motion;
   if (plots.empty() && animation.empty()) return {};
-  const std::string out = quoted((outcome.folder / "pictures").string());
+  const std::string out = quoted_path(outcome.folder / "pictures");
   if (!has_pictures())
     return fmt::format("numbers:   adore convert{} --to csv (this build draws no pictures)\n",
                        plots.empty() ? animation : plots.substr(0, plots.find(' ', 1)));
@@ -62,10 +62,15 @@ std::string quoted(const std::string& word) {
   return out + "'";
 }
 
+std::string quoted_path(const std::filesystem::path& path) {
+  const std::string word = path.string();
+  return quoted(word.starts_with('-') ? "./" + word : word);
+}
+
 std::string twice_as_far(const facade::RunOutcome& outcome) {
   const double turns = std::abs(outcome.revolutions);
-  return turns > 0.0 ? fmt::format("{:.4g}rev", 2.0 * turns)
-                     : fmt::format("{:.4g}s", 2.0 * outcome.time);
+  return turns > 0.0 && !outcome.speeds_vary ? fmt::format("{:.4g}rev", 2.0 * turns)
+                                             : fmt::format("{:.4g}s", 2.0 * outcome.time);
 }
 
 std::string summary_text(const facade::RunOutcome& outcome, const std::string& continuation) {
@@ -88,11 +93,11 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
 }
 
 std::string sweep_text(const facade::SweepOutcome& outcome) {
-  const std::string table = quoted(outcome.table.string());
+  const std::string table = quoted_path(outcome.table);
   std::string text = outcome.table.string() + "\n";
   if (has_pictures())
     text += fmt::format("pictures:  adore plot {} --out {}\n", table,
-                        quoted((outcome.table.parent_path() / "pictures").string()));
+                        quoted_path(outcome.table.parent_path() / "pictures"));
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <filesystem>
 #include <string>
 
 /// What `adore run` says when it is over.
@@ -12,6 +13,8 @@ namespace adore::cli {
 
 /// A word of a command line as a shell reads it back.
 [[nodiscard]] std::string quoted(const std::string& word);
+/// Of a file, which is not to look like an option.
+[[nodiscard]] std::string quoted_path(const std::filesystem::path& path);
 
 /// The summary, its files, how to get pictures of them and how to go on.
 /// @param continuation the command that goes on; empty: none

@@ -103,20 +103,22 @@ int plan(const StudyOptions& options) {
   return 0;
 }
 
-/// Tables, report and pictures of what is there.
-void write_results(const studies::Study& study, bool quiet) {
+/// Tables, report and pictures of what is there. @returns whether all could be written
+bool write_results(const studies::Study& study, bool quiet) {
   const studies::Report report = studies::write_report(study);
   const fs::path folder = study.folder();
   if (!quiet) write_text("", "", report.text);
+  bool all = true;
   if (has_pictures()) {
     std::vector<std::string> words{"study-charts", (folder / "CHARTS.json").string(),
                                    folder.string()};
     if (quiet) words.emplace_back("--quiet");
-    (void)run_picture_program(words);
+    all = run_picture_program(words);
   }
   if (!quiet)
     for (const char* name : {"RUNS.csv", "STUDY.h5", "TIMES.csv", "REPORT.txt"})
       fmt::print("{}\n", (folder / name).string());
+  return all;
 }
 
 std::string command_of(const char* word, const StudyOptions& options) {
@@ -258,8 +260,7 @@ void add_study(CLI::App& app, int& exit_code) {
       study->add_subcommand("report", "tables, report and pictures of the runs that are finished");
   add_file(*report, *options);
   report->callback([=, &exit_code] {
-    write_results(studies::open_study(options->file), false);
-    exit_code = 0;
+    exit_code = write_results(studies::open_study(options->file), false) ? 0 : 2;
   });
   add_work(*study, exit_code);
 

@@ -29,9 +29,10 @@ struct GroovePlace {
 };
 
 /// η is formed from d_r - Rc and a small excess, so that rounding of R does not reach the approach.
-template <class T>
+/// @param centre_radius Rc [m], a number or one a lane
+template <class T, class S>
 [[gnu::always_inline]] inline GroovePlace<T> groove_place(const Triple<T>& d, const Triple<T>& k,
-                                                          double centre_radius) {
+                                                          const S& centre_radius) {
   GroovePlace<T> place;
   place.axial = dot(d, k);
   const Triple<T> p{d.x - place.axial * k.x, d.y - place.axial * k.y, d.z - place.axial * k.z};

@@ -132,6 +132,10 @@ struct ReadResult {
   [[nodiscard]] bool ok() const;  ///< no issue of severity Error
 };
 
+/// The text of a file less its byte-order mark and the end-of-file marks of old systems, which the
+/// reader leaves out.
+[[nodiscard]] std::string_view without_marks(std::string_view text);
+
 /// Reads a deck from text; never throws for bad text.
 ReadResult read_deck_text(std::string_view text, std::string file_name);
 /// @throws InputError when the file cannot be read (missing, a folder, larger than 16 MiB, binary).

@@ -44,15 +44,6 @@ std::optional<Issue> find_no_deck(std::string_view text, const std::string& file
   return std::nullopt;
 }
 
-/// Without byte-order mark and the end-of-file mark of old systems.
-std::string_view strip_marks(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  constexpr char kEndOfFile = 0x1a;
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  while (text.ends_with(kEndOfFile)) text.remove_suffix(1);
-  return text;
-}
-
 [[noreturn]] void fail(const fs::path& path, std::string message, std::string remedy) {
   Issue issue;
   issue.file = path.string();
@@ -84,8 +75,16 @@ std::string read_text(const fs::path& path) {
 
 }  // namespace
 
+std::string_view without_marks(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  constexpr char kEndOfFile = 0x1a;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  while (text.ends_with(kEndOfFile)) text.remove_suffix(1);
+  return text;
+}
+
 ReadResult read_deck_text(std::string_view text, std::string file_name) {
-  text = strip_marks(text);
+  text = without_marks(text);
   if (std::optional<Issue> wrong = find_no_deck(text, file_name)) {
     ReadResult result;
     result.deck.file = std::move(file_name);
@@ -101,7 +100,7 @@ ReadResult read_deck(const fs::path& path) {
   if (sort != FileSort::Unknown && sort != FileSort::Deck)
     fail(path, fmt::format("this is {}, not a deck", sort_name(sort)),
          fmt::format("give the deck, such as DATA.txt; {}", sort_use(sort)));
-  if (std::optional<Issue> wrong = find_no_deck(strip_marks(text), path.string()))
+  if (std::optional<Issue> wrong = find_no_deck(without_marks(text), path.string()))
     throw InputError({*wrong});
   return read_deck_text(text, path.string());
 }

@@ -167,9 +167,18 @@ std::optional<std::string> joined(std::string_view text, const Deck& before, con
   return out;
 }
 
-}  // namespace
+/// `make(text without marks)` with the byte-order mark and the end-of-file marks of `text` around.
+template <class Make>
+KeptText between_marks(std::string_view text, const Make& make) {
+  const std::string_view inside = without_marks(text);
+  const auto before = static_cast<std::size_t>(inside.data() - text.data());
+  KeptText made = make(inside);
+  made.text.insert(0, text.substr(0, before));
+  made.text += text.substr(before + inside.size());
+  return made;
+}
 
-KeptText with_deck(std::string_view text, const Deck& after) {
+KeptText deck_in(std::string_view text, const Deck& after) {
   const Deck before = read_deck_text(text, "deck").deck;
   for (const auto& make : {&exchanged, &joined}) {
     if (make == &exchanged && before.user_lines != after.user_lines) continue;
@@ -181,8 +190,8 @@ KeptText with_deck(std::string_view text, const Deck& after) {
   return {write_deck(after), false};
 }
 
-KeptText with_values(std::string_view text,
-                     std::span<const std::pair<std::string, std::string>> sets) {
+KeptText values_in(std::string_view text,
+                   std::span<const std::pair<std::string, std::string>> sets) {
   const ReadResult before = read_deck_text(text, "deck");
   Deck after = before.deck;
   after.set_all(sets);
@@ -191,6 +200,17 @@ KeptText with_values(std::string_view text,
     if (again.ok() && again.deck == after) return {std::move(*kept), true};
   }
   return {write_deck(after), false};
+}
+
+}  // namespace
+
+KeptText with_deck(std::string_view text, const Deck& after) {
+  return between_marks(text, [&](std::string_view inside) { return deck_in(inside, after); });
+}
+
+KeptText with_values(std::string_view text,
+                     std::span<const std::pair<std::string, std::string>> sets) {
+  return between_marks(text, [&](std::string_view inside) { return values_in(inside, sets); });
 }
 
 }  // namespace adore::deck

@@ -10,7 +10,7 @@
 namespace adore::deck {
 
 /// The text of a deck with other values, everything else as it stands: remarks behind the values,
-/// blanks, spelling of numbers.
+/// blanks, spelling of numbers, a byte-order mark.
 struct KeptText {
   std::string text;
   bool kept = true;  ///< false: the writer's own text, which has no remarks

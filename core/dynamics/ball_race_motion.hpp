@@ -8,12 +8,12 @@
 /// race_contacts.hpp. Seen by the race kernels.
 namespace adore::dynamics {
 
-/// Race and ball as rigid bodies. S: a number, or of balls that differ one a lane.
+/// Race and ball as rigid bodies. S: a number, or of lanes that differ one a lane.
 template <class T, class S = double>
 struct RacePairMotion {
   contact::Triple<T> race_velocity;  ///< of P_j [m/s]
   contact::Triple<T> tilt;           ///< angular velocity of the race across its axis [rad/s]
-  double race_speed = 0.0;           ///< Ω about its axis [rad/s]
+  S race_speed = 0.0;                ///< Ω about its axis [rad/s]
   bool tilts = false;                ///< tilt is not 0
   contact::Triple<T> ball_velocity;  ///< of its centre [m/s]
   contact::Triple<T> ball_omega;     ///< [rad/s]

@@ -49,6 +49,15 @@ RaceKernel kernel_of(InstructionSet set) noexcept {
   return race_kernel_baseline;
 }
 
+RacePairKernel pair_kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_pair_avx512;
+  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_pair_avx2;
+#endif
+  (void)set;
+  return race_pair_baseline;
+}
+
 RaceKernel rolling_kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
   if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_rolling_avx512;
@@ -82,9 +91,9 @@ BallConstants constants_of(const RaceContactModel& model) {
 }
 
 /// @param rolling of a rolling kernel
-RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
-                       const RaceMotion& race, const ElementForces& out,
-                       const tribology::RollingResistance* rolling = nullptr) noexcept {
+RaceKernelInput input_of(const RaceContactModel& model, const ElementViews& balls,
+                         const RaceMotion& race, const ElementForces& out,
+                         const tribology::RollingResistance* rolling = nullptr) noexcept {
   RaceKernelInput in;
   const auto j = static_cast<std::size_t>(model.race);
   const contact::GrooveGeometry& groove = model.groove;
@@ -127,8 +136,10 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.F_x = out.F_x, in.F_r = out.F_r, in.F_theta = out.F_theta;
   in.M_x = out.M_x, in.M_r = out.M_r, in.M_theta = out.M_theta;
   in.load = out.load, in.heat = out.heat, in.load_slip = out.load_slip;
+  return in;
+}
 
-  const RaceKernelSums sums = kernel(in);
+RaceSums sums_of(const RaceKernelSums& sums) noexcept {
   RaceSums result;
   result.force = {sums.force[0], sums.force[1], sums.force[2]};
   result.moment = {sums.moment[0], sums.moment[1], sums.moment[2]};
@@ -136,6 +147,24 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   result.heat = sums.heat;
   result.load_slip = sums.load_slip;
   return result;
+}
+
+RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
+                       const RaceMotion& race, const ElementForces& out,
+                       const tribology::RollingResistance* rolling = nullptr) noexcept {
+  return sums_of(kernel(input_of(model, balls, race, out, rolling)));
+}
+
+std::array<RaceSums, 2> evaluate_pair_with(RacePairKernel kernel,
+                                           const std::array<RaceContactModel, 2>& models,
+                                           const ElementViews& balls,
+                                           const std::array<RaceMotion, 2>& races,
+                                           const std::array<ElementForces, 2>& out) noexcept {
+  const RaceKernelInput in[2] = {input_of(models[0], balls, races[0], out[0]),
+                                 input_of(models[1], balls, races[1], out[1])};
+  RaceKernelSums sums[2];
+  kernel(in, sums);
+  return {sums_of(sums[0]), sums_of(sums[1])};
 }
 
 }  // namespace
@@ -226,6 +255,31 @@ RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& mode
                                 const ElementViews& balls, const RaceMotion& race,
                                 const ElementForces& out) noexcept {
   return evaluate_with(kernel_of(set), model, balls, race, out);
+}
+
+bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept {
+  const RaceContactModel &a = models[0], &b = models[1];
+  const auto plain = [](const RaceContactModel& one) {
+    return !one.own && !one.wavy && !one.law.has_film() && !one.law.is_of_user();
+  };
+  return plain(a) && plain(b) && a.law.index() == b.law.index() && a.traction == b.traction &&
+         a.angle.follows == b.angle.follows && a.surface == b.surface;
+}
+
+std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2>& models,
+                                            const ElementViews& balls,
+                                            const std::array<RaceMotion, 2>& races,
+                                            const std::array<ElementForces, 2>& out) noexcept {
+  static const RacePairKernel kernel = pair_kernel_of(chosen_instruction_set());
+  return evaluate_pair_with(kernel, models, balls, races, out);
+}
+
+std::array<RaceSums, 2> evaluate_both_races(InstructionSet set,
+                                            const std::array<RaceContactModel, 2>& models,
+                                            const ElementViews& balls,
+                                            const std::array<RaceMotion, 2>& races,
+                                            const std::array<ElementForces, 2>& out) noexcept {
+  return evaluate_pair_with(pair_kernel_of(set), models, balls, races, out);
 }
 
 RaceSums evaluate_race_rolling(const RaceContactModel& model,

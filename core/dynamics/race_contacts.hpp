@@ -108,6 +108,16 @@ struct RaceSums {
 RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementViews& balls,
                                 const RaceMotion& race, const ElementForces& out) noexcept;
 
+/// Can both races be evaluated at once? Alike balls on races of revolution, dry.
+[[nodiscard]] bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept;
+/// The same as of one race after the other, to rounding, where share_vectors says so and the laws
+/// of both are of one curve; forces and moments of both go to the same arrays. Balls that fill no
+/// vector of one race share one, if they fit.
+std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2>& models,
+                                            const ElementViews& balls,
+                                            const std::array<RaceMotion, 2>& races,
+                                            const std::array<ElementForces, 2>& out) noexcept;
+
 /// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
 /// race's own meridional plane; both positive when the inner race pushes the ball towards +x.
@@ -169,6 +179,12 @@ enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
                                 const ElementViews& balls, const RaceMotion& race,
                                 const ElementForces& out) noexcept;
+
+std::array<RaceSums, 2> evaluate_both_races(InstructionSet set,
+                                            const std::array<RaceContactModel, 2>& models,
+                                            const ElementViews& balls,
+                                            const std::array<RaceMotion, 2>& races,
+                                            const std::array<ElementForces, 2>& out) noexcept;
 
 /// Rolling resistance of the oil in the inlets of one race (effects/rolling_resistance.cpp), added
 /// to forces and moments; load, heat and load_slip of `out` are scratch here. heat of the sums is

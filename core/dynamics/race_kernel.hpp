@@ -81,13 +81,18 @@ struct RaceKernelSums {
 using RaceKernel = RaceKernelSums (*)(const RaceKernelInput&) noexcept;
 
 RaceKernelSums race_kernel_baseline(const RaceKernelInput& in) noexcept;
+/// Both races at once (race_pair_impl.hpp): the outer, then the inner of each array.
+using RacePairKernel = void (*)(const RaceKernelInput*, RaceKernelSums*) noexcept;
+void race_pair_baseline(const RaceKernelInput* in, RaceKernelSums* sums) noexcept;
 /// Rolling resistance alone (race_rolling_impl.hpp): `load` and `heat` are not written, heat of the
 /// sums is its own.
 RaceKernelSums race_rolling_baseline(const RaceKernelInput& in) noexcept;
 #if defined(__x86_64__)
 RaceKernelSums race_kernel_avx2(const RaceKernelInput& in) noexcept;
+void race_pair_avx2(const RaceKernelInput* in, RaceKernelSums* sums) noexcept;
 RaceKernelSums race_rolling_avx2(const RaceKernelInput& in) noexcept;
 RaceKernelSums race_kernel_avx512(const RaceKernelInput& in) noexcept;
+void race_pair_avx512(const RaceKernelInput* in, RaceKernelSums* sums) noexcept;
 RaceKernelSums race_rolling_avx512(const RaceKernelInput& in) noexcept;
 #endif
 

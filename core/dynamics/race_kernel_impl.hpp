@@ -26,6 +26,9 @@ using Vec = contact::Triple<V>;  ///< on e_x, e_r, e_θ of each ball's azimuth
 inline Vec to_azimuth(const double* base, V s, V c) {
   return contact::to_azimuth(contact::Triple<double>{base[0], base[1], base[2]}, s, c);
 }
+inline V get(const double* from) { return V(from, stdx::element_aligned); }
+inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
+inline void add(double* to, V value) { put(to, get(to) + value); }
 
 struct Totals {
   V force_x = 0.0, force_y = 0.0, force_z = 0.0, moment_x = 0.0, moment_y = 0.0, moment_z = 0.0;
@@ -47,12 +50,28 @@ struct LaneTerms {
   V c[contact::AngleLaw::kTerms];
 };
 
+/// All lanes are on one race: its pose and motion are numbers.
+class OnOneRace {
+ public:
+  explicit OnOneRace(const RaceKernelInput& in) : in_(in) {}
+  double centre_radius() const { return in_.centre_radius; }
+  Vec axis(V s, V c) const { return to_azimuth(in_.axis, s, c); }
+  Vec centre(V s, V c) const { return to_azimuth(in_.centre, s, c); }
+  Vec velocity(V s, V c) const { return to_azimuth(in_.velocity, s, c); }
+  double speed() const { return in_.speed; }
+  bool tilts() const { return in_.tilts; }
+  Vec tilt(V s, V c) const { return to_azimuth(in_.tilt, s, c); }
+
+ protected:
+  const RaceKernelInput& in_;
+};
+
 /// Balls that are all alike: their constants are numbers.
-class AlikeBalls {
+class AlikeBalls : public OnOneRace {
  public:
   using Scalar = double;
   static constexpr bool kAlike = true;
-  AlikeBalls(const RaceKernelInput& in, const Lanes&) : in_(in) {}
+  AlikeBalls(const RaceKernelInput& in, const Lanes&) : OnOneRace(in) {}
   double offset() const { return in_.offset; }
   double K() const { return in_.K; }
   double major() const { return in_.major; }
@@ -64,17 +83,14 @@ class AlikeBalls {
   };
   TheTerms follow(const Terms contact::AngleLaw::*of) const { return {in_.follow->*of}; }
   const contact::GrooveRatios<double>& ratios() const { return in_.wavy->ratios; }
-
- private:
-  const RaceKernelInput& in_;
 };
 
 /// Balls that differ: one value a lane.
-class DifferentBalls {
+class DifferentBalls : public OnOneRace {
  public:
   using Scalar = V;
   static constexpr bool kAlike = false;
-  DifferentBalls(const RaceKernelInput& in, const Lanes& at) {
+  DifferentBalls(const RaceKernelInput& in, const Lanes& at) : OnOneRace(in) {
     for (int lane = 0; lane < static_cast<int>(V::size()); ++lane)
       ball_[lane] = in.own + at.first + (lane < at.used ? lane : at.used - 1);
   }
@@ -110,6 +126,51 @@ class DifferentBalls {
   }
 
   const BallConstants* ball_[V::size()];
+};
+
+/// Alike balls on both races: `half` lanes on the outer and then as many on the inner.
+class OnBothRaces {
+ public:
+  using Scalar = V;
+  static constexpr bool kAlike = true;
+  OnBothRaces(const RaceKernelInput* in, int half)
+      : outer_(in[0]), inner_(in[1]), on_outer_(V([](auto lane) {
+                                                  return static_cast<double>(lane);
+                                                }) < static_cast<double>(half)) {}
+  V offset() const { return of(&RaceKernelInput::offset); }
+  V K() const { return of(&RaceKernelInput::K); }
+  V major() const { return of(&RaceKernelInput::major); }
+  V minor() const { return of(&RaceKernelInput::minor); }
+  V radius() const { return outer_.ball_radius; }
+  V rho() const { return of(&RaceKernelInput::rho); }
+  LaneTerms follow(const Terms contact::AngleLaw::*term) const {
+    LaneTerms out;
+    for (int k = 0; k < contact::AngleLaw::kTerms; ++k)
+      out.c[k] = pick((outer_.follow->*term)[k], (inner_.follow->*term)[k]);
+    return out;
+  }
+  V centre_radius() const { return of(&RaceKernelInput::centre_radius); }
+  Vec axis(V s, V c) const { return of(&RaceKernelInput::axis, s, c); }
+  Vec centre(V s, V c) const { return of(&RaceKernelInput::centre, s, c); }
+  Vec velocity(V s, V c) const { return of(&RaceKernelInput::velocity, s, c); }
+  V speed() const { return of(&RaceKernelInput::speed); }
+  bool tilts() const { return outer_.tilts || inner_.tilts; }
+  Vec tilt(V s, V c) const { return of(&RaceKernelInput::tilt, s, c); }
+
+ private:
+  V pick(double outer, double inner) const {
+    V out = inner;
+    stdx::where(on_outer_, out) = outer;
+    return out;
+  }
+  V of(double RaceKernelInput::*member) const { return pick(outer_.*member, inner_.*member); }
+  Vec of(const double (RaceKernelInput::*vector)[3], V s, V c) const {
+    const double *a = outer_.*vector, *b = inner_.*vector;
+    return contact::to_azimuth(Vec{pick(a[0], b[0]), pick(a[1], b[1]), pick(a[2], b[2])}, s, c);
+  }
+
+  const RaceKernelInput &outer_, &inner_;
+  V::mask_type on_outer_;
 };
 
 /// A race of revolution.
@@ -164,10 +225,6 @@ class WavyRace {
   contact::WavyTouch<V> at_;
 };
 
-inline V get(const double* from) { return V(from, stdx::element_aligned); }
-inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
-inline void add(double* to, V value) { put(to, get(to) + value); }
-
 /// Traction of one vector, by a law whose integral is part of the contact's code.
 template <class Law>
 struct Inlined {
@@ -212,9 +269,9 @@ class Contacts {
       : s_(get(at.sin_theta)),
         c_(get(at.cos_theta)),
         r_(get(at.r)),
-        k_(to_azimuth(in.axis, s_, c_)),
-        d_(from_centre(in, at, s_, c_, r_)),
-        place_(contact::groove_place(d_, k_, in.centre_radius)),
+        k_(balls.axis(s_, c_)),
+        d_(from_centre(at, r_, balls.centre(s_, c_))),
+        place_(contact::groove_place(d_, k_, balls.centre_radius())),
         groove_(in, balls, k_, place_, s_, c_),
         approach_(groove_.touch().approach) {
     if (at.used < static_cast<int>(V::size())) {
@@ -260,9 +317,7 @@ class Contacts {
     totals.moment_z -= c_ * about.y - s_ * about.z;
   }
   /// Ball centre from P_j.
-  [[gnu::always_inline]] static Vec from_centre(const RaceKernelInput& in, const Lanes& at, V s,
-                                                V c, V r) {
-    const Vec centre = to_azimuth(in.centre, s, c);
+  [[gnu::always_inline]] static Vec from_centre(const Lanes& at, V r, const Vec& centre) {
     return {get(at.x) - centre.x, r - centre.y, -centre.z};
   }
 
@@ -297,10 +352,10 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
   if (!in.traction) return;
   const V theta_dot = get(at.theta_dot);
   const S radius = balls.radius();
-  const RacePairMotion<V, S> pair{to_azimuth(in.velocity, s_, c_),
-                                  in.tilts ? to_azimuth(in.tilt, s_, c_) : Vec{},
-                                  in.speed,
-                                  in.tilts,
+  const RacePairMotion<V, S> pair{balls.velocity(s_, c_),
+                                  balls.tilts() ? balls.tilt(s_, c_) : Vec{},
+                                  balls.speed(),
+                                  balls.tilts(),
                                   {get(at.x_dot), get(at.r_dot), r_ * theta_dot},
                                   {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
                                   theta_dot,
@@ -360,8 +415,8 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
 }
 
 template <class Race, class Balls, class Law>
-void evaluate(const RaceKernelInput& in, const Lanes& at, const Law& law, Totals& totals) {
-  const Balls balls(in, at);
+void evaluate(const RaceKernelInput& in, const Lanes& at, const Balls& balls, const Law& law,
+              Totals& totals) {
   Contacts<Race, Balls> contacts(in, at, balls);
   if (contacts.open()) {
     Contacts<Race, Balls>::put_open(at);
@@ -376,38 +431,65 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, const Law& law, Totals
 /// What is done with the arrays of a vector.
 enum class Use : unsigned char { Read, Write, Both };
 
-/// The last, incomplete vector works on copies: no lane reads or writes beyond the arrays.
+/// The arrays of a race that are read and those that are written, the first kAdded of them added
+/// to, in the order of Lanes.
+inline constexpr int kSources = 10, kTargets = 9, kAdded = 6;
+struct Arrays {
+  explicit Arrays(const RaceKernelInput& in)
+      : source{in.x,     in.r,         in.sin_theta, in.cos_theta, in.x_dot,
+               in.r_dot, in.theta_dot, in.omega_x,   in.omega_r,   in.omega_theta},
+        target{in.F_x,     in.F_r,  in.F_theta, in.M_x,      in.M_r,
+               in.M_theta, in.load, in.heat,    in.load_slip} {}
+  const double* source[kSources];
+  double* target[kTargets];
+};
+
+/// Copies of what an incomplete vector works on: no lane reads or writes beyond the arrays.
+struct Copies {
+  static constexpr int kLanes = static_cast<int>(V::size());
+  double source[kSources][kLanes], target[kTargets][kLanes];
+
+  /// Ball of a lane; lanes beyond those `used` copy the last.
+  template <class BallOf>
+  void read(const Arrays& from, int used, const BallOf& ball_of) {
+    for (int array = 0; array < kSources; ++array)
+      for (int i = 0; i < kLanes; ++i)
+        source[array][i] = from.source[array][ball_of(i < used ? i : used - 1)];
+  }
+  /// What is added to begins as it is in lanes below `used`, all else with 0.
+  void begin(const Arrays& from, std::size_t first, int used) {
+    for (int array = 0; array < kTargets; ++array)
+      for (int i = 0; i < kLanes; ++i)
+        target[array][i] = array < kAdded && i < used
+                               ? from.target[array][first + static_cast<std::size_t>(i)]
+                               : 0.0;
+  }
+  [[nodiscard]] Lanes lanes(std::size_t first, int used) {
+    return {first,     source[0], source[1], source[2], source[3], source[4], source[5],
+            source[6], source[7], source[8], source[9], target[0], target[1], target[2],
+            target[3], target[4], target[5], target[6], target[7], target[8], used};
+  }
+};
+
+/// The last, incomplete vector of a race.
 template <Use kUse, class Visit>
 void visit_tail(const RaceKernelInput& in, std::size_t first, int used, const Visit& visit) {
-  constexpr int kLanes = static_cast<int>(V::size());
-  double copies[19][kLanes];
-  const double* sources[10] = {in.x,     in.r,         in.sin_theta, in.cos_theta, in.x_dot,
-                               in.r_dot, in.theta_dot, in.omega_x,   in.omega_r,   in.omega_theta};
-  double* targets[9] = {in.F_x,     in.F_r,  in.F_theta, in.M_x,      in.M_r,
-                        in.M_theta, in.load, in.heat,    in.load_slip};
-  for (int array = 0; kUse != Use::Write && array < 10; ++array) {
-    for (int i = 0; i < kLanes; ++i) {
-      copies[array][i] = sources[array][first + static_cast<std::size_t>(i < used ? i : used - 1)];
-    }
-  }
-  for (int array = 0; kUse != Use::Read && array < 9; ++array) {
-    for (int i = 0; i < kLanes; ++i) {
-      const bool add_to = array < 6 && i < used;
-      copies[10 + array][i] = add_to ? targets[array][first + static_cast<std::size_t>(i)] : 0.0;
-    }
-  }
-  visit(Lanes{first,      copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],
-              copies[6],  copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12],
-              copies[13], copies[14], copies[15], copies[16], copies[17], copies[18], used});
-  for (int array = 0; kUse != Use::Read && array < 9; ++array) {
-    if (targets[array] == nullptr) continue;
+  const Arrays arrays(in);
+  Copies copies;
+  if (kUse != Use::Write)
+    copies.read(arrays, used, [&](int i) { return first + static_cast<std::size_t>(i); });
+  if (kUse != Use::Read) copies.begin(arrays, first, used);
+  visit(copies.lanes(first, used));
+  for (int array = 0; kUse != Use::Read && array < kTargets; ++array) {
+    if (arrays.target[array] == nullptr) continue;
     for (int i = 0; i < used; ++i)
-      targets[array][first + static_cast<std::size_t>(i)] = copies[10 + array][i];
+      arrays.target[array][first + static_cast<std::size_t>(i)] = copies.target[array][i];
   }
 }
 
-template <Use kUse, class Visit>
-void for_vectors(const RaceKernelInput& in, const Visit& visit) {
+/// Complete vectors. @returns the first ball that is in none
+template <class Visit>
+std::size_t for_whole_vectors(const RaceKernelInput& in, const Visit& visit) {
   constexpr std::size_t kLanes = V::size();
   std::size_t i = 0;
   for (; i + kLanes <= in.n; i += kLanes) {
@@ -433,6 +515,12 @@ void for_vectors(const RaceKernelInput& in, const Visit& visit) {
                 in.load_slip == nullptr ? nullptr : in.load_slip + i,
                 static_cast<int>(kLanes)});
   }
+  return i;
+}
+
+template <Use kUse, class Visit>
+void for_vectors(const RaceKernelInput& in, const Visit& visit) {
+  const std::size_t i = for_whole_vectors(in, visit);
   if (i < in.n) visit_tail<kUse>(in, i, static_cast<int>(in.n - i), visit);
 }
 
@@ -448,7 +536,8 @@ inline RaceKernelSums sums_of(const Totals& totals) {
 template <class Race, class Balls, class Law>
 RaceKernelSums evaluate_all(const RaceKernelInput& in, const Law& law) {
   Totals totals;
-  for_vectors<Use::Both>(in, [&](const Lanes& at) { evaluate<Race, Balls>(in, at, law, totals); });
+  for_vectors<Use::Both>(
+      in, [&](const Lanes& at) { evaluate<Race>(in, at, Balls(in, at), law, totals); });
   return sums_of(totals);
 }
 

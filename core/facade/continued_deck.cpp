@@ -28,6 +28,7 @@ Change kind_of(std::string_view record, std::string_view variable, bool continue
     return Change::Unsaid;
   if (record == "9.6" || record == "9.6.k" || variable == "kAngVel" || variable == "angVelOrient")
     return Change::NoPart;
+  if (variable == "kBrg") return Change::OtherBearing;  // states of another kind of bearing
   if (!continues)
     return is_one_of(variable, {"kUnit", "runID"}) ? Change::Unsaid : Change::Accepted;
   if (record == "9.2" || variable == "kStif") return Change::NoPart;
@@ -97,8 +98,9 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                                       ? "the run to be continued had another bearing"
                                       : "state and files of the run to be continued do not fit",
                                   sentence(d)),
-                      "give the old value, or start new files from its last state with "
-                      "kIcOpt = -1",
+                      d.variable == "kBrg" ? "start from statics (kIcOpt = 0)"
+                                           : "give the old value, or start new files from its "
+                                             "last state with kIcOpt = -1",
                       d.instance);
         refused.push_back(std::move(issue));
       }

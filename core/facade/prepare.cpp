@@ -21,8 +21,10 @@
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
+#include "statics/film_doubts.hpp"
 #include "statics/missing_thrust.hpp"
 #include "thermal/operating.hpp"
+#include "tribology/bearing_drag.hpp"
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -147,6 +149,20 @@ void choose_nodes(Prepared& prepared) {
   }
 }
 
+/// Says what of the films, and of a medium that drags, is beyond what is known of it.
+void doubt_fluids(Prepared& out) {
+  if (const auto& films = out.race_result().films)
+    for (const std::string& text : statics::film_doubts(*films))
+      add_remark(out, Severity::Warning, text);
+  if (!out.bearing.churning) return;
+  const tribology::ChurningMedium medium = tribology::churning_medium(out.bearing);
+  if (medium.clamped())
+    add_remark(out, Severity::Warning,
+               fmt::format("the properties of {}, the churning medium, are known from {:g} to {:g} "
+                           "K; it is at {:.4g} K, and the nearer end is used",
+                           medium.name, medium.T_min, medium.T_max, medium.temperature));
+}
+
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
@@ -221,6 +237,7 @@ Prepared prepare_model(LoadedDeck input) {
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
+    doubt_fluids(out);
     if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
@@ -241,6 +258,7 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
+  doubt_fluids(out);
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;

@@ -12,16 +12,6 @@
 namespace adore::facade {
 namespace {
 
-/// Does a race turn at another speed than the deck's constant one?
-bool speeds_vary(const Prepared& prepared) {
-  const bearing::RaceMotions& motions = prepared.plan.race_motions;
-  for (std::size_t j = 0; j < 2; ++j)
-    if (motions.ramp[j] || motions.variation[j] || (prepared.user && prepared.user->drives()[j]) ||
-        (motions.free[j] && !motions.free[j]->rotation_held[0]))
-      return true;
-  return false;
-}
-
 /// Seconds for "5rev", "0.02s" or a dimensionless number. @throws InputError
 double parse_until(const std::string& text, double shaft_speed, double time_scale) {
   double value = 0.0;
@@ -44,6 +34,15 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
 }
 
 }  // namespace
+
+bool speeds_vary(const Prepared& prepared) {
+  const bearing::RaceMotions& motions = prepared.plan.race_motions;
+  for (std::size_t j = 0; j < 2; ++j)
+    if (motions.ramp[j] || motions.variation[j] || (prepared.user && prepared.user->drives()[j]) ||
+        (motions.free[j] && !motions.free[j]->rotation_held[0]))
+      return true;
+  return false;
+}
 
 RunSpan run_span(const RunRequest& request, const Prepared& prepared, double time_scale) {
   const double shaft_speed = prepared.bearing.speed[1] - prepared.bearing.speed[0];

@@ -14,6 +14,9 @@ struct RunSpan {
   long max_steps = 0;  ///< counted steps
 };
 
+/// Does a race turn at another speed than the deck's constant one? Then turns give no end time.
+[[nodiscard]] bool speeds_vary(const Prepared& prepared);
+
 /// The end that the request or the deck asks for. @throws InputError
 [[nodiscard]] RunSpan run_span(const RunRequest& request, const Prepared& prepared,
                                double time_scale);

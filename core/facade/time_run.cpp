@@ -230,6 +230,7 @@ void TimeRun::tell(RunOutcome& out, const RunEnd& end) const {
   out.evaluations = end.resume.counters.evaluations;
   out.longest_step = control_.maximum;
   out.time = end.point.time;
+  out.speeds_vary = speeds_vary(parts_.prepared);
   out.warnings = parts_.outputs.remarks();
   out.energy_residual = parts_.outputs.energy_residual();
   out.energy_scale = parts_.outputs.energy_scale();

@@ -86,7 +86,8 @@ std::string csv_text(const std::string& text) {
   return out + "\"";
 }
 
-void write_csv(ResultTable table, std::ostream& out) {
+/// @returns the note of the table
+std::string write_csv(const ResultTable& table, std::ostream& out) {
   std::string line;
   for (const TableColumn& column : table.columns) {
     if (!line.empty()) line += ',';
@@ -103,9 +104,11 @@ void write_csv(ResultTable table, std::ostream& out) {
     }
     out << line << '\n';
   }
+  return table.note();
 }
 
-void write_json(ResultTable table, std::ostream& out) {
+/// Likewise.
+std::string write_json(const ResultTable& table, std::ostream& out) {
   Json header = Json::object(), columns = Json::array();
   for (const auto& [name, value] : table.header) header[name] = value;
   for (const TableColumn& column : table.columns)
@@ -124,7 +127,9 @@ void write_json(ResultTable table, std::ostream& out) {
     }
     out << line << ']';
   }
-  out << "],\n\"note\":" << text(Json(table.note())) << "}\n";
+  std::string note = table.note();
+  out << "],\n\"note\":" << text(Json(note)) << "}\n";
+  return note;
 }
 
 void write_leaves(const Json& json, const std::string& path, std::ostream& out) {
@@ -281,12 +286,14 @@ std::string describe_file_json(const std::filesystem::path& path) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void convert_file(const std::filesystem::path& path, std::string_view format, std::ostream& out) {
+std::string convert_file(const std::filesystem::path& path, std::string_view format,
+                         std::ostream& out) {
   const bool csv = format == "csv";
   if (!csv && format != "json")
     throw InputError(fmt::format(
         "a result file cannot be converted to '{}'; csv and json are possible", format));
   const FileKind kind = file_kind(path);
+  std::string note;
   if (kind == FileKind::Final || kind == FileKind::Master || kind == FileKind::RunJson) {
     const Json json = kind == FileKind::Final    ? to_json(read_final(path))
                       : kind == FileKind::Master ? to_json(read_master(path))
@@ -298,14 +305,15 @@ void convert_file(const std::filesystem::path& path, std::string_view format, st
       out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     }
   } else if (csv) {
-    write_csv(table_of(path, kind), out);
+    note = write_csv(table_of(path, kind), out);
   } else {
-    write_json(table_of(path, kind), out);
+    note = write_json(table_of(path, kind), out);
   }
   if (!out)
     throw InputError(fmt::format(
         "{}: the conversion cannot be written; free some disk space or choose another file",
         path.string()));
+  return note;
 }
 
 }  // namespace adore::results

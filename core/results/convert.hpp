@@ -23,7 +23,7 @@ enum class FileKind : unsigned char { Sol, Animation, Final, Master, RunJson, Re
 /// The whole content. CSV: one line per stored step, the first line names the columns with their
 /// units (FINAL and MASTER: one line per component; RUN.json: one line per leaf). Decimal point and
 /// full precision whatever the locale; missing values are empty (csv) or null (json). @param format
-/// "csv" or "json". @throws InputError
-void convert_file(const std::filesystem::path& path, std::string_view format, std::ostream& out);
+/// "csv" or "json". @returns empty, or what is wrong with the file and left out. @throws InputError
+std::string convert_file(const std::filesystem::path& path, std::string_view format, std::ostream& out);
 
 }  // namespace adore::results

@@ -38,6 +38,8 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
   out.time = averages.time;
   out.mean = averages.load;
   out.balanced = plan.has(scene::Effect::RaceBalance);
+  for (const auto& vibration : plan.race_motions.vibration)
+    out.shaken = out.shaken || vibration.has_value();
   for (std::size_t k = 0; k < 3; ++k) {
     out.given[k] = !bearing.constraints.displacement_given[k];
     const auto& turning = plan.race_motions.turning_load;
@@ -84,6 +86,11 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
                      "a race moves under its load along {}, and over so short a time the rest "
                      "accelerates it; a longer run comes nearer",
                      "xyz"[furthest]);
+  if (load.shaken)
+    return out +
+           "record 9.3B moves a race to and fro past its quasi-static place, and springs that "
+           "stiffen under load, or periods that are not whole, leave a mean of their own; compare "
+           "with a run without the vibration before the load is changed";
   out +=
       "a dynamic run holds the inner race where the quasi-static solution put it, and moving "
       "elements push back differently there. ";

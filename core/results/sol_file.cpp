@@ -163,6 +163,7 @@ SolFile read_steps(std::istream& stream, const std::string& name, const SolRange
       if (column < all.size()) step.values.push_back(all[column]);
     file.steps.push_back(std::move(step));
   });
+  file.gaps = parser.gaps();
   SolStep behind;
   file.more = file.note.empty() && parser.next(behind, false) == BlockStatus::Complete;
   if (watch) (void)watch(1.0);
@@ -192,6 +193,7 @@ Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange
   file.note = for_each_step(parser, name, range, [&](const SolStep& step) {
     file.frames.push_back(make_frame(step, file.elements));
   });
+  file.gaps = parser.gaps();
   return file;
 }
 

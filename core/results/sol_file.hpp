@@ -63,6 +63,7 @@ struct SolFile {
   std::vector<SolStep> steps;
   std::vector<std::size_t> columns;  ///< of each step's values; empty: all of the file's
   std::string note;   ///< empty, or what was wrong with the file ("cut off in step 120")
+  std::string gaps;   ///< empty, or how many of its values are no numbers (SolParser::gaps)
   bool more = false;  ///< there are stored steps behind the range
 
   /// Where in a step's values the column of the file stands; beyond their end when it was not kept.
@@ -134,7 +135,7 @@ struct Sol8File {
   std::array<std::string, 10> units;
   Sol8Geometry geometry;
   std::vector<Sol8Frame> frames;
-  std::string note;
+  std::string note, gaps;  ///< as of SolFile
 };
 
 Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range = {1, 1000000000, 1});

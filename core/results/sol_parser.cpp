@@ -145,11 +145,11 @@ void SolParser::read_animation_header(std::string_view, std::string_view line) {
   std::array<int, 10> lengths{};
   for (int k = 0; k < 10; ++k) lengths[static_cast<std::size_t>(k)] = integer(3 + k);
   read_units(lengths);
-  if (read_values(geometry, 10, &geometry_) != BlockStatus::Complete)
+  if (read_values(geometry, 10, 0, &geometry_) != BlockStatus::Complete)
     reject("the geometry in line 4 is missing or damaged");
 }
 
-BlockStatus SolParser::read_values(int count, int width, std::vector<double>* values) {
+BlockStatus SolParser::read_values(int count, int width, long step, std::vector<double>* values) {
   if (values != nullptr) {
     values->clear();
     values->reserve(static_cast<std::size_t>(std::min(count, 4096)));
@@ -169,6 +169,7 @@ BlockStatus SolParser::read_values(int count, int width, std::vector<double>* va
       const auto value = ff::parse_real(ff::columns(line, 3 + k * width, 2 + (k + 1) * width));
       if (!value) return BlockStatus::Wrong;
       values->push_back(*value);
+      if (!std::isfinite(*value) && missing_++ == 0) first_missing_ = step;
     }
     found += fields;
   }
@@ -209,7 +210,7 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
   BlockStatus status = read_step_line(step);
   const bool began = status == BlockStatus::Complete;
   if (began)
-    status = read_values(header_.value_count, kind_ == SolKind::Animation ? 10 : 16,
+    status = read_values(header_.value_count, kind_ == SolKind::Animation ? 10 : 16, step.step,
                          with_values ? &step.values : nullptr);
   if (status == BlockStatus::Complete) {
     good_bytes_ = reader_.offset();
@@ -224,6 +225,13 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
     note_ =
         fmt::format("damaged in {} (line {}); what follows is left out", where, reader_.number());
   return status;
+}
+
+std::string SolParser::gaps() const {
+  if (missing_ == 0) return {};
+  return fmt::format(
+      "{} no finite number (stars are an overflow of the field), the first in step {}",
+      missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_), first_missing_);
 }
 
 }  // namespace adore::results

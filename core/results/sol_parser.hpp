@@ -37,6 +37,9 @@ class SolParser {
 
   /// Why the last next() was not Complete: "cut off in step 120 (line 340)".
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
+  /// Empty, or how many values so far are stars or other than finite numbers, and where they begin;
+  /// they are read as NaN (stars) or as they stand.
+  [[nodiscard]] std::string gaps() const;
   /// First byte after the header or the last complete step, and whether that ended with a line end.
   [[nodiscard]] std::uintmax_t good_bytes() const noexcept { return good_bytes_; }
   [[nodiscard]] bool good_end_terminated() const noexcept { return good_terminated_; }
@@ -52,7 +55,8 @@ class SolParser {
   std::string_view header_line(std::string_view what);
   [[noreturn]] void reject(const std::string& why) const;
   BlockStatus read_step_line(SolStep& step);
-  BlockStatus read_values(int count, int width, std::vector<double>* values);
+  /// @param step whose values they are
+  BlockStatus read_values(int count, int width, long step, std::vector<double>* values);
 
   LineReader reader_;
   std::string name_;
@@ -60,6 +64,7 @@ class SolParser {
   SolHeader header_;
   std::vector<double> geometry_;
   std::string note_;
+  long missing_ = 0, first_missing_ = 0;  ///< values, and the step of the first
   std::uintmax_t good_bytes_ = 0;
   bool good_terminated_ = true;
 };

@@ -126,7 +126,10 @@ ResultTable sol_table(const std::filesystem::path& path) {
     row.insert(row.end(), step.values.begin(), step.values.end());
     return true;
   };
-  table.note = [source] { return source->parser->note(); };
+  table.note = [source] {
+    const std::string note = source->parser->note(), gaps = source->parser->gaps();
+    return note + (note.empty() || gaps.empty() ? "" : "; ") + gaps;
+  };
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,7 @@ class Films {
     if (load > 0.0) {
       if (roughness > 0.0) one.lambda = one.film.minimum / roughness;
       if (one.film.minimum < out_.critical_film) ++out_.metal[race];
+      out_.thickest[race] = std::max(out_.thickest[race], one.film.central / contact.radius);
       if (load > heaviest_[race]) {
         heaviest_[race] = load;
         out_.lambda[race] = one.lambda;

@@ -32,6 +32,9 @@ struct LubricantFilms {
   std::array<std::vector<ElementFilm>, 2> race;  ///< by race and element
   /// Λ of the most loaded contact of each race; NaN: none.
   std::array<double, 2> lambda{};
+  /// Largest film in the middle of a loaded contact over the radius of both bodies along rolling,
+  /// by race.
+  std::array<double, 2> thickest{};
   /// Contacts with load whose minimum film is below the critical one.
   std::array<int, 2> metal{};
 };

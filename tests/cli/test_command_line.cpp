@@ -274,6 +274,29 @@ TEST_CASE("a run ends with the way to its pictures and the way on", "[cli]") {
   CHECK(contains(more.out, "0.04 revolutions"));
 }
 
+TEST_CASE("the way on of a run is one, whatever its speeds do", "[cli]") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "rev --continue"},
+      {"--set kVarSpeed=1 --set raceAngAcc2=1e6 --set endTime2=1", "s --continue"},
+      {"--set kVarSpeed=2 --set raceSpeedAmp2=100 --set raceSpeedFreq2=50", "s --continue"},
+      {"--set kDCR=1 --set kMD11=1 --set kMD12=0", "s --continue"}};
+  for (const auto& [sets, end] : cases) {
+    const Folder folder;
+    new_ball_deck(folder);
+    const std::string deck = folder.path().string();
+    const Result run = run_as_given("run " + deck + " --until 1e-5s " + sets);
+    INFO(sets << '\n' << run.out);
+    REQUIRE(run.code == 0);
+    const std::size_t at = run.out.find("go on:");
+    REQUIRE(at != std::string::npos);
+    const std::string line = run.out.substr(at, run.out.find('\n', at) - at);
+    CHECK(contains(line, end));
+    const Result more = run_as_given(line.substr(line.find("adore ") + 6));
+    INFO(more.out);
+    CHECK(more.code == 0);
+  }
+}
+
 TEST_CASE("plan tells the disk that a run needs", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

@@ -28,6 +28,10 @@ TEST_CASE("numbers of options out of range are refused with their range", "[cli]
           "--tols is 1; give a number from 1e-14 to 0.01");
   refused(run_adore("accuracy" + deck + "--tols 1e-4,1e-30"), "--tols is 1e-30");
   refused(run_adore("accuracy" + deck + "--turns 1e300"), "--turns");
+  for (const char* turns : {"0", "-1", "nan", "1e300"})
+    refused(run_adore("plan" + deck + "--what-if --turns " + turns),
+            std::string("--turns is ") + (turns == std::string("1e300") ? "1e+300" : turns) +
+                "; give a number from 0.01 to 1000000");
   if (contains(run_adore("plot none --out none").out, "ADORE_WITH_QT")) return;  // no pictures
   const std::string to = " --out " + (folder / "p").string();
   refused(run_adore("plot none" + to + " --page 0"), "--page is 0; give a number from 1");

@@ -145,6 +145,34 @@ TEST_CASE("results of an earlier run are replaced only when that is asked for", 
   }
 }
 
+TEST_CASE("the commands that a run suggests are ones, whatever its folder is called", "[cli]") {
+  Folder folder;
+  REQUIRE(run("new ball --out " + (folder / "DATA.txt").string()).code == 0);
+  const std::string here = "cd " + folder.path().string() + " && ";
+  for (const char* out : {"-out", "two words", "it's"}) {
+    std::string argument = out;
+    if (argument == "it's") argument = "it'\\''s";
+    const Result made = run_shell(
+        here + "ADORE run DATA.txt --until 0.01rev --progress none --out='" + argument + "'");
+    INFO(made.out);
+    REQUIRE(made.code == 0);
+    int tried = 0;
+    std::istringstream lines(made.out);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t at = line.find("adore plot");
+      if (at == std::string::npos) continue;
+      ++tried;
+      // Without drawing: no file has such a page.
+      const Result read = run_shell(here + "ADORE " + line.substr(at + 6) + " --page 9999");
+      INFO(line << '\n' << read.out);
+      CHECK(read.out.find("9999") != std::string::npos);
+      CHECK(read.out.find("has no option") == std::string::npos);
+      CHECK(read.out.find("one argument too many") == std::string::npos);
+    }
+    CHECK(tried > 0);
+  }
+}
+
 TEST_CASE("one process at a time writes into a folder", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

@@ -162,6 +162,15 @@ TEST_CASE("adore run --verify says how far its results go with the tolerance", "
   INFO(run.out);
   REQUIRE(run.code == 0);
   CHECK(contains(run.out, "verified:  against tol 1e-07"));
+  // Whatever was set by hand.
+  for (const char* sets : {"stpMax=0.8", "nStps=2", "stpMin=1e-4", "kIcOpt=0", "tol=1e-5"}) {
+    const Result again =
+        run_adore("run " + folder.path().string() + " --until 0.01rev --verify --set " + sets +
+                  " --overwrite --out " + (folder / "again").string());
+    INFO(sets << '\n' << again.out);
+    CHECK(again.code == 0);
+    CHECK(contains(again.out, "verified:  against tol"));
+  }
   CHECK(contains(run.out, "loads"));
   const Result both =
       run_adore("run " + folder.path().string() + " --set rpm2=1000:2000:2 --verify --out " +

@@ -64,12 +64,18 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing,
                              *bearing.lubrication, surface);
 }
 
-class RaceBlock final : public EffectBlock {
+/// Where the contacts of one race go, and whether they can be believed.
+class RaceBooks {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
-  RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
+  RaceBooks(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
       : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
-  void apply(Evaluation& e) noexcept override;
+  [[nodiscard]] ElementForces out(Evaluation& e) const noexcept {
+    const auto j = static_cast<std::size_t>(model_.race);
+    return forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
+                     load_slip_ ? e.load_slip[j].data() : nullptr);
+  }
+  void book(Evaluation& e, const RaceSums& sums) noexcept;
 
  private:
   const RaceContactModel& model_;
@@ -78,12 +84,9 @@ class RaceBlock final : public EffectBlock {
   RaceAccount& sums_;
 };
 
-void RaceBlock::apply(Evaluation& e) noexcept {
+void RaceBooks::book(Evaluation& e, const RaceSums& sums) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   RaceBody& race = e.race[j];
-  const ElementForces out = forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
-                                      load_slip_ ? e.load_slip[j].data() : nullptr);
-  const RaceSums sums = evaluate_race_contacts(model_, e.elements, race.motion(), out);
   race.force += sums.force;
   race.moment += sums.moment;
   e.elastic += sums.elastic_energy;
@@ -98,6 +101,40 @@ void RaceBlock::apply(Evaluation& e) noexcept {
                           within_hertz(model_.of(i), race_contact_state(model_.of(i), e.elements, i,
                                                                         race.motion())));
 }
+
+class RaceBlock final : public EffectBlock {
+ public:
+  RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
+      : model_(model), books_(model, load_slip, sums) {}
+  void apply(Evaluation& e) noexcept override {
+    const RaceMotion race = e.race[static_cast<std::size_t>(model_.race)].motion();
+    books_.book(e, evaluate_race_contacts(model_, e.elements, race, books_.out(e)));
+  }
+
+ private:
+  const RaceContactModel& model_;
+  RaceBooks books_;
+};
+
+/// Both races at once, which no effect integrates: as two blocks, to rounding.
+class BothRacesBlock final : public EffectBlock {
+ public:
+  BothRacesBlock(const std::array<RaceContactModel, 2>& models, bool load_slip,
+                 std::array<RaceAccount, 2>& sums)
+      : models_(models),
+        books_{RaceBooks(models[0], load_slip, sums[0]), RaceBooks(models[1], load_slip, sums[1])} {
+  }
+  void apply(Evaluation& e) noexcept override {
+    const auto sums =
+        evaluate_both_races(models_, e.elements, {e.race[0].motion(), e.race[1].motion()},
+                            {books_[0].out(e), books_[1].out(e)});
+    for (std::size_t j = 0; j < 2; ++j) books_[j].book(e, sums[j]);
+  }
+
+ private:
+  const std::array<RaceContactModel, 2>& models_;
+  std::array<RaceBooks, 2> books_;
+};
 
 /// Prescribed races at their static place with their spin: what other prescribed motions add to.
 class RaceSpin final : public EffectBlock {
@@ -214,21 +251,30 @@ void Races::set_up_balls(const SceneBuilder& scene) {
   place(scene, groove.centre_x);
 }
 
-void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
-  const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
-  const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
+void Races::declare_contacts(SceneBuilder& scene) {
   const bool wear = scene.plan.has(Effect::WearIntegrals);
   const bool held =
       scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
-  sums_known_ = contacts_[j].traction && wear && !held;
+  sums_known_ = contacts_[0].traction && wear && !held;
+  const auto& free = scene.plan.race_motions.free;
+  // A race that moves is a partner of its own.
+  if (!rollers_ && !held && !free[0] && !free[1] && share_vectors(contacts_))
+    scene.block<BothRacesBlock>(Phase::Force, "race contacts", {}, contacts_, wear, account_);
+  else
+    for (std::size_t j = 0; j < 2; ++j) declare_contact(scene, j, wear || held);
+}
+
+void Races::declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip) {
+  const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
+  const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
   const bool rolls =
       rollers_ && scene.plan.has(Effect::RollingResistance) && (*rollers_)[j].rolls_in_film();
   if (rollers_)
     scene.block<RollerRaceBlock>(
         Phase::Force, rolls ? cost + ", rolling in oil" : cost, race, (*rollers_)[j],
-        static_cast<std::size_t>(scene.bearing.element_count()), wear || held, rolls, account_[j]);
+        static_cast<std::size_t>(scene.bearing.element_count()), load_slip, rolls, account_[j]);
   else
-    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear || held, account_[j]);
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], load_slip, account_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
@@ -254,11 +300,11 @@ void Races::declare(SceneBuilder& scene) {
                     !errors[0].ideal() || !errors[1].ideal() || plan.has(Effect::LandTraction) ||
                     plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
                     plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
+  if (in_contact_) declare_contacts(scene);
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
     RaceAccount& account = account_[j];
-    if (in_contact_) declare_contact(scene, j);
     if (work && !plan.race_motions.free[j])
       scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
     if (!traction) continue;

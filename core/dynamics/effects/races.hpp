@@ -50,7 +50,9 @@ class Races final : public SceneEffect {
  private:
   void place(const SceneBuilder& scene, const std::array<double, 2>& centre_x);
   void set_up_balls(const SceneBuilder& scene);
-  void declare_contact(SceneBuilder& scene, std::size_t j);
+  void declare_contacts(SceneBuilder& scene);
+  /// @param load_slip it is wanted
+  void declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip);
   [[nodiscard]] RaceContactSnapshot detail(const Evaluation& e, std::size_t j, std::size_t i) const;
 
   /// Whose numbers wavy grooves read; null: no routine ADRX6.

@@ -35,6 +35,34 @@ TEST_CASE("a changed value leaves everything else of a deck's text as it stands"
   CHECK(deck::read_deck_text(after.text, "after").deck.real("tol") == 1e-4);
 }
 
+TEST_CASE("marks, ends of lines and foreign letters of a deck's file stay with its remarks",
+          "[unit][deck]") {
+  const std::string plain = example();
+  std::string old;
+  for (const char c : plain) old += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const std::string& text : {plain, old, plain.substr(0, plain.size() - 1)})
+    for (const std::string& before : {std::string(), std::string("\xEF\xBB\xBF")})
+      for (const std::string& behind :
+           {std::string(), std::string("\x1a"), std::string("\x1a\x1a")}) {
+        const std::string file = before + text + behind;
+        CAPTURE(text.size(), before, behind);
+        deck::Deck deck = deck::read_deck_text(file, "before").deck;
+        deck.set_all(Sets{{"tol", "1e-4"}});
+        for (const deck::KeptText& after :
+             {deck::with_values(file, Sets{{"tol", "1e-4"}}), deck::with_deck(file, deck)}) {
+          REQUIRE(after.kept);
+          CHECK(lines(after.text).size() == lines(file).size());
+          CHECK(after.text.starts_with(before));
+          CHECK(after.text.ends_with(behind));
+          std::size_t changed = 0;
+          for (std::size_t k = 0; k < lines(file).size(); ++k)
+            changed += lines(after.text)[k] != lines(file)[k];
+          CHECK(changed == 1);
+          CHECK(deck::read_deck_text(after.text, "after").deck == deck);
+        }
+      }
+}
+
 TEST_CASE("every number of a deck can be changed in place", "[unit][deck]") {
   const std::string before = example();
   const deck::Deck deck = deck::read_deck_text(before, "before").deck;

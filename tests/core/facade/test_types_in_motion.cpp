@@ -154,6 +154,17 @@ TEST_CASE("every type goes on where it stopped, as itself only", "[validation][o
                     {{"kIcOpt", "-1"}, {"nRe", fewer}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}}),
             folder / "parts"),
         !Catch::Contains("was accepted"));
+    // Nor from that of another type with as many elements.
+    for (const char* other : kTypes) {
+      if (std::string(other) == type) continue;
+      const std::string count = fmt::format("{}", nominal.integer("nRe"));
+      const std::string why =
+          why_not(deck_of(other, {{"kIcOpt", "-1"}, {"nRe", count}}), folder / "parts");
+      INFO(other << ": " << why);
+      CHECK_THAT(why, !Catch::Contains("was accepted"));
+      if (std::string(type) == "cylindrical" && std::string(other) == "tapered")
+        CHECK_THAT(why, Catch::Contains("kBrg: 2 before, 4 now") && Catch::Contains("kIcOpt = 0"));
+    }
     // The same one, and then under another load and speed.
     const Ran parts = run_deck(more({}), folder / "parts");
     CHECK(parts.outcome.steps == whole.outcome.steps);

@@ -123,6 +123,36 @@ TEST_CASE("every result file is recognised by its content and described", "[unit
              Contains("not valid JSON"));
 }
 
+TEST_CASE("what is wrong with a result file is said, whatever it is turned into",
+          "[unit][convert]") {
+  TemporaryFolder folder;
+  write_all(folder, make_bearing());
+  for (const char* name : {"SOL1", "SOL8"}) {
+    const std::string whole = read_bytes(folder / name);
+    std::string cut = whole.substr(0, whole.size() - 30), stars = whole, word = whole;
+    const std::size_t number = whole.rfind("E+");
+    REQUIRE(number != std::string::npos);
+    for (std::size_t k = number - 4; k < number + 4; ++k) stars[k] = '*';
+    for (std::size_t k = number; whole[k - 1] != ' '; --k) stars[k - 1] = '*';
+    word.replace(number - 4, 3, "abc");
+    const std::pair<std::string, std::string> files[] = {{whole, ""},
+                                                         {cut, "cut off in step 4"},
+                                                         {word, "damaged in step 4"},
+                                                         {stars, "1 value is no finite number"}};
+    for (const auto& [text, said] : files)
+      for (const char* format : {"csv", "json"}) {
+        CAPTURE(name, said, format);
+        write_bytes(folder / "file", text);
+        std::ostringstream out;
+        const std::string note = convert_file(folder / "file", format, out);
+        CHECK(note.empty() == said.empty());
+        CHECK_THAT(note, Contains(said));
+        CHECK_THAT(describe_file(folder / "file"), Contains(said));
+        CHECK_THAT(describe_file_json(folder / "file"), Contains(said));
+      }
+  }
+}
+
 TEST_CASE("conversion to CSV and JSON keeps every value", "[unit][convert]") {
   TemporaryFolder folder;
   const bearing::Bearing bearing = make_bearing();

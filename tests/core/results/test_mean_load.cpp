@@ -110,6 +110,13 @@ TEST_CASE("A load that turns is not compared, and of a free race it is not said 
   INFO(text);
   CHECK(text.find("a race moves under its load along x") != std::string::npos);
   CHECK(text.find("holds the inner race") == std::string::npos);
+  scene::ScenePlan shaken;
+  shaken.race_motions.vibration[1].emplace();
+  const std::string cause =
+      load_warning(mean_load(averages.averages(), bearing, shaken), UnitSystem::SI);
+  CHECK(cause.find("record 9.3B moves a race") != std::string::npos);
+  CHECK(cause.find("holds the inner race") == std::string::npos);
+  CHECK(cause.find("first guess") == std::string::npos);
   plan.race_motions.turning_load = bearing::TurningLoad{{0.0, 1.0}, {0.0, 100.0}};
   const MeanLoad turning = mean_load(averages.averages(), bearing, plan);
   CHECK(turning.given[0]);

@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "deck/templates.hpp"
 #include "life/bearing_life.hpp"
 #include "listing/print_films.hpp"
@@ -5,6 +6,7 @@
 #include "setup/build_life.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/contact_films.hpp"
+#include "statics/film_doubts.hpp"
 #include "statics/roller_statics.hpp"
 
 #include <catch2/catch.hpp>
@@ -60,6 +62,46 @@ TEST_CASE("films of a solution: every loaded contact of every type has one", "[p
       CHECK(films.lambda[j] > 0.0);
     }
   }
+}
+
+TEST_CASE("films of every lubricant from five kelvin on are known, doubted or refused",
+          "[physics][film]") {
+  int known = 0, doubted = 0, refused = 0;
+  for (int code = 1; code <= 20; ++code) {
+    if (code == 9) continue;  // the user's own
+    bearing::Bearing bearing = setup::build_bearing(oiled("ball", std::to_string(code).c_str()));
+    const statics::StaticSolution solution = statics::solve_ball_statics(bearing);
+    for (const double kelvin :
+         {5.0, 60.0, 100.0, 130.0, 170.0, 185.0, 200.0, 223.0, 250.0, 300.0, 400.0, 600.0}) {
+      CAPTURE(code, kelvin);
+      bearing.race_temperature = {kelvin, kelvin};
+      bearing.element_temperature = kelvin;
+      const statics::LubricantFilms films = statics::contact_films(bearing, solution);
+      std::vector<std::string> doubts;
+      try {
+        doubts = statics::film_doubts(films);
+      } catch (const SolverError& error) {
+        ++refused;
+        CHECK(kelvin < 260.0);
+        CHECK(std::string(error.what()).find("kTrac = 0") != std::string::npos);
+        continue;
+      }
+      ++(doubts.empty() ? known : doubted);
+      for (std::size_t j = 0; j < 2; ++j) {
+        CHECK(std::isfinite(films.alpha[j]));
+        CHECK(films.alpha[j] > 0.0);
+        for (const statics::ElementFilm& f : films.race[j]) {
+          CHECK(std::isfinite(f.film.central));
+          // Thin beside the bodies (balls of 12.7 mm), or it is said.
+          CHECK((f.film.central < 0.003 * 6.35e-3 || !doubts.empty()));
+        }
+      }
+      if (kelvin >= 300.0 && kelvin <= 400.0) CHECK(doubts.empty());
+    }
+  }
+  CHECK(known > 40);
+  CHECK(doubted > 5);
+  CHECK(refused > 40);
 }
 
 TEST_CASE("films of a solution: thicker with speed, thinner when starved or hot, metal when thin",
