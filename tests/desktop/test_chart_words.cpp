@@ -234,6 +234,10 @@ TEST_CASE("chart_scene: curves that would hide another say so and leave it half 
     CHECK((words(scene).filter("(over").size() == 1) == hidden);
     if (hidden) CHECK(inked(scene, scene.image({1280, 800}), 0) > 200);
   }
+  // A later one with gaps hides the earlier one where it is.
+  page.panels = {{"Force", "N", {{"land 1", wave, {}}, {"land 2", gaps, {}}}}};
+  scene.setPage(page);
+  CHECK(words(scene).filter("(over").size() == 1);
   // A curve that is switched off hides nothing.
   scene.setPageSize({1280, 800});
   look(wave);
