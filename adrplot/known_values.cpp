@@ -113,7 +113,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
     if (always_zero("flange.gap" + where))
-      nothing("This race has no flange there, or the roller's end never came near it.");
+      nothing("No flange is there, or the roller's end never came near it.");
     else if (is("flange.gap."))
       drop(stored(id), is_zero);
   } else if (id == "power.life") {

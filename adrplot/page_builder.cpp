@@ -61,7 +61,7 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
       KnownValues known = columns.values(curve.column);
       if (!known.why_none.empty() && !any_value(known.values)) {
         reason = known.why_none;
-        if (spec.curves.size() > 1) reason = capital(curve.name) + ": " + reason;
+        if (spec.curves.size() > 1) reason = capital(curve.name) + ": " + small(reason);
       }
       if (!known.why_gaps.empty() && any_value(known.values))
         gaps[{curve.name, known.why_gaps}].push_back(spec.title);
@@ -70,8 +70,9 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
     if (std::none_of(panel.curves.begin(), panel.curves.end(),
                      [](const ChartCurve& c) { return any_value(c.y); })) {
       const auto colon = reason.find(": ");
-      panel.message =
-          spec.curves.size() > 1 && colon != std::string::npos ? reason.substr(colon + 2) : reason;
+      panel.message = spec.curves.size() > 1 && colon != std::string::npos
+                          ? capital(reason.substr(colon + 2))
+                          : reason;
     } else {
       add_note(chart, reason);
     }
@@ -153,11 +154,25 @@ void tell_zeros(ChartPage& chart) {
 
 /// Does a band reach beyond the line of its curve, by what can be seen of it?
 bool is_seen(const CurveBand& band, const std::vector<double>& line) {
-  constexpr double kSeen = 2e-3;
+  constexpr double kSeen = 1e-2;  // two pixels of a panel of 200, whose line takes one and a half
   const double all = std::max({spread(band.low), spread(band.high), spread(line)});
   for (std::size_t i = 0; i < line.size(); ++i)
     if (std::max(band.high[i] - line[i], line[i] - band.low[i]) > kSeen * all) return true;
   return false;
+}
+
+/// A life that was computed once and held looks like one that does not change.
+void tell_held_life(ChartPage& chart, const PageSpec& page) {
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    if (page.panels[p].curves.front().column != "power.life") continue;
+    std::vector<double> known;
+    for (const double v : chart.panels[p].curves.front().y)
+      if (std::isfinite(v)) known.push_back(v);
+    if (known.size() > 1 && spread(known) == 0.0)
+      add_note(chart,
+               "The fatigue life is one value at every step here: it was computed once and held "
+               "(kLifeFreq says how often it is).");
+  }
 }
 
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
@@ -166,6 +181,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   for (const std::string& gap : add_panels(chart, file, page)) add_note(chart, gap);
   limit_detail(chart);
   tell_zeros(chart);
+  tell_held_life(chart, page);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const auto band = context.bands.find(page.panels[p].curves[c].column);
@@ -201,8 +217,8 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   if (over_clearance && no_land("cage.land1_force") && no_land("cage.land2_force"))
     add_note(
         chart,
-        "This cage has no guide land: its pockets hold it, and the clearance to the races that "
-        "its orbit is divided by limits nothing.");
+        "This cage has no guide land: its pockets hold it, and its orbit is divided by half of "
+        "their clearance, which alone does not limit it.");
   else if (over_clearance && pair.across != 0 && pair.up != 0)
     chart.guide_radius = 1.0;
   chart.x_title = across.title + suffix;

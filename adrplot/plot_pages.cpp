@@ -235,16 +235,20 @@ std::vector<PageSpec> cage_pages(const SolHeader& header) {
 }
 
 std::vector<PageSpec> race_pages() {
-  const auto components = [](const std::string& title, const std::string& channel) {
+  const auto components = [](const std::string& title, const std::string& channel,
+                             const std::string& note) {
     return history(title,
                    {single("X component", channel + "_x"), single("Y component", channel + "_y"),
-                    single("Z component", channel + "_z")});
+                    single("Z component", channel + "_z")},
+                   note);
   };
   return {history("Mass centre velocities",
                   {single("Orbital", "race.whirl_speed"), single("Radial", "race.radial_velocity"),
                    single("Axial", "race.axial_velocity")}),
-          components("Applied forces", "race.applied_force"),
-          components("Applied moments", "race.applied_moment"),
+          components("Applied forces", "race.applied_force",
+                     "Where a race is held or moved as given, this is the force that does it."),
+          components("Applied moments", "race.applied_moment",
+                     "Where a race is held or turned as given, this is the moment that does it."),
           motion("Mass centre acceleration", "race", "acceleration"),
           coordinates("Mass centre whirl orbit", PageKind::Orbit, "race."),
           history("Position of the mass centre",

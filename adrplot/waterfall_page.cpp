@@ -1,5 +1,6 @@
 #include "adrplot/waterfall_page.hpp"
 
+#include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -106,7 +107,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.note += fmt::format(
       "{}These are {} spectra of {}{}{}, from {} to {}; each stands {} above the one before and "
       "has a point every {}.",
-      page.note.empty() ? "" : " ", fall.time.size(), source.title,
+      page.note.empty() ? "" : " ", fall.time.size(), small(source.title),
       source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
       desktop::pretty_quantity(fall.time.front(), "s", 3),
       desktop::pretty_quantity(fall.time.back(), "s", 3) +

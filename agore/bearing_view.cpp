@@ -12,9 +12,11 @@ namespace adore::agore {
 namespace {
 
 void draw_cage(const Scene& s) {
+  const double outside = s.geometry().cage_outer_radius;
   for (int part = 0; part < s.animation.segments; ++part)
     s.sketch.cage(s.place(s.animation.part(s.index, part)), s.animation.part_angle(s.index, part),
-                  s.geometry().cage_outer_radius, s.cages.of(s.animation, s.pocket_radius(), part));
+                  outside,
+                  s.cages.of(s.animation, s.pocket_radius(), part, outside * s.sketch.scale()));
 }
 
 QString exaggeration_remark(double factor) {
@@ -80,7 +82,7 @@ void draw_all_loads(const Scene& s) {
       const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
       const QPointF tip = centre + radius * outward, tail = tip + part * longest * outward;
       s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
-                     s.sketch.theme().curves[0], 2.6);
+                     s.sketch.theme().curves[j], 2.6);
     }
   }
 }
@@ -145,8 +147,9 @@ void bearing_view(const Scene& s) {
   }
   if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
   if (s.options.contacts && s.animation.contacts) {
-    key.push_back(
-        {t.curves[0], "race loads" + longest_load(s, s.animation.contacts->largest_load)});
+    const auto& largest = s.animation.contacts->largest_of_race;
+    key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
+    key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   } else if (s.options.contacts) {
     key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }

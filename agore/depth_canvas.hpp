@@ -37,12 +37,25 @@ class DepthCanvas {
     triangle(a, b, c, shades);
     triangle(a, c, d, shades);
   }
+  /// Of a closed body: nothing of what is turned away, which is behind the rest of it. The side
+  /// that is seen has its corners clockwise in the picture.
+  void front_triangle(const Point& a, const Point& b, const Point& c, const Shades& shades) {
+    if (clockwise(a, b, c)) triangle(a, b, c, shades);
+  }
+  void front_quad(const Point& a, const Point& b, const Point& c, const Point& d,
+                  const Shades& shades) {
+    front_triangle(a, b, c, shades);
+    front_triangle(a, c, d, shades);
+  }
   void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades,
               const Shades& mark);
   /// Every pixel the mean of `shrink` by `shrink` of them.
   [[nodiscard]] QImage image(int shrink) const;
 
  private:
+  [[nodiscard]] static bool clockwise(const Point& a, const Point& b, const Point& c) {
+    return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
+  }
   int width_ = 0, height_ = 0;
   std::vector<QRgb> colour_;
   std::vector<float> depth_;

@@ -81,12 +81,14 @@ std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
 }  // namespace
 
 void draw_element(const Scene& s, std::size_t k, const QColor& tint) {
-  const auto mark = mark_from_axis(s.frame.elements.at(k));
+  auto mark = mark_from_axis(s.frame.elements.at(k));
   const double radius = s.animation.file.geometry.element_radius;
-  if (s.animation.file.bearing_type == 1)
+  if (s.animation.file.bearing_type == 1) {
     s.sketch.ball(element_centre(s, k), radius, mark, tint);
-  else
-    s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
+    return;
+  }
+  mark[2] = 0.0;  // on the end that is seen, however the roller leans
+  s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
 }
 
 void draw_elements(const Scene& s) {
@@ -116,8 +118,12 @@ void draw_contact_marks(const Scene& s) {
       s.sketch.asterisk(
           s.sketch.at(centre.x(), centre.y()),
           std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0), t.red);
-    const double angle = std::atan2(-centre.x(), centre.y());
-    s.sketch.label(s.sketch.around({0, 0}, outside, angle), QString::number(k + 1),
+    // About the ring that they stand beside: the cage's own where it is alone.
+    const QPointF hub =
+        s.options.view == View::Cage ? s.place(s.animation.cage_of(s.index, k)) : QPointF(0, 0);
+    const QPointF from_hub = centre - hub;
+    const double angle = std::atan2(-from_hub.x(), from_hub.y());
+    s.sketch.label(s.sketch.around(hub, outside, angle), QString::number(k + 1),
                    contact && s.animation.has_cage ? t.red : t.muted, letters, contact);
   }
 }

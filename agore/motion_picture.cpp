@@ -230,7 +230,8 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   const desktop::Theme& t = theme_of(options);
   painter.setFont(desktop::ui_font(18, true));
   painter.setPen(t.text);
-  const QString title = QString::fromStdString(view_title(options.view));
+  const QString title = options.beside.empty() ? QString::fromStdString(view_title(options.view))
+                                               : QString("Views at the same moment");
   const double title_width = QFontMetricsF(painter.font()).horizontalAdvance(title);
   painter.drawText(QPointF(area.left() + kMargin, area.top() + 30), title);
   painter.setFont(desktop::ui_font(13));

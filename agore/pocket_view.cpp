@@ -137,7 +137,7 @@ void pocket_view(const Scene& s) {
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
   if (element.pocket_force > 0.0) {
     const QPointF u = touched_wall(rollers, centre, element.pocket_angle, direction);
-    s.sketch.arrow(
+    s.sketch.arrow(  // from the middle, as the classic tool draws it
         s.sketch.at(centre.x(), centre.y()),
         s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
         t.red, 2.6);
@@ -150,12 +150,13 @@ void pocket_view(const Scene& s) {
         element.pocket_force > 0.0 ? QString::fromStdString(fmt::format(
                                          "contact in the pocket: {} at {}°", force,
                                          desktop::tick_text(element.pocket_angle * 180.0 / kPi, 0)))
-                                   : QString("no contact")}},
+        : rollers ? QString("no contact with the side walls; end walls are not stored")
+                  : QString("no contact")}},
       QString::fromStdString(fmt::format(
           "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}{}", k + 1,
           s.frame.elements.size(),
           rollers && !roller.is_barrel() ? "clearance and skew" : "clearance",
-          desktop::pretty_number(factor, 3),
+          desktop::pretty_number(factor, 3) + (roller.is_barrel() ? ", skew to scale" : ""),
           s.sketch.area().height() < kTooLow ? "" : lean_remark(lies.lean),
           arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
           shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""

@@ -47,7 +47,10 @@ void race_view(const Scene& s) {
     orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
   const auto [enlargement, now] = draw_orbit(s, 0.45 * low, 0.0, orbit);
   s.sketch.frame(now, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
-  draw_key(s, {{t.blue, "frame of the race"}, {t.curves[0], "path of the race centre"}},
+  std::vector<KeyEntry> key{{t.blue, "frame of the race"},
+                            {t.blue, "spot that turns with it", KeyMark::Star}};
+  if (enlargement > 0.0) key.push_back({t.curves[0], "path of the race centre"});
+  draw_key(s, key,
            QString::fromStdString(
                (enlargement > 0.0 ? fmt::format("path about its middle × {}",
                                                 desktop::pretty_number(enlargement, 3))

@@ -4,6 +4,7 @@
 
 #include <QFontMetricsF>
 #include <QPaintEngine>
+#include <QPainterPath>
 #include <QTransform>
 
 #include <cmath>
@@ -101,7 +102,8 @@ void Sketch::orientation_mark(QPointF middle, double r, const std::array<double,
   if (mark == std::array<double, 3>{}) return;
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
-  colour.setAlpha(mark[2] >= 0.0 ? 255 : 130);
+  constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
+  colour.setAlpha(mark[2] >= kBehind ? 255 : 130);
   painter_.setPen(QPen(colour, std::clamp(0.09 * r, 1.0, 5.0), Qt::SolidLine, Qt::RoundCap));
   painter_.drawLine(middle, tip);
   painter_.setPen(Qt::NoPen);
@@ -124,81 +126,26 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   painter_.drawPath(path);
 }
 
-namespace {
-
-constexpr double kOutlineRadius = 1000.0;  // of the cage outside, in its outline
-
-QPointF polar(double radius, double angle) {
-  return {-radius * std::sin(angle), radius * std::cos(angle)};
-}
-
-QPainterPath cage_outline(const Animation& animation, double pocket_radius, int segment) {
-  // Cutting works to absolute distances, made for pixels: so in thousands of them.
-  auto g = animation.file.geometry;
-  const double enlargement = kOutlineRadius / g.cage_outer_radius;
-  for (double* length : {&g.cage_outer_radius, &g.cage_inner_radius, &g.pitch_diameter})
-    *length *= enlargement;
-  pocket_radius *= enlargement;
-  const double pitch_radius = 0.5 * g.pitch_diameter;
-  QPainterPath body;
-  body.addEllipse(QPointF(0, 0), g.cage_outer_radius, g.cage_outer_radius);
-  body.addEllipse(QPointF(0, 0), g.cage_inner_radius, g.cage_inner_radius);
-  QPainterPath holes;
-  holes.setFillRule(Qt::WindingFill);
-  double first = 0.0, last = 0.0, reference = 0.0;
-  bool any = false;
-  for (std::size_t k = 0; k < animation.pocket_angle.size(); ++k) {
-    if (animation.pocket_part[k] != segment) continue;
-    const double pocket = animation.pocket_angle[k];
-    holes.addEllipse(polar(pitch_radius, pocket), pocket_radius, pocket_radius);
-    if (!any) reference = pocket;
-    any = true;
-    const double beside = std::remainder(pocket - reference, 2.0 * std::numbers::pi);
-    first = std::min(first, beside), last = std::max(last, beside);
-  }
-  if (animation.segments > 1) {
-    // From the middle between two pockets to the next such middle, with a gap that can be seen.
-    constexpr double kGap = 0.012;
-    const double half = std::numbers::pi / animation.file.elements - kGap;
-    QPolygonF sector{QPointF(0, 0)};
-    const double begin = reference + first - half, end = reference + last + half;
-    constexpr int kParts = 90;
-    for (int i = 0; i <= kParts; ++i)
-      sector.append(polar(2.0 * g.cage_outer_radius, begin + (end - begin) * i / kParts));
-    QPainterPath arc;
-    arc.addPolygon(sector);
-    arc.closeSubpath();
-    body = body.intersected(arc);
-  }
-  return body.subtracted(holes);
-}
-
-}  // namespace
-
-const QPainterPath& CageOutlines::of(const Animation& animation, double pocket_radius,
-                                     int segment) {
-  if (animation_ != &animation || pocket_radius_ != pocket_radius) {
-    parts_.clear();
-    animation_ = &animation;
-    pocket_radius_ = pocket_radius;
-  }
-  const auto found = parts_.find(segment);
-  if (found != parts_.end()) return found->second;
-  return parts_.emplace(segment, cage_outline(animation, pocket_radius, segment)).first->second;
-}
-
 void Sketch::cage(QPointF centre, double angle, double outer_radius,
-                  const QPainterPath& outline) const {
+                  const CageOutlines::Outline& outline) const {
   const QPointF middle = at(centre.x(), centre.y());
   QTransform turn = QTransform::fromTranslate(middle.x(), middle.y());
-  const double unit = scale_ * outer_radius / kOutlineRadius;
+  const double unit = scale_ * outer_radius / CageOutlines::kRadius;
   turn.scale(unit, -unit);
   turn.rotateRadians(angle);
   painter_.setPen(QPen(theme_.cage.darker(145), 1.0));
   QColor fill = theme_.cage;
   fill.setAlpha(225);
   painter_.setBrush(fill);
-  painter_.drawPath(turn.map(outline));
+  QPainterPath whole;
+  for (const QPolygonF& piece : outline.pieces) {
+    const QPolygonF turned = turn.map(piece);
+    if (outline.nested)
+      whole.addPolygon(turned);
+    else if (turned.boundingRect().intersects(area_))
+      painter_.drawPolygon(turned);
+  }
+  if (!whole.isEmpty()) painter_.drawPath(whole);
 }
 
 void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour) const {
@@ -210,8 +157,11 @@ void Sketch::frame(QPointF centre, double angle, double length, const QColor& co
   constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
   if (length * scale_ < kLeast) return;
   const int size = std::clamp(static_cast<int>(length * scale_ * 0.16), 11, 16);
-  label(around(centre, length * 1.14, angle), "z", colour, size, true);
-  label(around(centre, length * 1.14, angle - 0.5 * std::numbers::pi), "y", colour, size, true);
+  // Beside the tips: frames that point the same way lie on one line.
+  const double beside = (0.7 * size + 5.0) / scale_;
+  const double tip = std::hypot(length, beside), turn = std::atan2(beside, length);
+  label(around(centre, tip, angle + turn), "z", colour, size, true);
+  label(around(centre, tip, angle - 0.5 * std::numbers::pi - turn), "y", colour, size, true);
 }
 
 void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width) const {

@@ -1,28 +1,14 @@
 #pragma once
 
+#include "agore/cage_outlines.hpp"
 #include "agore/view_options.hpp"
 #include "desktop/theme.hpp"
 
 #include <QPainter>
-#include <QPainterPath>
-
-#include <map>
 
 /// Drawing in the plane of the bearing, seen from +X: y to the right, z up, lengths in the file's
 /// unit.
 namespace adore::agore {
-
-/// The cage between its pockets, or a segment of it, where it stands at angle 0: y to the right, z
-/// up. Made once, drawn turned: cutting forty pockets takes longer than all else of a picture.
-class CageOutlines {
- public:
-  const QPainterPath& of(const Animation& animation, double pocket_radius, int segment);
-
- private:
-  const Animation* animation_ = nullptr;
-  double pocket_radius_ = -1.0;
-  std::map<int, QPainterPath> parts_;
-};
 
 /// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
 bool on_pixels(const QPainter& painter);
@@ -64,7 +50,7 @@ class Sketch {
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
   /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
   void cage(QPointF centre_yz, double angle, double outer_radius,
-            const QPainterPath& outline) const;
+            const CageOutlines::Outline& outline) const;
   /// Two arms along the body's y and z axes.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour) const;
   void arrow(QPointF from, QPointF to, const QColor& colour,

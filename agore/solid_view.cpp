@@ -164,22 +164,34 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     r.hole_angle =
         std::min(limit, pocket.half_round + pocket.taper * r.hole_u) * a / size / pitch_radius;
   }
-  for (int i = 0; i < kParts; ++i) {
-    const Rim &p = rim[static_cast<std::size_t>(i)], &q = rim[static_cast<std::size_t>(i) + 1];
-    for (const double v : {cage.low, cage.high})
-      m.canvas().quad(m.at(place(p.hole_angle, p.hole_u, v), across(p.hole_angle)),
-                      m.at(place(p.edge_angle, p.edge_u, v), across(p.edge_angle)),
-                      m.at(place(q.edge_angle, q.edge_u, v), across(q.edge_angle)),
-                      m.at(place(q.hole_angle, q.hole_u, v), across(q.hole_angle)), shades);
-    m.flat(place(p.hole_angle, p.hole_u, cage.low), place(p.hole_angle, p.hole_u, cage.high),
-           place(q.hole_angle, q.hole_u, cage.high), place(q.hole_angle, q.hole_u, cage.low),
-           shades);
+  // Each point of the mesh once: at the hole and at the edge, below and above.
+  struct Corner {
+    std::array<Vec3, 2> hole, edge;
+    std::array<Point, 2> lit_hole, lit_edge;
+  };
+  std::array<Corner, kParts + 1> corner;
+  const std::array<double, 2> heights{cage.low, cage.high};
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const Rim& r = rim[i];
+    Corner& c = corner[i];
+    const Vec3 hole_normal = across(r.hole_angle), edge_normal = across(r.edge_angle);
+    for (std::size_t v = 0; v < 2; ++v) {
+      c.hole[v] = place(r.hole_angle, r.hole_u, heights[v]);
+      c.edge[v] = place(r.edge_angle, r.edge_u, heights[v]);
+      c.lit_hole[v] = m.at(c.hole[v], hole_normal);
+      c.lit_edge[v] = m.at(c.edge[v], edge_normal);
+    }
+  }
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const Rim &p = rim[i], &q = rim[i + 1];
+    const Corner &c = corner[i], &d = corner[i + 1];
+    for (std::size_t v = 0; v < 2; ++v)
+      m.canvas().quad(c.lit_hole[v], c.lit_edge[v], d.lit_edge[v], d.lit_hole[v], shades);
+    m.flat(c.hole[0], c.hole[1], d.hole[1], d.hole[0], shades);
     const bool side_face = p.edge_u == q.edge_u;
     const bool left = p.edge_angle < 0.0;
     if (side_face || open_end[left ? 0 : 1])
-      m.flat(place(p.edge_angle, p.edge_u, cage.low), place(p.edge_angle, p.edge_u, cage.high),
-             place(q.edge_angle, q.edge_u, cage.high), place(q.edge_angle, q.edge_u, cage.low),
-             shades);
+      m.flat(c.edge[0], c.edge[1], d.edge[1], d.edge[0], shades);
   }
 }
 
@@ -194,25 +206,39 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   const double first_u = shape.corner[0] - shape.half, last_u = shape.half - shape.corner[1];
   for (int j = 0; j <= parts; ++j) stations.push_back(first_u + (last_u - first_u) * j / parts);
   if (shape.corner[1] > 0.0) stations.push_back(shape.half);
-  const auto round = [&](int i) {
-    const double a = 2.0 * kPi * (i - 0.5) / kSides;
-    return Vec3(std::cos(a) * first + std::sin(a) * second);
+  const auto n = stations.size();
+  struct Line {  // along the roller
+    std::vector<Point> points;
+    Vec3 outward;
   };
+  const auto line_at = [&](int i) {
+    const double a = 2.0 * kPi * (i - 0.5) / kSides;
+    Line out{std::vector<Point>(n), std::cos(a) * first + std::sin(a) * second};
+    const float lit = m.light(out.outward);
+    for (std::size_t j = 0; j < n; ++j) {
+      out.points[j] = m.at(middle + stations[j] * axis + shape.side(stations[j]) * out.outward);
+      out.points[j].light = lit;
+    }
+    return out;
+  };
+  const std::array<Point, 2> centres{m.at(middle - shape.half * axis, axis),
+                                     m.at(middle + shape.half * axis, axis)};
+  const auto on_end = [&](Point p, std::size_t end) {
+    p.light = centres[end].light;
+    return p;
+  };
+  Line from = line_at(0);
   for (int i = 0; i < kSides; ++i) {
     const Shades& colour = i == 0 && first.squaredNorm() > 0.0 ? mark : shades;
-    const Vec3 n = round(i), o = round(i + 1);
-    for (std::size_t j = 1; j < stations.size(); ++j) {
-      const double u = stations[j - 1], w = stations[j];
-      const double ru = shape.side(u), rw = shape.side(w);
-      m.canvas().quad(m.at(middle + u * axis + ru * n, n), m.at(middle + w * axis + rw * n, n),
-                      m.at(middle + w * axis + rw * o, o), m.at(middle + u * axis + ru * o, o),
-                      colour);
-    }
-    for (const double end : {-shape.half, shape.half}) {
-      const double r = shape.side(end);
-      m.canvas().triangle(m.at(middle + end * axis, axis), m.at(middle + end * axis + r * n, axis),
-                          m.at(middle + end * axis + r * o, axis), colour);
-    }
+    Line to = line_at(i + 1);
+    for (std::size_t j = 1; j < n; ++j)
+      m.canvas().front_quad(from.points[j - 1], from.points[j], to.points[j], to.points[j - 1],
+                            colour);
+    m.canvas().front_triangle(centres[0], on_end(from.points[0], 0), on_end(to.points[0], 0),
+                              colour);
+    m.canvas().front_triangle(centres[1], on_end(to.points[n - 1], 1),
+                              on_end(from.points[n - 1], 1), colour);
+    from = std::move(to);
   }
 }
 

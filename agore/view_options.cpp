@@ -112,6 +112,24 @@ void check_view(const Animation& animation, const ViewOptions& options) {
                     options.element, animation.file.elements));
 }
 
+namespace {
+
+/// The farthest of the cage, or a part of it, from the axis, by a thousand looks at most.
+double way_of_cage(const Animation& animation) {
+  constexpr std::size_t kLooks = 1000;
+  const std::size_t every = std::max<std::size_t>(1, animation.frames() / kLooks);
+  double out = 0.0;
+  for (std::size_t i = 0; i < animation.frames(); i += every)
+    for (int part = 0; part < animation.segments; ++part) {
+      const auto& place = animation.part(i, part).position;
+      const double way = std::hypot(place[1], place[2]);
+      if (std::isfinite(way)) out = std::max(out, way);
+    }
+  return out;
+}
+
+}  // namespace
+
 double used_exaggeration(const Animation& animation, const ViewOptions& options) {
   if (options.exaggeration > 0.0) return options.exaggeration;
   if (!animation.has_cage) return 1.0;
@@ -120,6 +138,11 @@ double used_exaggeration(const Animation& animation, const ViewOptions& options)
   double limit = 100.0;
   if (animation.guide_clearance > 0.0)
     limit = std::min(limit, 0.03 * pitch_radius / animation.guide_clearance);
+  // A cage that no race guides is drawn clear of those that it does not touch.
+  if (const double way = way_of_cage(animation); animation.guide == Guide::None && way > 0.0)
+    for (const double room : {g.outer_race_inner_radius - g.cage_outer_radius,
+                              g.cage_inner_radius - g.inner_race_outer_radius})
+      if (room > 0.0) limit = std::min(limit, room / way);
   if (g.pocket_clearance_1 > 0.0) {
     const double half_pitch = std::numbers::pi * pitch_radius / animation.file.elements;
     limit = std::min(limit, (0.94 * half_pitch - g.element_radius) / (0.5 * g.pocket_clearance_1));

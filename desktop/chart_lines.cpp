@@ -106,6 +106,27 @@ bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& o
   return true;
 }
 
+/// Does every part of a curve lie on another one?
+bool within(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
+  return !one.lines.empty() &&
+         std::all_of(one.lines.begin(), one.lines.end(), [&](const QPolygonF& line) {
+           return std::any_of(other.lines.begin(), other.lines.end(), [&](const QPolygonF& cover) {
+             return cover.front().x() <= line.front().x() + 1.0 &&
+                    cover.back().x() >= line.back().x() - 1.0 && lies_on(line, cover, same);
+           });
+         });
+}
+
+/// Is nothing to be seen of a curve with gaps below one drawn later, over at least half of that?
+bool covered(const ChartScene::ShownCurve& below, const ChartScene::ShownCurve& above, qreal same) {
+  const auto width = [](const QPolygonF& line) { return line.back().x() - line.front().x(); };
+  qreal all = 0.0, hidden = 0.0;
+  for (const QPolygonF& line : above.lines) all += width(line);
+  for (const QPolygonF& line : below.lines) hidden += width(line);
+  if (!(hidden > 0.0) || hidden < 0.5 * all) return false;
+  return within(below, above, same);
+}
+
 /// The parts of a line inside `area`.
 std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
   std::vector<QPolygonF> out;
@@ -215,7 +236,12 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     shown.extents = extents_of(shown.lines);
     if (rising_ && !panel.one_colour)
       for (ShownCurve& before : out) {
-        if (before.hides || !coincide(before, shown, kSame * area.height())) continue;
+        const qreal same = kSame * area.height();
+        // A later curve that is on the earlier one wherever it is, hides that there.
+        if (before.hides || !(coincide(before, shown, same) || covered(before, shown, same) ||
+                              (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
+                               shown.lines.size() > 1 && within(shown, before, same))))
+          continue;
         shown.hides = before.curve;
         shown.alike = alikeInView(index, before.curve, c, y_axis);
         shown.later = ++before.later;

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -336,7 +337,8 @@ TEST_CASE("pages: what does not move says so, and has one dot for start and end"
   set(file, "race.axial_velocity", 1e-19);
   CHECK(still());
   set(file, "race.applied_moment", 0.0);
-  CHECK(page_with(file, "Applied moments").note == "Every value of this page is 0.");
+  CHECK_THAT(page_with(file, "Applied moments").note,
+             Catch::EndsWith("Every value of this page is 0."));
 }
 
 TEST_CASE("pages: a pale area is spoken of where one can be seen", "[unit][adrplot]") {
@@ -356,4 +358,69 @@ TEST_CASE("pages: a pale area is spoken of where one can be seen", "[unit][adrpl
   CHECK_THAT(note(), !Catch::Contains("Pale"));
   high[3] += 0.1 * all;
   CHECK_THAT(note(), Catch::Contains("Pale areas reach from the lowest to the highest value"));
+}
+
+TEST_CASE("pages: a life that was computed once and held says so", "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Power);
+  const auto held = [&] {
+    return page_with(file, "power loss and life").note.find("computed once and held") !=
+           std::string::npos;
+  };
+  set(file, "power.life", 20503.0);
+  CHECK(held());
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "power.life") file.steps.back().values.at(c) = 20504.0;
+  CHECK_FALSE(held());
+  set(file, "power.life", 0.0);  // none
+  CHECK_FALSE(held());
+}
+
+TEST_CASE("pages: applied loads are those that hold a race which is held", "[unit][adrplot]") {
+  const results::SolFile file = test::synthetic_sol(SolKind::Race);
+  for (const char* page : {"Applied forces", "Applied moments"})
+    CHECK_THAT(page_with(file, page).note, Catch::Contains("Where a race is held"));
+}
+
+TEST_CASE("pages: the orbit of a cage without lands is divided by half its pockets' clearance",
+          "[unit][adrplot]") {
+  // The rule of the file: results/motion.cpp, cage_clearance_scale.
+  results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  CHECK_THAT(page_with(file, "orbit").note, !Catch::Contains("no guide land"));
+  for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
+  const std::string note = page_with(file, "orbit").note;
+  CHECK_THAT(note, Catch::Contains("divided by half of their clearance"));
+  CHECK_THAT(note, !Catch::Contains("clearance to the races"));
+}
+
+TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[unit][adrplot]") {
+  // A letter behind a colon or within "spectra of" begins no sentence.
+  const auto faults = [](const std::string& note) {
+    int out = 0;
+    for (const char* const behind : {": ", "spectra of "})
+      for (auto at = note.find(behind); at != std::string::npos; at = note.find(behind, at + 1)) {
+        const auto first = at + std::string(behind).size();
+        if (first + 1 < note.size() && std::isupper(static_cast<unsigned char>(note[first])) &&
+            std::islower(static_cast<unsigned char>(note[first + 1])))
+          ++out;
+      }
+    return out;
+  };
+  REQUIRE(faults("Outer race: This has none.") == 1);
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    results::SolFile file = test::synthetic_sol(kind);
+    // One race of each pair has nothing that was computed.
+    for (const char* begin : {"contact.film.outer", "contact.temperature_rise.outer",
+                              "contact.load.outer", "contact.spin_to_roll.outer"})
+      set(file, begin, 0.0);
+    const PlotDocument document = make_document(file);
+    for (const Domain domain : {Domain::History, Domain::Spectrum, Domain::Waterfall})
+      for (std::size_t p = 0; p < document.pages.size(); ++p) {
+        PageOptions options;
+        options.domain = domain;
+        const std::string note = document.build(static_cast<int>(p) + 1, options).note;
+        CAPTURE(document.pages[p].title, note);
+        CHECK(faults(note) == 0);
+      }
+  }
 }

@@ -553,3 +553,56 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   CHECK(pixels_of(with, QRect(0, 60, 780, 480), way) > 20);  // beside that in the key
   CHECK(pixels_of(picture.image({1280, 800}, 20, options), kPicture, way) == 0);
 }
+
+TEST_CASE("views: a cage that no race guides is drawn clear of the races that it does not touch",
+          "[unit][agore]") {
+  Animation animation = prepare(test::synthetic_sol8());
+  animation.guide = Guide::None;
+  animation.guide_clearance = 0.0;
+  auto& g = animation.file.geometry;
+  g.pocket_clearance_1 = 0.0;  // pockets do not limit
+  const double room = std::min(g.outer_race_inner_radius - g.cage_outer_radius,
+                               g.cage_inner_radius - g.inner_race_outer_radius);
+  REQUIRE(room > 0.0);
+  for (const double share : {0.001, 0.04, 0.11, 0.3, 0.45, 0.9, 3.0}) {
+    for (auto& frame : animation.file.frames) frame.cage.position = {0.0, 0.0, -share * room};
+    const double factor = used_exaggeration(animation, {});
+    CAPTURE(share, factor);
+    CHECK(factor >= 1.0);
+    CHECK((factor == 1.0 || factor * share <= 1.05));
+    if (share <= 0.45) CHECK(factor > 1.0);
+  }
+  // A cage that dips below the inner race's rim has its room to the outer race all the same.
+  g.cage_inner_radius = 0.9 * g.inner_race_outer_radius;
+  const double outer = g.outer_race_inner_radius - g.cage_outer_radius;
+  for (auto& frame : animation.file.frames) frame.cage.position = {0.0, 0.0, -0.3 * outer};
+  CHECK(used_exaggeration(animation, {}) == 2.0);
+}
+
+TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agore]") {
+  test::use_qt();
+  Animation animation = prepare(test::synthetic_sol8());
+  for (auto& frame : animation.file.frames)
+    for (auto& race : frame.races) race.position = {};
+  MotionPicture still(std::move(animation));
+  ViewOptions options;
+  options.view = View::OuterRace;
+  const QByteArray none = still.svg({1280, 800}, 3, options);
+  CHECK_FALSE(none.contains("path of the race centre"));
+  CHECK(none.contains("spot that turns with it"));
+  options.view = View::Bearing;
+  CHECK(still.svg({1280, 800}, 3, options).contains("Bearing motion"));
+  options.beside = {{View::Pocket}, {View::Cage}};
+  const QByteArray several = still.svg({1280, 800}, 3, options);
+  CHECK(several.contains("Views at the same moment"));
+
+  // A roller that leaves its side walls may lie at an end wall, of which no file tells.
+  Animation rollers = prepare(test::synthetic_sol8());
+  rollers.file.bearing_type = 2;
+  for (auto& frame : rollers.file.frames)
+    for (auto& element : frame.elements) element.pocket_force = 0.0;
+  MotionPicture free(std::move(rollers));
+  options.beside.clear();
+  options.view = View::Pocket;
+  CHECK(free.svg({1280, 800}, 3, options).contains("end walls are not stored"));
+}

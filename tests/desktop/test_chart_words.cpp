@@ -223,6 +223,21 @@ TEST_CASE("chart_scene: curves that would hide another say so and leave it half 
   page.panels = {{"Place", "m", {{"land 1", noise_1, {}}, {"land 2", noise_2, {}}}}};
   scene.setPage(page);
   CHECK(words(scene).contains("land 2 (= land 1)"));
+  // One that breaks off now and then is hidden as well, one that is there for a tenth is not.
+  std::vector<double> gaps = wave, few(wave.size(), std::nan(""));
+  for (const std::size_t i : {50U, 51U, 200U, 333U}) gaps[i] = std::nan("");
+  std::copy(wave.begin() + 100, wave.begin() + 140, few.begin() + 100);
+  for (const auto& [below, hidden] : {std::pair{&gaps, true}, {&few, false}}) {
+    page.panels = {{"Force", "N", {{"land 1", *below, {}}, {"land 2", wave, {}}}}};
+    scene.setPageSize({1280, 800});
+    scene.setPage(page);
+    CHECK((words(scene).filter("(over").size() == 1) == hidden);
+    if (hidden) CHECK(inked(scene, scene.image({1280, 800}), 0) > 200);
+  }
+  // A later one with gaps hides the earlier one where it is.
+  page.panels = {{"Force", "N", {{"land 1", wave, {}}, {"land 2", gaps, {}}}}};
+  scene.setPage(page);
+  CHECK(words(scene).filter("(over").size() == 1);
   // A curve that is switched off hides nothing.
   scene.setPageSize({1280, 800});
   look(wave);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "agore/animation.hpp"
+
+#include <QPainterPath>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace adore::agore {
+
+/// The cage between its pockets, or a segment of it, where it stands at angle 0: y to the right, z
+/// up, the outside of the cage kRadius large. In pieces that do not overlap (bars, where pockets
+/// part the cage), since a path is searched whole for each strip of a picture. Cut once, thinned
+/// once for a size, drawn turned: cutting forty pockets takes longer than all else of a picture.
+class CageOutlines {
+ public:
+  static constexpr double kRadius = 1000.0;
+  /// No point that is left out lies farther than this from the outline that is drawn [pixels].
+  static constexpr double kTolerance = 0.1;
+  using Pieces = std::vector<QPolygonF>;
+  struct Outline {
+    Pieces pieces;        ///< closed
+    bool nested = false;  ///< pieces are holes of others: one path
+  };
+
+  /// `outside`: radius of the cage in the picture [pixels].
+  const Outline& of(const Animation& animation, double pocket_radius, int segment, double outside);
+
+ private:
+  const Animation* animation_ = nullptr;
+  double pocket_radius_ = -1.0;
+  std::map<int, Outline> cut_;
+  std::map<int, std::pair<double, Outline>> thinned_;  ///< and for which size
+};
+
+/// A closed line without the points that lie within `tolerance` of the rest (Ramer, Douglas and
+/// Peucker's rule).
+[[nodiscard]] QPolygonF thinned(const QPolygonF& closed, double tolerance);
+
+}  // namespace adore::agore
