@@ -40,6 +40,8 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
   out.balanced = plan.has(scene::Effect::RaceBalance);
   for (const auto& vibration : plan.race_motions.vibration)
     out.shaken = out.shaken || vibration.has_value();
+  for (const auto& free : plan.race_motions.free)
+    out.tilts = out.tilts || (free && !(free->rotation_held[1] && free->rotation_held[2]));
   for (std::size_t k = 0; k < 3; ++k) {
     out.given[k] = !bearing.constraints.displacement_given[k];
     const auto& turning = plan.race_motions.turning_load;
@@ -86,6 +88,11 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
                      "a race moves under its load along {}, and over so short a time the rest "
                      "accelerates it; a longer run comes nearer",
                      "xyz"[furthest]);
+  if (load.tilts)
+    return out +
+           "a race tilts freely (kMD2 or kMD3 = 0 of record 2.2) from where the equilibrium held "
+           "it, which changes what the elements carry; hold its tilt, or give the moments that the "
+           "equilibrium needs";
   if (load.shaken)
     return out +
            "record 9.3B moves a race to and fro past its quasi-static place, and springs that "

@@ -23,6 +23,7 @@ struct MeanLoad {
   double time = 0.0;            ///< span of the mean [s]
   std::array<bool, 3> given{};  ///< directions whose load is given and stays: others are displaced
   std::array<bool, 3> moves{};  ///< a race moves under its load there
+  bool tilts = false;           ///< a race turns freely about y or z
   bool shaken = false;          ///< a race vibrates (record 9.3B)
   bool balanced = false;        ///< mode 2: that race has no inertia
   scene::Vec3 asked = scene::Vec3::Zero(), mean = scene::Vec3::Zero();  ///< x, y, z [N]

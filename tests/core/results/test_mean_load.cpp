@@ -110,6 +110,13 @@ TEST_CASE("A load that turns is not compared, and of a free race it is not said 
   INFO(text);
   CHECK(text.find("a race moves under its load along x") != std::string::npos);
   CHECK(text.find("holds the inner race") == std::string::npos);
+  scene::ScenePlan tilting;
+  tilting.race_motions.free[0].emplace();
+  tilting.race_motions.free[0]->translation_held = {true, true, true};
+  const std::string tilt =
+      load_warning(mean_load(averages.averages(), bearing, tilting), UnitSystem::SI);
+  CHECK(tilt.find("a race tilts freely") != std::string::npos);
+  CHECK(tilt.find("holds the inner race") == std::string::npos);
   scene::ScenePlan shaken;
   shaken.race_motions.vibration[1].emplace();
   const std::string cause =
