@@ -186,25 +186,23 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
                          desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
 }
 
-void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair) {
+void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,
+               const PageContext& context) {
   const PanelSpec& across = page.panels.at(static_cast<std::size_t>(pair.across));
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
   const bool over_clearance = file.kind == results::SolKind::Cage;
-  const std::string suffix = over_clearance ? " / clearance" : " position";
   chart.equal_axes = true;
   // The unit circle is where a land without a second support touches; it means nothing against the
   // axial coordinate.
   const KnownColumns columns(file);
-  const auto no_land = [&columns](const char* force) {
-    return columns.has(force) && !columns.values(force).why_none.empty();
-  };
-  if (over_clearance && no_land("cage.land1_force") && no_land("cage.land2_force"))
-    add_note(
-        chart,
-        "This cage has no guide land: its pockets hold it, and the clearance to the races that "
-        "its orbit is divided by limits nothing.");
-  else if (over_clearance && pair.across != 0 && pair.up != 0)
-    chart.guide_radius = 1.0;
+  std::string suffix = " position";
+  if (over_clearance) {
+    const OrbitScale scale = orbit_scale(file, columns, context.facts);
+    suffix = " / " + orbit_divisor(scale);
+    add_note(chart, orbit_note(scale));
+    if (scale.of == results::CageScale::Of::GuideLands && pair.across != 0 && pair.up != 0)
+      chart.guide_radius = 1.0;
+  }
   chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
   panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
@@ -291,7 +289,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
       }
       break;
     case PageKind::Orbit:
-      add_orbit(chart, file, page, options.orbit);
+      add_orbit(chart, file, page, options.orbit, context);
       break;
     case PageKind::Spectrum:
       add_spectrum(chart, file, spectrum_panels(page), options.spectrum, context);

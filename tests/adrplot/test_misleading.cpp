@@ -188,17 +188,34 @@ TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart"
   CHECK(dashed(page) > 0);
 }
 
-TEST_CASE("pages: the orbit of a cage without guide lands has no circle of clearance",
-          "[unit][adrplot]") {
+TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  const desktop::ChartPage guided = page_with(file, "orbit");
+  CHECK(guided.guide_radius == 1.0);
+  CHECK_THAT(guided.note, Catch::Contains("clearance of the guide lands, 150 µm"));
+  CHECK(guided.x_title == "Y / clearance");
   for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
   const desktop::ChartPage free = page_with(file, "orbit");
   CHECK(free.guide_radius == 0.0);
-  CHECK(free.note.find("no guide land") != std::string::npos);
-  set(file, "cage.land1_gap", 1e-4);
-  const desktop::ChartPage guided = page_with(file, "orbit");
-  CHECK(guided.guide_radius == 1.0);
-  CHECK(guided.note.find("no guide land") == std::string::npos);
+  CHECK_THAT(free.note, Catch::Contains("no guide land") &&
+                            Catch::Contains("radial clearance of its pockets, 150 µm"));
+  CHECK(free.x_title == "Y / pocket clearance");
+  // A clearance of one unit of length is none.
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "cage.radial_position")
+      for (auto& step : file.steps) step.values[c] /= 150e-6;
+  const desktop::ChartPage position = page_with(file, "orbit");
+  CHECK_THAT(position.note, Catch::Contains("divided by 1 m"));
+  CHECK(position.x_title == "Y / 1 m");
+  // What the run says goes before what its numbers look like.
+  using results::CageScale;
+  const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
+  PageContext context;
+  context.facts.cage_scale = {60e-6, CageScale::Of::Pockets};
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("pockets, 60 µm"));
+  context.facts.cage_scale = {149e-6, CageScale::Of::GuideLands};
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }
 
 TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplot]") {
