@@ -109,6 +109,21 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
   out.facts = read_facts(run.value("stored", nlohmann::json()));
   const auto plan = run.find("plan");
   if (plan == run.end() || !plan->is_object()) return;
+  if (const auto effects = plan->find("effects"); effects != plan->end() && effects->is_array()) {
+    std::optional<bool> moves, thermal;
+    for (const auto& effect : *effects) {
+      if (!effect.is_object() || !effect.contains("name") || !effect.contains("on") ||
+          !effect["name"].is_string() || !effect["on"].is_boolean())
+        continue;
+      const std::string name = effect["name"].get<std::string>();
+      const bool on = effect["on"].get<bool>();
+      if (name == "races that move under loads" || name == "force balance of the inner race")
+        moves = moves.value_or(false) || on;
+      if (name == "thermal steps") thermal = on;
+    }
+    if (moves) out.facts.races_held = !*moves;
+    if (!out.facts.temperatures_computed) out.facts.temperatures_computed = thermal;
+  }
   const auto estimates = plan->find("estimates");
   if (estimates == plan->end() || !estimates->is_object()) return;
   const auto frequency = estimates->find("fastest_frequency_Hz");
@@ -176,6 +191,13 @@ PageContext context_of(const results::SolFile& file) {
     if (reader.run_id() != file.header.run_id) return out;
     out.frequencies = frequencies(reader);
     read_bands(reader, file, out);
+    if (reader.geometry().contains("roller_length")) {
+      auto& flanges = out.facts.flanges.emplace();
+      for (const char* race : {"outer", "inner"})
+        for (const auto& [end, place] : {std::pair{"minus_x", 1}, {"plus_x", 2}})
+          if (reader.geometry().contains(fmt::format("{}_flange_{}_height", race, end)))
+            flanges.insert(fmt::format("{}.{}", race, place));
+    }
   } catch (const std::exception&) {
     // The plot file alone is enough.
   }

@@ -89,4 +89,76 @@ std::string orbit_divisor(const OrbitScale& scale) {
   return "1 " + scale.unit;
 }
 
+bool never_changes(const std::vector<double>& values, double rounding) {
+  std::size_t count = 0;
+  double low = 0.0, high = 0.0;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    low = count == 0 ? v : std::min(low, v);
+    high = count == 0 ? v : std::max(high, v);
+    ++count;
+  }
+  return count > 1 && high - low <= rounding;
+}
+
+std::string held_note(const KnownColumns& columns, bool moments) {
+  constexpr double kDigits = 2e-7;  // of a plot file
+  const auto held = [&columns](const char* id) {
+    if (!columns.has(id)) return false;
+    const std::vector<double> values = columns.values(id).values;
+    double size = 0.0;
+    for (const double v : values)
+      if (std::isfinite(v)) size = std::max(size, std::abs(v));
+    return never_changes(values,
+                         std::max(kDigits * size, 1e-3 * desktop::least_span_of(columns.unit(id))));
+  };
+  if (moments) {
+    if (!held("race.theta") || !held("race.phi") || !held("race.angular_velocity")) return {};
+    return "The race keeps its direction and its speed: these are the moments that hold it to "
+           "them, "
+           "not loads of the deck.";
+  }
+  std::string names;
+  int count = 0;
+  for (const auto& [id, name] : {std::pair{"race.x", "X"}, {"race.y", "Y"}, {"race.z", "Z"}}) {
+    if (!held(id)) continue;
+    names += (count > 0 ? ", " : "") + std::string(name);
+    ++count;
+  }
+  if (count == 0) return {};
+  if (const auto comma = names.rfind(", "); comma != std::string::npos)
+    names.replace(comma, 2, " and ");
+  return fmt::format(
+      "The race is held at its place in {}: what is drawn there is the force that holds it, not "
+      "the "
+      "deck's load.",
+      names);
+}
+
+namespace {
+
+/// ".inner.2" -> "inner", "+x"
+std::pair<std::string, const char*> flange_of(const std::string& where) {
+  return {where.starts_with(".outer") ? "outer" : "inner", where.ends_with("1") ? "−x" : "+x"};
+}
+
+}  // namespace
+
+std::string flange_reason(const std::string& where, const RunFacts& facts) {
+  const auto [race, side] = flange_of(where);
+  if (!facts.flanges)
+    return fmt::format("The {} race has no flange at {}, or the roller's end never came near it.",
+                       race, side);
+  return facts.flanges->contains(where.substr(1))
+             ? fmt::format("The roller's end never came near the flange at {} of the {} race.",
+                           side, race)
+             : fmt::format("The {} race has no flange at {}.", race, side);
+}
+
+bool no_flange(const std::string& column, const RunFacts& facts) {
+  const auto dot = column.find('.', std::string("flange.").size());
+  return column.starts_with("flange.") && dot != std::string::npos && facts.flanges &&
+         !facts.flanges->contains(column.substr(dot + 1));
+}
+
 }  // namespace adore::adrplot

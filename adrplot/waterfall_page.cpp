@@ -1,5 +1,6 @@
 #include "adrplot/waterfall_page.hpp"
 
+#include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -98,7 +99,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   }
   panel.one_colour = true;
   page.x = fall.frequency;
-  page.title += ": waterfall";
+  page.title = without_colon(page.title) + ": waterfall";
   page.view_low = 0.0;
   page.view_high = last_visible(fall, largest);
   page.x_title = "Frequency";
@@ -106,7 +107,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.note += fmt::format(
       "{}These are {} spectra of {}{}{}, from {} to {}; each stands {} above the one before and "
       "has a point every {}.",
-      page.note.empty() ? "" : " ", fall.time.size(), source.title,
+      page.note.empty() ? "" : " ", fall.time.size(), small(source.title),
       source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
       desktop::pretty_quantity(fall.time.front(), "s", 3),
       desktop::pretty_quantity(fall.time.back(), "s", 3) +

@@ -304,7 +304,7 @@ TEST_CASE("plot_window: any history has a spectrum and a waterfall", "[gui]") {
   window.setDomain(Domain::Waterfall);
   REQUIRE(scene.page().panels.size() == 1);
   CHECK(scene.page().panels[0].curves.size() > 10);
-  CHECK(scene.page().note.find("Contact load") != std::string::npos);
+  CHECK(scene.page().note.find("contact load") != std::string::npos);
   CHECK(scene.page().title.find(": waterfall") != std::string::npos);
   // Lines stand above each other; what is read off them are amplitudes.
   const desktop::ChartPanel& lines = scene.page().panels[0];
