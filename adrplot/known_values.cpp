@@ -1,5 +1,7 @@
 #include "adrplot/known_values.hpp"
 
+#include "adrplot/run_facts.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -103,7 +105,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
     }
   } else if (is("pocket.position.")) {
     // Where a roller that lies along a wall is nearest to it is a matter of rounding.
-    drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero);
+    if (drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero))
+      out.why_gaps = "no contact";
     constexpr double kMiddle = 1e-9;  // along a roller: rounding
     for (double& v : out.values)
       if (std::abs(v) < kMiddle) v = 0.0;
@@ -113,7 +116,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
     if (always_zero("flange.gap" + where))
-      nothing("No flange is there, or the roller's end never came near it.");
+      nothing(flange_reason(where, {}));
     else if (is("flange.gap."))
       drop(stored(id), is_zero);
   } else if (id == "power.life") {

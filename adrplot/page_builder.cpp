@@ -51,7 +51,8 @@ bool any_value(const std::vector<double>& values) {
 /// Panels of a page with its curves over the stored steps. A curve without any value leaves its
 /// reason in the panel, or in the page's note beside curves that have some.
 /// @return why curves have gaps, a sentence each
-std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                                    const RunFacts& facts) {
   const KnownColumns columns(file);
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> gaps;  // panels
   for (const auto& spec : page.panels) {
@@ -60,8 +61,21 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
     for (const auto& curve : spec.curves) {
       KnownValues known = columns.values(curve.column);
       if (!known.why_none.empty() && !any_value(known.values)) {
-        reason = known.why_none;
-        if (spec.curves.size() > 1) reason = capital(curve.name) + ": " + small(reason);
+        const bool flange = curve.column.starts_with("flange.");
+        reason = flange ? flange_reason(curve.column.substr(curve.column.find(
+                                            '.', std::string_view("flange.").size())),
+                                        facts)
+                        : known.why_none;
+        if (spec.curves.size() > 1 && !flange) reason = capital(curve.name) + ": " + small(reason);
+        // What is not there has no place in the legend beside what is.
+        if (no_flange(curve.column, facts) &&
+            std::any_of(spec.curves.begin(), spec.curves.end(), [&](const CurveSpec& other) {
+              return any_value(columns.values(other.column).values);
+            })) {
+          add_note(chart, reason);
+          reason.clear();
+          continue;
+        }
       }
       if (!known.why_gaps.empty() && any_value(known.values))
         gaps[{curve.name, known.why_gaps}].push_back(spec.title);
@@ -70,9 +84,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
     if (std::none_of(panel.curves.begin(), panel.curves.end(),
                      [](const ChartCurve& c) { return any_value(c.y); })) {
       const auto colon = reason.find(": ");
-      panel.message = spec.curves.size() > 1 && colon != std::string::npos
-                          ? capital(reason.substr(colon + 2))
-                          : reason;
+      panel.message = capital(
+          spec.curves.size() > 1 && colon != std::string::npos ? reason.substr(colon + 2) : reason);
     } else {
       add_note(chart, reason);
     }
@@ -84,7 +97,11 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
     std::string names;
     for (const std::string& panel : panels) names += (names.empty() ? "" : " and ") + small(panel);
     std::string& of = curves[{names, what.second}];
-    if (!what.first.empty()) of += (of.empty() ? " of the " : " and the ") + what.first;
+    // "the outer race", but "surface 1"
+    const bool numbered =
+        !what.first.empty() && std::isdigit(static_cast<unsigned char>(what.first.back())) != 0;
+    const std::string name = (numbered ? "" : "the ") + what.first;
+    if (!what.first.empty()) of += (of.empty() ? " of " : " and ") + name;
   }
   std::vector<std::string> out;
   for (const auto& [what, of] : curves) {
@@ -152,36 +169,107 @@ void tell_zeros(ChartPage& chart) {
                          : "Every value of this page is 0.");
 }
 
-/// Does a band reach beyond the line of its curve, by what can be seen of it?
+/// Does a band reach beyond the stroke from the value before to its own, by more than a line is
+/// thick in a low panel?
 bool is_seen(const CurveBand& band, const std::vector<double>& line) {
-  constexpr double kSeen = 1e-2;  // two pixels of a panel of 200, whose line takes one and a half
+  constexpr double kSeen = 0.02;
   const double all = std::max({spread(band.low), spread(band.high), spread(line)});
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (std::max(band.high[i] - line[i], line[i] - band.low[i]) > kSeen * all) return true;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double before = i > 0 && std::isfinite(line[i - 1]) ? line[i - 1] : line[i];
+    if (std::max(band.high[i] - std::max(before, line[i]),
+                 std::min(before, line[i]) - band.low[i]) > kSeen * all)
+      return true;
+  }
   return false;
 }
 
-/// A life that was computed once and held looks like one that does not change.
-void tell_held_life(ChartPage& chart, const PageSpec& page) {
+/// Is there a value between two places without any, beside others that form lines?
+bool has_dots(const ChartPage& chart) {
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      const auto known = [&curve](std::size_t i) {
+        return i < curve.y.size() && std::isfinite(curve.y[i]);
+      };
+      bool dot = false, more = false;
+      for (std::size_t i = 0; i < curve.y.size(); ++i) {
+        const bool alone = known(i) && !known(i + 1) && (i == 0 || !known(i - 1));
+        more = more || (known(i) && (dot || !alone));
+        dot = dot || alone;
+      }
+      if (dot && more) return true;
+    }
+  return false;
+}
+
+/// The life that was predicted once is one value, not a history.
+void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
     if (page.panels[p].curves.front().column != "power.life") continue;
-    std::vector<double> known;
-    for (const double v : chart.panels[p].curves.front().y)
-      if (std::isfinite(v)) known.push_back(v);
-    if (known.size() > 1 && spread(known) == 0.0)
-      add_note(chart,
-               "The fatigue life is one value at every step here: it was computed once and held "
-               "(kLifeFreq says how often it is).");
+    ChartCurve& curve = chart.panels[p].curves.front();
+    const auto first =
+        std::find_if(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
+    if (first == curve.y.end() || facts.life_every.value_or(0) != 0 ||
+        !never_changes(curve.y, 2e-7 * std::abs(*first)))
+      continue;
+    std::fill(first + 1, curve.y.end(), std::numeric_limits<double>::quiet_NaN());
+    const long step = file.steps[static_cast<std::size_t>(first - curve.y.begin())].step;
+    const bool start = step == 0;
+    add_note(chart,
+             fmt::format("Fatigue life is the one value {}, predicted {}{}: it does not follow the "
+                         "loads of later steps. PRINT.txt has that of the last step.",
+                         desktop::pretty_quantity(*first, chart.panels[p].unit, 5),
+                         start ? "at step 0" : "before the first step shown",
+                         facts.life_every ? " (kLifeFreq = 0)" : ""));
   }
+}
+
+/// Temperatures that nothing computes are what the deck gives.
+void tell_temperatures(ChartPage& chart, const PageSpec& page, const RunFacts& facts) {
+  if (facts.temperatures_computed.value_or(false)) return;
+  std::string names;
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    const std::string& column = page.panels[p].curves.front().column;
+    const bool bulk = column.ends_with("_temperature") || column.starts_with("race.temperature");
+    if (!bulk && !column.starts_with("contact.temperature.")) continue;
+    for (const ChartCurve& curve : chart.panels[p].curves)
+      if (any_value(curve.y) && !never_changes(curve.y, desktop::least_span_of("K"))) return;
+    if (std::none_of(chart.panels[p].curves.begin(), chart.panels[p].curves.end(),
+                     [](const ChartCurve& curve) { return any_value(curve.y); }))
+      continue;
+    names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
+  }
+  if (names.empty()) return;
+  add_note(chart,
+           names + (facts.temperatures_computed
+                        ? " are given by the deck (kTherm = 0), not computed."
+                        : " never change in this file: given ones, not computed in this run."));
+}
+
+/// What the forces and moments of a race are.
+void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                  const RunFacts& facts) {
+  const std::string& column = page.panels.front().curves.front().column;
+  const bool moments = column.starts_with("race.applied_moment");
+  if (!moments && !column.starts_with("race.applied_force")) return;
+  if (file.kind == results::SolKind::Race)
+    add_note(chart, held_note(KnownColumns(file), moments));
+  else if (facts.races_held.value_or(false))
+    add_note(
+        chart,
+        "The races keep their places and speeds: these are the moments that hold them to them, "
+        "not loads of the deck.");
 }
 
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
-  for (const std::string& gap : add_panels(chart, file, page)) add_note(chart, gap);
+  for (const std::string& gap : add_panels(chart, file, page, context.facts)) add_note(chart, gap);
   limit_detail(chart);
   tell_zeros(chart);
-  tell_held_life(chart, page);
+  tell_life(chart, file, page, context.facts);
+  tell_temperatures(chart, page, context.facts);
+  tell_holding(chart, file, page, context.facts);
+  if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const auto band = context.bands.find(page.panels[p].curves[c].column);
@@ -202,25 +290,23 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
                          desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
 }
 
-void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair) {
+void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,
+               const PageContext& context) {
   const PanelSpec& across = page.panels.at(static_cast<std::size_t>(pair.across));
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
   const bool over_clearance = file.kind == results::SolKind::Cage;
-  const std::string suffix = over_clearance ? " / clearance" : " position";
   chart.equal_axes = true;
   // The unit circle is where a land without a second support touches; it means nothing against the
   // axial coordinate.
   const KnownColumns columns(file);
-  const auto no_land = [&columns](const char* force) {
-    return columns.has(force) && !columns.values(force).why_none.empty();
-  };
-  if (over_clearance && no_land("cage.land1_force") && no_land("cage.land2_force"))
-    add_note(
-        chart,
-        "This cage has no guide land: its pockets hold it, and its orbit is divided by half of "
-        "their clearance, which alone does not limit it.");
-  else if (over_clearance && pair.across != 0 && pair.up != 0)
-    chart.guide_radius = 1.0;
+  std::string suffix = " position";
+  if (over_clearance) {
+    const OrbitScale scale = orbit_scale(file, columns, context.facts);
+    suffix = " / " + orbit_divisor(scale);
+    add_note(chart, orbit_note(scale));
+    if (scale.of == results::CageScale::Of::GuideLands && pair.across != 0 && pair.up != 0)
+      chart.guide_radius = 1.0;
+  }
   chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
   panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
@@ -244,16 +330,9 @@ void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context
   if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
 }
 
-/// The file's own spectrum page: y and z carry the whirl, so they come first; x is the third panel.
-PageSpec spectrum_panels(const PageSpec& page) {
-  PageSpec out = page;
-  out.panels = {page.panels.at(1), page.panels.at(2), page.panels.at(0)};
-  return out;
-}
-
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const SpectrumOptions& options, const PageContext& context) {
-  add_panels(chart, file, page);
+  add_panels(chart, file, page, context.facts);
   limit_detail(chart);
   if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
@@ -266,6 +345,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
       });
   if (drawn) tell_lines(chart, {chart.x.front()}, options.scale);
   first_view_of_spectra(chart, options.scale);
+  drop_low_marks(chart);
 }
 
 }  // namespace
@@ -298,19 +378,20 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
         add_spectrum(chart, file, page, options.spectrum, context);
       } else if (options.domain == Domain::Waterfall) {
         const std::vector<double> turns = accumulated_turns(file);
-        add_panels(chart, file, page);
+        add_panels(chart, file, page, context.facts);
         limit_detail(chart);
         if (keeps_speed(times(file), turns)) add_marks(chart, file, context);
         to_waterfall(chart, times(file), turns, options.spectrum);
+        drop_low_marks(chart);
       } else {
         add_history(chart, file, page, options.abscissa, context);
       }
       break;
     case PageKind::Orbit:
-      add_orbit(chart, file, page, options.orbit);
+      add_orbit(chart, file, page, options.orbit, context);
       break;
     case PageKind::Spectrum:
-      add_spectrum(chart, file, spectrum_panels(page), options.spectrum, context);
+      add_spectrum(chart, file, page, options.spectrum, context);
       break;
     case PageKind::Chart:
       break;  // pages of step files are of the kinds above

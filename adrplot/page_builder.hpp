@@ -2,6 +2,7 @@
 
 #include "adrplot/abscissa.hpp"
 #include "adrplot/plot_pages.hpp"
+#include "adrplot/run_facts.hpp"
 #include "adrplot/spectrum.hpp"
 #include "desktop/chart_page.hpp"
 
@@ -37,6 +38,7 @@ struct PageContext {
   double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
   std::string fastest_contact;                  ///< "element 1 / outer race"
   std::map<std::string, CurveBand> bands = {};  ///< by column
+  RunFacts facts = {};
 };
 
 /// @throws InputError unless 1 <= number <= count.

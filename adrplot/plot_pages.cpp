@@ -3,6 +3,8 @@
 #include "base/errors.hpp"
 #include "results/channels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -207,7 +209,13 @@ void add_pocket_pages(std::vector<PageSpec>& pages, const SolHeader& header) {
         else
           contact.curves.insert(contact.curves.end(), one.curves.begin(), one.curves.end());
       }
-      pages.push_back(history(title, {force, gap, contact}));
+      const bool paired = header.bearing_type != kBall && surfaces % 2 == 0;
+      pages.push_back(history(
+          title, {force, gap, contact},
+          paired ? fmt::format("Surface {} stands behind the roller and drives it, surface {} in "
+                               "front of it.",
+                               begin, end)
+                 : ""));
     }
   }
 }
@@ -235,24 +243,21 @@ std::vector<PageSpec> cage_pages(const SolHeader& header) {
 }
 
 std::vector<PageSpec> race_pages() {
-  const auto components = [](const std::string& title, const std::string& channel,
-                             const std::string& note) {
+  const auto components = [](const std::string& title, const std::string& channel) {
     return history(title,
                    {single("X component", channel + "_x"), single("Y component", channel + "_y"),
-                    single("Z component", channel + "_z")},
-                   note);
+                    single("Z component", channel + "_z")});
   };
   return {history("Mass centre velocities",
                   {single("Orbital", "race.whirl_speed"), single("Radial", "race.radial_velocity"),
                    single("Axial", "race.axial_velocity")}),
-          components("Applied forces", "race.applied_force",
-                     "Where a race is held or moved as given, this is the force that does it."),
-          components("Applied moments", "race.applied_moment",
-                     "Where a race is held or turned as given, this is the moment that does it."),
+          components("Applied forces", "race.applied_force"),
+          components("Applied moments", "race.applied_moment"),
           motion("Mass centre acceleration", "race", "acceleration"),
           coordinates("Mass centre whirl orbit", PageKind::Orbit, "race."),
           history("Position of the mass centre",
-                  {single("X", "race.x"), single("Y", "race.y"), single("Z", "race.z")}),
+                  {single("X", "race.x"), single("Y", "race.y"), single("Z", "race.z")},
+                  "Counted from where the race stands without load."),
           orientation("race"),
           angular_velocity("Magnitude", "race", "angular_velocity"),
           coordinates("Frequency spectrum of the mass centre", PageKind::Spectrum, "race.")};

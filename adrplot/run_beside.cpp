@@ -73,8 +73,32 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
   return out;
 }
 
-void read_fastest(const std::filesystem::path& run_json, const std::string& run_id,
-                  PageContext& out) {
+/// "stored" of RUN.json.
+RunFacts read_facts(const nlohmann::json& stored) {
+  RunFacts out;
+  if (!stored.is_object()) return out;
+  const auto number = [&stored](const char* name) -> std::optional<double> {
+    const auto found = stored.find(name);
+    if (found == stored.end() || !found->is_number()) return std::nullopt;
+    return found->get<double>();
+  };
+  const auto text = [&stored](const char* name) {
+    const auto found = stored.find(name);
+    return found != stored.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  if (const auto every = number("steps between life predictions"))
+    out.life_every = static_cast<int>(std::clamp(*every, -1e9, 1e9));
+  if (const std::string how = text("temperatures"); how == "given" || how == "computed")
+    out.temperatures_computed = how == "computed";
+  using Of = results::CageScale::Of;
+  const auto length = number("cage orbit over [m]");
+  for (const Of of : {Of::GuideLands, Of::Pockets, Of::UnitOfLength})
+    if (length && *length > 0.0 && text("cage orbit over") == results::name_of(of))
+      out.cage_scale = results::CageScale{*length, of};
+  return out;
+}
+
+void read_run(const std::filesystem::path& run_json, const std::string& run_id, PageContext& out) {
   nlohmann::json run;
   try {
     run = parse_json(results::read_text_file(run_json), run_json.string());
@@ -82,8 +106,24 @@ void read_fastest(const std::filesystem::path& run_json, const std::string& run_
     return;  // none, or not ours: the page goes without it
   }
   if (!run.is_object() || run.value("run", nlohmann::json()) != run_id) return;
+  out.facts = read_facts(run.value("stored", nlohmann::json()));
   const auto plan = run.find("plan");
   if (plan == run.end() || !plan->is_object()) return;
+  if (const auto effects = plan->find("effects"); effects != plan->end() && effects->is_array()) {
+    std::optional<bool> moves, thermal;
+    for (const auto& effect : *effects) {
+      if (!effect.is_object() || !effect.contains("name") || !effect.contains("on") ||
+          !effect["name"].is_string() || !effect["on"].is_boolean())
+        continue;
+      const std::string name = effect["name"].get<std::string>();
+      const bool on = effect["on"].get<bool>();
+      if (name == "races that move under loads" || name == "force balance of the inner race")
+        moves = moves.value_or(false) || on;
+      if (name == "thermal steps") thermal = on;
+    }
+    if (moves) out.facts.races_held = !*moves;
+    if (!out.facts.temperatures_computed) out.facts.temperatures_computed = thermal;
+  }
   const auto estimates = plan->find("estimates");
   if (estimates == plan->end() || !estimates->is_object()) return;
   const auto frequency = estimates->find("fastest_frequency_Hz");
@@ -144,13 +184,20 @@ PageContext context_of(const results::SolFile& file) {
   PageContext out;
   const std::filesystem::path folder = file.path.parent_path();
   try {
-    read_fastest(folder / "RUN.json", file.header.run_id, out);
+    read_run(folder / "RUN.json", file.header.run_id, out);
     std::error_code ignored;
     if (!std::filesystem::exists(folder / "RESULTS.h5", ignored)) return out;
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
     out.frequencies = frequencies(reader);
     read_bands(reader, file, out);
+    if (reader.geometry().contains("roller_length")) {
+      auto& flanges = out.facts.flanges.emplace();
+      for (const char* race : {"outer", "inner"})
+        for (const auto& [end, place] : {std::pair{"minus_x", 1}, {"plus_x", 2}})
+          if (reader.geometry().contains(fmt::format("{}_flange_{}_height", race, end)))
+            flanges.insert(fmt::format("{}.{}", race, place));
+    }
   } catch (const std::exception&) {
     // The plot file alone is enough.
   }

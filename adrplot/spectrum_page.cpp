@@ -179,14 +179,15 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
     panel.wraps = false;
     panel.least_span = 0.0;
     if (options.scale != SpectrumScale::Units)
-      panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
+      panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "of largest";
   }
   // One sentence for panels of which the same is to be said.
   for (const Aside& aside : asides)
     add_note(chart,
              named(aside.panels + (aside.reason.curve.empty() ? "" : ", ") + aside.reason.curve,
                    aside.reason.why));
-  if (chart.title.find("pectrum") == std::string::npos) chart.title += ": amplitude spectrum";
+  if (chart.title.find("pectrum") == std::string::npos)
+    chart.title = without_colon(chart.title) + ": amplitude spectrum";
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";
   chart.x_unit = "Hz";
@@ -196,14 +197,31 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
   }
 }
 
+std::string without_colon(std::string title) {
+  if (const auto colon = title.find(": "); colon != std::string::npos)
+    title.replace(colon, 2, ", ");
+  return title;
+}
+
+void drop_low_marks(ChartPage& chart) {
+  if (chart.x.empty() || chart.x_unit != "Hz") return;
+  std::string names;
+  for (const desktop::ChartMark& mark : chart.marks)
+    if (mark.x < chart.x.front()) names += (names.empty() ? "" : ", ") + mark.label;
+  std::erase_if(chart.marks,
+                [&](const desktop::ChartMark& mark) { return mark.x < chart.x.front(); });
+  if (!names.empty())
+    add_note(chart, fmt::format("Below the first line, and so not marked: {}.", names));
+}
+
 void tell_lines(ChartPage& chart, const std::vector<double>& distances, SpectrumScale scale) {
   if (distances.empty()) return;
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
   const char* over = scale == SpectrumScale::Relative
-                         ? "Each curve is drawn over its own largest line. "
-                     : scale == SpectrumScale::Decibel ? "0 dB is each curve's own largest line. "
+                         ? "Each amplitude is divided by the largest of its own curve. "
+                     : scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
                                                        : "";
   add_note(chart, fmt::format("{}There are lines every {} and none below.", over, apart));
 }
@@ -226,6 +244,18 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
     if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
+  double beyond = 0.0, at = 0.0;
+  for (const ChartPanel& one : relative) {
+    const std::vector<double>& y = one.curves.front().y;
+    for (std::size_t k = 0; k < std::min(y.size(), chart.x.size()); ++k)
+      if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
+  }
+  if (beyond > 0.0)
+    add_note(chart, fmt::format("Lines above {} are not in this view: the largest of them, at {}, "
+                                "has {} % of its curve's largest.",
+                                desktop::pretty_quantity(chart.view_high, "Hz", 3),
+                                desktop::pretty_quantity(at, "Hz", 3),
+                                desktop::pretty_number(100.0 * beyond, 2)));
 }
 
 }  // namespace adore::adrplot

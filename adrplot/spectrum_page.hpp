@@ -18,6 +18,9 @@ void add_note(desktop::ChartPage& chart, const std::string& text);
 [[nodiscard]] bool only_rounding(const std::vector<double>& values, const std::string& unit,
                                  double known);
 
+/// "Race interactions 1: load and angle" -> "Race interactions 1, load and angle"
+[[nodiscard]] std::string without_colon(std::string title);
+
 /// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum. One
 /// without leaves its reason in its panel, or in the page's note beside curves that have one.
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
@@ -28,7 +31,12 @@ void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
 void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
                 SpectrumScale scale);
 
-/// The first view ends a little beyond the last amplitude above 1 % of its curve's largest.
+/// Marks below the first line of spectra stand where nothing is known: they go, and the note says
+/// so.
+void drop_low_marks(desktop::ChartPage& chart);
+
+/// The first view ends a little beyond the last amplitude above 1 % of its curve's largest; the
+/// note says which is the largest of the lines beyond.
 void first_view_of_spectra(desktop::ChartPage& chart, SpectrumScale scale);
 
 }  // namespace adore::adrplot

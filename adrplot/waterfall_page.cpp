@@ -99,7 +99,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   }
   panel.one_colour = true;
   page.x = fall.frequency;
-  page.title += ": waterfall";
+  page.title = without_colon(page.title) + ": waterfall";
   page.view_low = 0.0;
   page.view_high = last_visible(fall, largest);
   page.x_title = "Frequency";

@@ -57,7 +57,7 @@ Multiple multiple_for(double size, std::string_view unit) {
       if (size / multiple.factor < 1e5) return multiple;
       multiple = {1.0, pretty_unit(unit)};
     }
-  } else if (size < 1e5 && size >= 0.01) {
+  } else if (size < (unit == "hr" ? 1e7 : 1e5) && size >= 0.01) {
     return multiple;
   }
   if (exponent == 0) return multiple;
@@ -93,7 +93,7 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
   const double size = std::max(std::abs(limits.low), std::abs(limits.high));
   double shown_size = size;
   if (span < 2e-3 * size) {
-    const double coarse = nice_step(span, 1) * 10.0;
+    const double coarse = nice_step(span, 1);  // no longer than the range: the base lies in it
     axis.offset = std::round(0.5 * (limits.low + limits.high) / coarse) * coarse;
     axis.offset_text = pretty_quantity(axis.offset, unit, 7);
     shown_size = std::max(std::abs(limits.low - axis.offset), std::abs(limits.high - axis.offset));
@@ -169,6 +169,34 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
 
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
   return scaled(drawable(low, high), unit, parts);
+}
+
+void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all) {
+  constexpr double kLong = 1e4, kThousand = 1e3;
+  double largest = 0.0, common = 0.0;
+  for (const AxisScale& one : all) {
+    const double size = std::max(std::abs(one.min), std::abs(one.max)) * one.factor;
+    if (one.log || one.offset != 0.0 || !(size > largest)) continue;
+    largest = size;
+    common = one.factor;
+  }
+  const auto is = [](double factor, double of) { return std::abs(factor - of) < 1e-6 * of; };
+  const bool smaller = std::any_of(all.begin(), all.end(), [&](const AxisScale& one) {
+    return one.offset == 0.0 && one.factor < 0.5 * common;
+  });
+  if (smaller && largest / (common / kThousand) < kLong) common /= kThousand;
+  const auto named = std::find_if(all.begin(), all.end(),
+                                  [&](const AxisScale& one) { return is(one.factor, common); });
+  const double ratio = axis.factor / common;
+  if (axis.log || axis.offset != 0.0 || named == all.end() ||
+      (!is(ratio, kThousand) && !is(ratio, 1.0 / kThousand)))
+    return;
+  axis.factor = common;
+  axis.unit = named->unit;
+  axis.min *= ratio;
+  axis.max *= ratio;
+  axis.step *= ratio;
+  axis.decimals = decimals_for(axis.step);
 }
 
 AxisScale log_axis(double low, double high, std::string_view unit, bool tight) {

@@ -57,6 +57,11 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts);
 /// Scale whose range is exactly the data's range (an abscissa); ticks are multiples of `step`.
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts);
 
+/// Gives an axis the prefix of all those of its unit on a page, itself among them: that of the
+/// largest numbers, or the next smaller one where a smaller one occurs and no number gets five
+/// digits before the point. Axes with a base, or more than a thousand away, keep theirs.
+void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all);
+
 /// Logarithmic scale over the positive part of the range: whole decades around it, or exactly the
 /// range when `tight`. A range without positive numbers counts as 1 to 10.
 AxisScale log_axis(double low, double high, std::string_view unit, bool tight = false);

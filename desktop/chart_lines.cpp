@@ -206,6 +206,47 @@ bool agree(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size
   return true;
 }
 
+/// Places from `from` to before `to` where the curves agree by what `same` says of two values: each
+/// the first and the last of a stretch. A place where one has no value ends none.
+struct Stretches {
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  bool differ = false;  ///< somewhere
+};
+template <class Same>
+Stretches stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                       Same same) {
+  Stretches out;
+  bool open = false;
+  for (std::size_t i = from; i < std::min({to, a.y.size(), b.y.size()}); ++i) {
+    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i])) continue;
+    if (!same(a.y[i], b.y[i])) {
+      out.differ = true;
+      open = false;
+      continue;
+    }
+    if (!open) out.places.emplace_back(i, i);
+    out.places.back().second = i;
+    open = true;
+  }
+  return out;
+}
+
+/// The part of a line between two places across; it goes to the right.
+QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
+  QPolygonF out;
+  for (qsizetype i = 0; i < line.size(); ++i) {
+    const QPointF q = line[i];
+    if (i > 0) {
+      const QPointF p = line[i - 1];
+      const auto at = [&](qreal x) { return p + (x - p.x()) / (q.x() - p.x()) * (q - p); };
+      if (p.x() < left && q.x() > left) out.append(at(left));
+      if (p.x() < right && q.x() > right) out.append(at(right));
+    }
+    if (q.x() >= left && q.x() <= right) out.append(q);
+  }
+  return out;
+}
+
 /// To the digits of a file.
 bool equal_values(double p, double q) {
   constexpr double kDigits = 1e-6;
@@ -234,22 +275,57 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     for (const Polyline& piece : shown.pieces)
       shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
     shown.extents = extents_of(shown.lines);
-    if (rising_ && !panel.one_colour)
-      for (ShownCurve& before : out) {
-        const qreal same = kSame * area.height();
-        // A later curve that is on the earlier one wherever it is, hides that there.
-        if (before.hides || !(coincide(before, shown, same) || covered(before, shown, same) ||
-                              (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
-                               shown.lines.size() > 1 && within(shown, before, same))))
-          continue;
-        shown.hides = before.curve;
-        shown.alike = alikeInView(index, before.curve, c, y_axis);
-        shown.later = ++before.later;
-        break;
-      }
+    const bool compared = rising_ && !panel.one_colour;
+    const qreal same = kSame * area.height();
+    for (ShownCurve& before : out) {
+      // A later curve that is on the earlier one wherever it is, hides that there.
+      if (!compared || before.hides ||
+          !(coincide(before, shown, same) || covered(before, shown, same) ||
+            (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
+             shown.lines.size() > 1 && within(shown, before, same))))
+        continue;
+      shown.hides = before.curve;
+      shown.alike = alikeInView(index, before.curve, c, y_axis);
+      shown.later = ++before.later;
+      break;
+    }
+    for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
+      if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis)) break;
     out.push_back(std::move(shown));
   }
   return out;
+}
+
+bool ChartScene::findStretches(std::size_t index, const ShownCurve& before, ShownCurve& shown,
+                               const QRectF& area, const AxisScale& y_axis) const {
+  constexpr qreal kLeast = 24.0;  // shorter ones are crossings
+  const ChartPanel& panel = page_.panels[index];
+  const auto [from, to] = places_between(page_.x, low_, high_);
+  const double seen = kSame * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
+  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
+  const Stretches found = stretches_of(
+      one, other, from, to, [seen](double p, double q) { return std::abs(p - q) <= seen; });
+  const auto place = [&](std::size_t i) {
+    return area.left() +
+           (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+  };
+  bool equal = true;
+  std::vector<std::pair<qreal, qreal>> over;
+  for (const auto& [first, last] : found.places) {
+    if (place(last) - place(first) < kLeast) continue;
+    over.emplace_back(place(first), place(last));
+    for (std::size_t i = first; equal && i <= last; ++i)
+      equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
+              equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
+  }
+  if (over.empty()) return false;
+  shown.hides = before.curve;
+  shown.later = 1;
+  shown.over = std::move(over);
+  shown.partly = found.differ;
+  shown.alike = equal ? Alike::Equal : Alike::Near;
+  return true;
 }
 
 ChartScene::Alike ChartScene::alikeInView(std::size_t index, std::size_t a, std::size_t b,
@@ -280,17 +356,50 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
   const QPen pen = penOf(shown.colour, m.line, panel.curves[shown.curve].dashed);
   std::vector<QPolygonF> parts;
   const qreal margin = 2.0 + 2.0 * m.line;  // ends of cut strokes are not seen
-  for (const QPolygonF& line : shown.lines)
-    for (QPolygonF& part : shown.hides ? stretches(line, shown.later + 1,
-                                                   area.adjusted(-margin, -margin, margin, margin))
-                                       : std::vector{line})
-      parts.push_back(std::move(part));
+  const QRectF around = area.adjusted(-margin, -margin, margin, margin);
+  const auto add = [&](std::vector<QPolygonF> more) {
+    for (QPolygonF& part : more)
+      if (part.size() > 1) parts.push_back(std::move(part));
+  };
+  for (const QPolygonF& line : shown.lines) {
+    if (!shown.hides) {
+      parts.push_back(line);
+    } else if (shown.over.empty()) {
+      add(stretches(line, shown.later + 1, around));
+    } else {
+      qreal left = around.left();
+      for (const auto& [first, last] : shown.over) {
+        add({between(line, left, first)});
+        add(stretches(between(line, first, last), shown.later + 1, around));
+        left = last;
+      }
+      add({between(line, left, around.right())});
+    }
+  }
   addWay(std::move(parts), area, pen);
   if (!lines_.empty()) lines_.back() += static_cast<int>(shown.lines.size());
   for (std::size_t i = 0; i < shown.pieces.size(); ++i) {
     // A value between gaps has no line: it is a point.
     if (page_.points || shown.pieces[i].x.size() == 1)
       addPoints(shown.pieces[i], area, x_axis_, y_axis, shown.colour, m.line);
+  }
+}
+
+void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+                              const Metrics& m) {
+  const QFont font = ui_font(m.tick_font);
+  const qreal height = QFontMetricsF(font).height();
+  qreal last = area.bottom() + height;
+  for (const ChartCurve& curve : panel.curves) {
+    if (curve.hidden || curve.name.empty() || curve.y.empty()) continue;
+    const double at = (y_axis.shown(curve.lift) - y_axis.min) / (y_axis.max - y_axis.min);
+    const qreal y = area.bottom() - at * area.height() - height;
+    if (y < area.top() || y > last - height) continue;
+    last = y;
+    auto* name = addSimpleText(text_of(curve.name), font);
+    name->setBrush(theme_->muted);
+    name->setPos(area.right() - 4.0 - name->boundingRect().width(), y);
+    name->setZValue(1.0);
   }
 }
 

@@ -286,10 +286,52 @@ AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any
                    : value_axis(low, high, panel.unit, parts);
 }
 
+namespace {
+
+bool has_values(const ChartPanel& panel) {
+  return std::any_of(panel.curves.begin(), panel.curves.end(), [](const ChartCurve& curve) {
+    return std::any_of(curve.y.begin(), curve.y.end(), is_drawable);
+  });
+}
+
+/// More than rounding of 0.
+bool is_something(const ChartPanel& panel) {
+  const double least = std::max(panel.least_span, least_span_of(panel.unit));
+  return std::any_of(panel.curves.begin(), panel.curves.end(), [least](const ChartCurve& curve) {
+    return std::any_of(curve.y.begin(), curve.y.end(),
+                       [least](double v) { return is_drawable(v) && std::abs(v) > least; });
+  });
+}
+
+/// Is the same said in place of all panels?
+bool one_message(const ChartPage& page) {
+  return page.panels.size() > 1 &&
+         std::all_of(page.panels.begin(), page.panels.end(), [&](const ChartPanel& panel) {
+           return !panel.message.empty() && panel.message == page.panels.front().message &&
+                  !has_values(panel);
+         });
+}
+
+/// Lengths are no vector: a radius stands beside micrometres of an axial position.
+bool shares_unit(const ChartPanel& panel) {
+  return !panel.log && !panel.unit.empty() && panel.unit != "m";
+}
+
+}  // namespace
+
 void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
   bool any = false;
-  const AxisScale y_axis = panelAxis(index, area, any);
+  AxisScale y_axis = panelAxis(index, area, any);
+  // Panels of one unit are compared: N beside kN are all drawn in N where that is no long number.
+  std::vector<AxisScale> alike;
+  for (std::size_t i = 0; any && shares_unit(panel) && i < page_.panels.size(); ++i) {
+    if (page_.panels[i].unit != panel.unit || !shares_unit(page_.panels[i])) continue;
+    bool drawn = false;
+    const AxisScale axis = panelAxis(i, area, drawn);
+    if (drawn && is_something(page_.panels[i])) alike.push_back(axis);
+  }
+  if (!alike.empty()) take_common_unit(y_axis, alike);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
   const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis);
   const bool log_of_none =
@@ -305,8 +347,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
-  if (title_metrics.horizontalAdvance(text_of(panel.title)) > title_room(area, m.gap) &&
-      area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
+  // One way for the page.
+  const bool above =
+      std::any_of(page_.panels.begin(), page_.panels.end(), [&](const ChartPanel& one) {
+        return title_metrics.horizontalAdvance(text_of(one.title)) > title_room(area, m.gap);
+      });
+  if (above && area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
     auto* title = addSimpleText(y_title, ui_font(m.text_font));
     title->setBrush(theme_->text);
     title->setPos(area.left(), below_legend.top() - title_metrics.height() - 3.0);
@@ -321,12 +367,13 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     addShown(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
-  if (!any)
+  if (!any && (!one_message(page_) || index == page_.panels.size() / 2))
     addMessage(
         area,
         panel.message.empty() ? tr("There are no values in the file.") : text_of(panel.message), m);
-  else if (log_of_none)
+  if (log_of_none)
     addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
+  if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
   if (any) addMarks(area, index == 0, m);  // lines across a message hide its words

@@ -110,11 +110,18 @@ class ChartScene : public QGraphicsScene {
   /// What to say of curve `b` of a panel, which would hide curve `a` in the view.
   [[nodiscard]] Alike alikeInView(std::size_t index, std::size_t a, std::size_t b,
                                   const AxisScale& y_axis);
+  /// The stretches of the view in which the later of two curves lies on the earlier one. Are there
+  /// any?
+  bool findStretches(std::size_t index, const ShownCurve& before, ShownCurve& shown,
+                     const QRectF& area, const AxisScale& y_axis) const;
   /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
   /// only one is its own.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
+  /// Names of lines of one family at their right ends, as many as have room.
+  void addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+                    const Metrics& m);
   /// Appends the outlines that it has drawn.
   void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour,
                std::vector<QPolygonF>& drawn);

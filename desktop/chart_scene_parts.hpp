@@ -9,6 +9,8 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// What the sources of ChartScene share.
 namespace adore::desktop {
@@ -59,6 +61,9 @@ struct ChartScene::ShownCurve {
   std::optional<std::size_t> hides = {};
   int later = 0;
   Alike alike = Alike::Covers;
+  /// Where it would hide that curve, in the scene; empty: everywhere.
+  std::vector<std::pair<qreal, qreal>> over = {};
+  bool partly = false;  ///< there are steps with values of both that differ
 };
 
 struct ChartScene::Metrics {

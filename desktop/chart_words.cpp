@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <QTextOption>
 
@@ -16,7 +17,13 @@ ChartScene::NoteLines ChartScene::noteLines(qreal right) const {
   if (page_.note.empty() || page_.panels.empty()) return {};
   constexpr int kLargest = 13, kSmallest = 11, kLeft = 24, kMost = 4;
   const qreal width = size_.width() - kLeft - right;
-  const QStringList words = text_of(page_.note).split(' ');
+  // A number keeps its unit beside it.
+  static const QRegularExpression kBeforeUnit(
+      "(?<=[0-9]) "
+      "(?=(?:[pnµmkMG]?(?:m|s|N|W|Hz|Pa|N·m|m/s)|in|lbf|rpm|rev|hr|deg|K|R|%)(?![\\w/]))",
+      QRegularExpression::UseUnicodePropertiesOption);
+  const QStringList words =
+      text_of(page_.note).replace(kBeforeUnit, QString(QChar::Nbsp)).split(' ');
   NoteLines out;
   for (out.font = kLargest;; --out.font) {
     const QFontMetricsF metrics(ui_font(out.font));
@@ -155,6 +162,9 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
       const QString sign = one->alike == Alike::Equal  ? "="
                            : one->alike == Alike::Near ? "≈"
                                                        : tr("over");
+      if (one->partly && whole)
+        return tr("%1 (partly %2 %3)")
+            .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name));
       return whole ? tr("%1 (%2 %3)")
                          .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
                    : tr("%1 (%2)").arg(text_of(curve.name), sign);

@@ -40,7 +40,7 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen) {
-  constexpr double kPointsPerColumn = 0.7;
+  constexpr double kPointsPerColumn = 2.5;  // with fewer a steep rise would be seen as stairs
   constexpr qsizetype kFewest = 16;  // a stroke of two points may stand in one column, and is wide
   const QTransform& placed = painter.deviceTransform();
   if (line.size() < kFewest) return false;

@@ -55,9 +55,9 @@ class Gallery {
     if (file.filename() == "SOL1" && document.pages.size() > 5) {
       adrplot::PageOptions options;
       options.domain = adrplot::Domain::Spectrum;
-      page(document, 6, options, "-spectrum", "Spectra of the contacts");
+      page(document, 6, options, "-spectrum", document.build(6, options).title);
       options.domain = adrplot::Domain::Waterfall;
-      page(document, 6, options, "-waterfall", "Spectra over time");
+      page(document, 6, options, "-waterfall", document.build(6, options).title);
     }
   }
 

@@ -7,10 +7,28 @@
 #include "listing/print_fits.hpp"
 #include "listing/print_imperfections.hpp"
 #include "listing/print_life.hpp"
+#include "results/motion.hpp"
 
 #include <fmt/format.h>
 
 namespace adore::facade {
+namespace {
+
+/// What the values of a motion's plot files are of, where the numbers do not tell.
+nlohmann::ordered_json stored_json(const Prepared& prepared) {
+  nlohmann::ordered_json out;
+  out["steps between life predictions"] = prepared.control.life_every;  // 0: first and last only
+  out["temperatures"] = prepared.bearing.thermal ? "computed" : "given";
+  if (!prepared.bearing.cage) return out;
+  const results::CageScale scale =
+      results::cage_scale(*prepared.bearing.cage,
+                          results::to_si(1.0, results::unit::kLength, prepared.input.deck.units()));
+  out["cage orbit over"] = results::name_of(scale.of);
+  out["cage orbit over [m]"] = scale.length;
+  return out;
+}
+
+}  // namespace
 
 results::RunSummary summary_of_deck(const Prepared& prepared, const scene::ScenePlan& plan,
                                     const std::string& request, const std::vector<Issue>& remarks) {
@@ -27,6 +45,7 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
   }
   out.deck_file = prepared.input.path.filename().string();
   out.plan = plan_json(plan, prepared.stability);
+  if (prepared.control.dynamic) out.stored = stored_json(prepared);
   out.stability = prepared.stability;
   out.request = request;
   for (const setup::OptionInfo& info : setup::run_option_list()) {

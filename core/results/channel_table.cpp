@@ -289,15 +289,15 @@ constexpr auto kTable = std::to_array<Channel>({
     {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }),
-     "mean radial guide land clearance"},
+     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
     {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }),
-     "mean radial guide land clearance"},
+     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
     {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", false,
      each<Per::Cage, 1>(
          [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }),
-     "mean radial guide land clearance"},
+     "mean radial guide land clearance; without guided lands radial pocket clearance I (N71)"},
     {"cage.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Cage, 1>([](const Source& s) { return cage_orbit(s).theta; }),
      "azimuth of the mass centre"},

@@ -68,7 +68,19 @@ double faster_race_speed(const scene::Snapshot& snapshot) {
   return std::abs(speed[0]) > std::abs(speed[1]) ? speed[0] : speed[1];
 }
 
-double cage_clearance_scale(const bearing::Cage& cage, double unit_length) {
+std::string_view name_of(CageScale::Of of) {
+  switch (of) {
+    case CageScale::Of::GuideLands:
+      return "guide lands";
+    case CageScale::Of::Pockets:
+      return "pockets";
+    case CageScale::Of::UnitOfLength:
+      break;
+  }
+  return "unit of length";
+}
+
+CageScale cage_scale(const bearing::Cage& cage, double unit_length) {
   double sum = 0.0;
   int lands = 0;
   for (const bearing::GuideLand& land : cage.lands) {
@@ -76,9 +88,9 @@ double cage_clearance_scale(const bearing::Cage& cage, double unit_length) {
     sum += land.clearance / 2.0;
     ++lands;
   }
-  if (lands > 0 && sum > 0.0) return sum / lands;
-  if (cage.pocket_clearance_1 > 0.0) return cage.pocket_clearance_1 / 2.0;
-  return unit_length;
+  if (lands > 0 && sum > 0.0) return {sum / lands, CageScale::Of::GuideLands};
+  if (cage.pocket_clearance_1 > 0.0) return {cage.pocket_clearance_1 / 2.0, CageScale::Of::Pockets};
+  return {unit_length, CageScale::Of::UnitOfLength};
 }
 
 double average_wear_rate(const bearing::Material& material, double load_slip_integral,

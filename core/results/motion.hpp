@@ -4,6 +4,7 @@
 #include "scene/snapshot.hpp"
 
 #include <array>
+#include <string_view>
 
 /// Quantities that the outputs derive from a snapshot's motion.
 namespace adore::results {
@@ -44,10 +45,21 @@ struct OrbitMotion {
 /// Speed of the faster race about its own axis, sign kept [rad/s] (N54); 0 when both stand still.
 [[nodiscard]] double faster_race_speed(const scene::Snapshot& snapshot);
 
-/// Length that normalises the cage's mass centre (N71) [m]: mean radial clearance of the guided
-/// lands, so that 1 means touching; without lands the radial pocket clearance I; where that is not
-/// positive either, `unit_length`.
-[[nodiscard]] double cage_clearance_scale(const bearing::Cage& cage, double unit_length);
+/// What the cage's mass centre is divided by (N71): the mean radial clearance of the guided lands,
+/// so that 1 means touching; without guided lands the radial pocket clearance I; where that is not
+/// positive either, the deck's unit of length.
+struct CageScale {
+  enum class Of : unsigned char { GuideLands, Pockets, UnitOfLength };
+  double length = 1.0;  ///< [m]
+  Of of = Of::UnitOfLength;
+};
+/// "guide lands", "pockets", "unit of length"; as RUN.json has them.
+[[nodiscard]] std::string_view name_of(CageScale::Of of);
+[[nodiscard]] CageScale cage_scale(const bearing::Cage& cage, double unit_length);
+/// Its length alone [m].
+[[nodiscard]] inline double cage_clearance_scale(const bearing::Cage& cage, double unit_length) {
+  return cage_scale(cage, unit_length).length;
+}
 
 /// Archard's wear volume per time, averaged over the run (N50): W(T) = K/(H T) ∫ Q V dt [m³/s].
 /// 0 at T = 0 and for a material without hardness.

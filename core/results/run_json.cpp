@@ -125,6 +125,7 @@ Json run_json(const RunSummary& run) {
                      {"force [N]", run.scales->force},
                      {"time [s]", run.scales->time}};
   out["plan"] = run.plan;
+  if (!run.stored.is_null()) out["stored"] = run.stored;
   if (!run.imperfections.is_null()) out["geometric imperfections"] = run.imperfections;
   if (!run.operating.is_null()) out["operating fits"] = run.operating;
   out["steps"] = run.steps;

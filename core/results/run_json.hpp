@@ -32,6 +32,7 @@ struct RunSummary {
   std::string message;               ///< diagnosis, empty when done
   nlohmann::ordered_json plan;       ///< the scene plan
   std::string stability;             ///< what was decided on the integrator's steps; also in plan
+  nlohmann::ordered_json stored;     ///< what stored values are of (stored_json); null: no motion
   nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
   std::optional<scene::Scales> scales;
   std::string integrator;

@@ -189,17 +189,34 @@ TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart"
   CHECK(dashed(page) > 0);
 }
 
-TEST_CASE("pages: the orbit of a cage without guide lands has no circle of clearance",
-          "[unit][adrplot]") {
+TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
+  const desktop::ChartPage guided = page_with(file, "orbit");
+  CHECK(guided.guide_radius == 1.0);
+  CHECK_THAT(guided.note, Catch::Contains("clearance of the guide lands, 150 µm"));
+  CHECK(guided.x_title == "Y / clearance");
   for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
   const desktop::ChartPage free = page_with(file, "orbit");
   CHECK(free.guide_radius == 0.0);
-  CHECK(free.note.find("no guide land") != std::string::npos);
-  set(file, "cage.land1_gap", 1e-4);
-  const desktop::ChartPage guided = page_with(file, "orbit");
-  CHECK(guided.guide_radius == 1.0);
-  CHECK(guided.note.find("no guide land") == std::string::npos);
+  CHECK_THAT(free.note, Catch::Contains("no guide land") &&
+                            Catch::Contains("radial clearance of its pockets, 150 µm"));
+  CHECK(free.x_title == "Y / pocket clearance");
+  // A clearance of one unit of length is none.
+  const auto columns = results::sol_columns(file.header);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].id == "cage.radial_position")
+      for (auto& step : file.steps) step.values[c] /= 150e-6;
+  const desktop::ChartPage position = page_with(file, "orbit");
+  CHECK_THAT(position.note, Catch::Contains("divided by 1 m"));
+  CHECK(position.x_title == "Y / 1 m");
+  // What the run says goes before what its numbers look like.
+  using results::CageScale;
+  const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
+  PageContext context;
+  context.facts.cage_scale = {60e-6, CageScale::Of::Pockets};
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("pockets, 60 µm"));
+  context.facts.cage_scale = {149e-6, CageScale::Of::GuideLands};
+  CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }
 
 TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplot]") {
@@ -239,11 +256,11 @@ TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplo
       for (std::size_t i = 0; i < file.steps.size(); ++i)
         file.steps[i].values[c] = 1e-11 * std::sin(0.3 * static_cast<double>(i));
   const auto spectrum = page_with(file, "spectrum");
-  REQUIRE(spectrum.panels.at(2).title == "X");
-  CHECK(spectrum.panels[2].message.find("Nothing vibrates here: what changes is the rounding") ==
+  REQUIRE(spectrum.panels.at(0).title == "X");
+  CHECK(spectrum.panels[0].message.find("Nothing vibrates here: what changes is the rounding") ==
         0);
-  CHECK(spectrum.panels[2].curves.at(0).y.empty());
-  CHECK_FALSE(spectrum.panels[0].curves.at(0).y.empty());
+  CHECK(spectrum.panels[0].curves.at(0).y.empty());
+  CHECK_FALSE(spectrum.panels[1].curves.at(0).y.empty());
   // The last digit of a text file.
   const std::vector<double> text(20, 1.4984284e-4);
   std::vector<double> last = text, between = text;
@@ -297,7 +314,7 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
     INFO(page.note);
     CHECK(page.x.front() == Approx(every));
     CHECK(page.note.find(apart) != std::string::npos);
-    CHECK((page.note.find("own largest line") != std::string::npos) ==
+    CHECK((page.note.find("largest of its own curve") != std::string::npos) ==
           (scale != SpectrumScale::Units));
   }
   options.domain = Domain::Waterfall;
@@ -358,39 +375,6 @@ TEST_CASE("pages: a pale area is spoken of where one can be seen", "[unit][adrpl
   CHECK_THAT(note(), !Catch::Contains("Pale"));
   high[3] += 0.1 * all;
   CHECK_THAT(note(), Catch::Contains("Pale areas reach from the lowest to the highest value"));
-}
-
-TEST_CASE("pages: a life that was computed once and held says so", "[unit][adrplot]") {
-  results::SolFile file = test::synthetic_sol(SolKind::Power);
-  const auto held = [&] {
-    return page_with(file, "power loss and life").note.find("computed once and held") !=
-           std::string::npos;
-  };
-  set(file, "power.life", 20503.0);
-  CHECK(held());
-  const auto columns = results::sol_columns(file.header);
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    if (columns[c].id == "power.life") file.steps.back().values.at(c) = 20504.0;
-  CHECK_FALSE(held());
-  set(file, "power.life", 0.0);  // none
-  CHECK_FALSE(held());
-}
-
-TEST_CASE("pages: applied loads are those that hold a race which is held", "[unit][adrplot]") {
-  const results::SolFile file = test::synthetic_sol(SolKind::Race);
-  for (const char* page : {"Applied forces", "Applied moments"})
-    CHECK_THAT(page_with(file, page).note, Catch::Contains("Where a race is held"));
-}
-
-TEST_CASE("pages: the orbit of a cage without lands is divided by half its pockets' clearance",
-          "[unit][adrplot]") {
-  // The rule of the file: results/motion.cpp, cage_clearance_scale.
-  results::SolFile file = test::synthetic_sol(SolKind::Cage);
-  CHECK_THAT(page_with(file, "orbit").note, !Catch::Contains("no guide land"));
-  for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
-  const std::string note = page_with(file, "orbit").note;
-  CHECK_THAT(note, Catch::Contains("divided by half of their clearance"));
-  CHECK_THAT(note, !Catch::Contains("clearance to the races"));
 }
 
 TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[unit][adrplot]") {

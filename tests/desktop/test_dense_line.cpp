@@ -143,3 +143,16 @@ TEST_CASE("dense_line: a stroke of two points is as wide as its pen, upright as 
   CHECK(wide(QPolygonF({{150.0, 20.0}, {150.0, 180.0}}), true) == 6);
   CHECK(wide(QPolygonF({{20.0, 100.0}, {280.0, 100.0}}), false) == 6);
 }
+
+TEST_CASE("dense_line: a line of few points for each pixel is no stairs", "[unit][desktop]") {
+  QImage image(QSize(kWidth, kHeight), QImage::Format_RGB32);
+  QPainter painter(&image);
+  const auto bars = [&painter](double points) {
+    QPolygonF line;
+    for (int i = 0; i < static_cast<int>(points * kWidth); ++i)
+      line.append({i / points, 100.0 + 80.0 * std::sin(0.05 * i)});
+    return drawn_as_bars(painter, line, QRectF(0, 0, kWidth, kHeight), QPen(Qt::black, 1.6));
+  };
+  CHECK_FALSE(bars(1.5));
+  CHECK(bars(4.0));
+}

@@ -345,6 +345,10 @@ TEST_CASE("the cage's mass centre is normalised by land, pocket or unit of lengt
   CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
   bearing.cage->pocket_clearance_1 = 0.0;
   CHECK(cage_clearance_scale(*bearing.cage, 0.0254) == 0.0254);
+  CHECK(name_of(cage_scale(*bearing.cage, 1.0).of) == "unit of length");
+  bearing.cage->pocket_clearance_1 = 1e-4;
+  CHECK(name_of(cage_scale(*bearing.cage, 1.0).of) == "pockets");
+  CHECK(name_of(cage_scale(*make_bearing().cage, 1.0).of) == "guide lands");
 }
 
 TEST_CASE("angles stay continuous between records, and across a continuation", "[unit][sol]") {

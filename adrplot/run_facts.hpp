@@ -1,0 +1,49 @@
+#pragma once
+
+#include "adrplot/known_values.hpp"
+#include "results/motion.hpp"
+#include "results/sol_file.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// What the numbers of a plot file are of, where they do not tell by themselves.
+namespace adore::adrplot {
+
+/// Of the run beside the file: "stored" of RUN.json. Empty: not known.
+struct RunFacts {
+  std::optional<int> life_every;              ///< steps between life predictions; 0: first, last
+  std::optional<bool> temperatures_computed;  ///< else the deck gives them
+  std::optional<bool> races_held;             ///< loads move none of them
+  /// Flanges of the races: "inner.1" at −x, "outer.2" at +x. Empty optional: not known.
+  std::optional<std::set<std::string>> flanges;
+  std::optional<results::CageScale> cage_scale;  ///< what a cage's orbit is divided by
+};
+
+/// What a cage's orbit is divided by (N71): the run's own word, else what the file tells. Its
+/// length is positions [m or in] over ratios; 0: not known.
+struct OrbitScale {
+  results::CageScale::Of of = results::CageScale::Of::GuideLands;
+  double length = 0.0;  ///< in `unit`
+  std::string unit;
+};
+[[nodiscard]] OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns,
+                                     const RunFacts& facts);
+/// A sentence; and "clearance", "pocket clearance" or "1 m" for the titles of axes.
+[[nodiscard]] std::string orbit_note(const OrbitScale& scale);
+[[nodiscard]] std::string orbit_divisor(const OrbitScale& scale);
+
+/// In which directions a race file shows what holds the race, not what loads it: where its position
+/// (or angle, or speed) never changes. Empty: in none.
+[[nodiscard]] std::string held_note(const KnownColumns& columns, bool moments);
+
+/// A column whose values are all one: it was made once. False below two steps.
+[[nodiscard]] bool never_changes(const std::vector<double>& values, double rounding);
+
+/// Why a flange's column holds nothing, by what is known of the race. `where` is ".inner.2".
+[[nodiscard]] std::string flange_reason(const std::string& where, const RunFacts& facts);
+[[nodiscard]] bool no_flange(const std::string& column, const RunFacts& facts);
+
+}  // namespace adore::adrplot
