@@ -24,6 +24,7 @@ enum class FileKind : unsigned char { Sol, Animation, Final, Master, RunJson, Re
 /// units (FINAL and MASTER: one line per component; RUN.json: one line per leaf). Decimal point and
 /// full precision whatever the locale; missing values are empty (csv) or null (json). @param format
 /// "csv" or "json". @returns empty, or what is wrong with the file and left out. @throws InputError
-std::string convert_file(const std::filesystem::path& path, std::string_view format, std::ostream& out);
+std::string convert_file(const std::filesystem::path& path, std::string_view format,
+                         std::ostream& out);
 
 }  // namespace adore::results
