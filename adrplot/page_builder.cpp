@@ -62,18 +62,22 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
       KnownValues known = columns.values(curve.column);
       if (!known.why_none.empty() && !any_value(known.values)) {
         const bool flange = curve.column.starts_with("flange.");
-        reason = flange ? flange_reason(curve.column.substr(curve.column.find(
-                                            '.', std::string_view("flange.").size())),
-                                        facts)
-                        : known.why_none;
-        if (spec.curves.size() > 1 && !flange) reason = capital(curve.name) + ": " + small(reason);
+        const std::string before = flange ? reason : std::string();
+        std::string why = known.why_none;
+        if (flange)
+          why = flange_reason(
+              curve.column.substr(curve.column.find('.', std::string_view("flange.").size())),
+              facts);
+        else if (spec.curves.size() > 1)
+          why = capital(curve.name) + ": " + small(why);
+        reason = before + (before.empty() ? "" : " ") + why;
         // What is not there has no place in the legend beside what is.
         if (no_flange(curve.column, facts) &&
             std::any_of(spec.curves.begin(), spec.curves.end(), [&](const CurveSpec& other) {
               return any_value(columns.values(other.column).values);
             })) {
-          add_note(chart, reason);
-          reason.clear();
+          add_note(chart, why);
+          reason = before;
           continue;
         }
       }
@@ -214,12 +218,16 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
     std::fill(first + 1, curve.y.end(), std::numeric_limits<double>::quiet_NaN());
     const long step = file.steps[static_cast<std::size_t>(first - curve.y.begin())].step;
     const bool start = step == 0;
+    const std::string life = desktop::pretty_quantity(*first, chart.panels[p].unit, 5);
     add_note(chart,
-             fmt::format("Fatigue life is the one value {}, predicted {}{}: it does not follow the "
-                         "loads of later steps. PRINT.txt has that of the last step.",
-                         desktop::pretty_quantity(*first, chart.panels[p].unit, 5),
-                         start ? "at step 0" : "before the first step shown",
-                         facts.life_every ? " (kLifeFreq = 0)" : ""));
+             facts.life_every
+                 ? fmt::format("Fatigue life is the one value {}, predicted {} (kLifeFreq = 0): it "
+                               "does not follow the loads of later steps. PRINT.txt has that of "
+                               "the last step.",
+                               life, start ? "at step 0" : "before the first step shown")
+                 : fmt::format("Fatigue life is the one value {} in all of this file: predicted "
+                               "once, it does not follow the loads of later steps.",
+                               life));
   }
 }
 

@@ -212,10 +212,11 @@ void add_pocket_pages(std::vector<PageSpec>& pages, const SolHeader& header) {
       const bool paired = header.bearing_type != kBall && surfaces % 2 == 0;
       pages.push_back(history(
           title, {force, gap, contact},
-          paired ? fmt::format("Surface {} stands behind the roller and drives it, surface {} in "
-                               "front of it.",
-                               begin, end)
-                 : ""));
+          paired
+              ? fmt::format("Surface {} stands behind the roller of a cage that turns positively, "
+                            "surface {} in front of it.",
+                            begin, end)
+              : ""));
     }
   }
 }

@@ -117,7 +117,8 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
         continue;
       const std::string name = effect["name"].get<std::string>();
       const bool on = effect["on"].get<bool>();
-      if (name == "races that move under loads" || name == "force balance of the inner race")
+      if (name == "races that move under loads" || name == "force balance of the inner race" ||
+          name == "rotating load" || name == "race vibration" || name == "varying race speed")
         moves = moves.value_or(false) || on;
       if (name == "thermal steps") thermal = on;
     }

@@ -142,14 +142,14 @@ int run(const StudyOptions& options, bool resume) {
                       command_of("resume", options)));
     throw;
   }
-  write_results(request.study, options.quiet);
+  const bool written = write_results(request.study, options.quiet);
   if (!options.quiet) fmt::print("{}\n", studies::outcome_text(outcome));
   if (!outcome.complete) {
     tell(fmt::format("\ninterrupted; finished runs are recorded. Go on with\n  {}\n",
                      command_of("resume", options)));
     return 130;
   }
-  return outcome.failed > 0 ? 3 : 0;
+  return outcome.failed > 0 ? 3 : written ? 0 : 2;
 }
 
 int status(const StudyOptions& options) {

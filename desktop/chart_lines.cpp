@@ -296,7 +296,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
   return out;
 }
 
-bool ChartScene::findStretches(std::size_t index, const ShownCurve& before, ShownCurve& shown,
+bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown,
                                const QRectF& area, const AxisScale& y_axis) const {
   constexpr qreal kLeast = 24.0;  // shorter ones are crossings
   const ChartPanel& panel = page_.panels[index];
@@ -319,9 +319,10 @@ bool ChartScene::findStretches(std::size_t index, const ShownCurve& before, Show
       equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
               equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
   }
-  if (over.empty()) return false;
+  // Lines of spectra are near 0, and so near each other, almost everywhere.
+  if (over.empty() || (!equal && page_.x_unit == "Hz")) return false;
   shown.hides = before.curve;
-  shown.later = 1;
+  shown.later = ++before.later;
   shown.over = std::move(over);
   shown.partly = found.differ;
   shown.alike = equal ? Alike::Equal : Alike::Near;

@@ -112,8 +112,8 @@ class ChartScene : public QGraphicsScene {
                                   const AxisScale& y_axis);
   /// The stretches of the view in which the later of two curves lies on the earlier one. Are there
   /// any?
-  bool findStretches(std::size_t index, const ShownCurve& before, ShownCurve& shown,
-                     const QRectF& area, const AxisScale& y_axis) const;
+  bool findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown, const QRectF& area,
+                     const AxisScale& y_axis) const;
   /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
   /// only one is its own.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,

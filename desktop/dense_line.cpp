@@ -40,7 +40,8 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen) {
-  constexpr double kPointsPerColumn = 2.5;  // with fewer a steep rise would be seen as stairs
+  constexpr double kPointsPerColumn =
+      2.5;  // logical ones: with fewer a steep rise would be seen as stairs
   constexpr qsizetype kFewest = 16;  // a stroke of two points may stand in one column, and is wide
   const QTransform& placed = painter.deviceTransform();
   if (line.size() < kFewest) return false;
@@ -51,7 +52,7 @@ bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
          placed.type() <= QTransform::TxScale && placed.m11() > 0.0 &&
          pen.style() == Qt::SolidLine &&
-         static_cast<double>(line.size()) > kPointsPerColumn * width * placed.m11() &&
+         static_cast<double>(line.size()) > kPointsPerColumn * width &&
          std::is_sorted(line.begin(), line.end(),
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }

@@ -22,9 +22,13 @@ AccuracyErrors standing_out(const AccuracyErrors& errors, const AccuracyErrors& 
 }
 
 double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise, double target) {
-  // What stands out of its noise is above 1.5 times that: of its limit only the target is left.
-  const double worst = standing_out(errors, noise).largest();
-  return worst > 0.0 ? worst / target : 0.0;
+  const AccuracyErrors out = standing_out(errors, noise);
+  double worst = 0.0;
+  for (const auto& [error, known] :
+       {std::pair(out.speed, noise.speed), std::pair(out.load, noise.load),
+        std::pair(out.heat, noise.heat), std::pair(out.life, noise.life)})
+    worst = std::max(worst, error / std::max(target, kBeyondNoise * known));
+  return worst;
 }
 
 void judge_rows(std::vector<AccuracyRow>& rows, const AccuracyErrors& noise, double target) {

@@ -147,7 +147,7 @@ TEST_CASE("results of an earlier run are replaced only when that is asked for", 
 
 TEST_CASE("the commands that a run suggests are ones, whatever its folder is called", "[cli]") {
   Folder folder;
-  REQUIRE(run("new ball --out " + (folder / "DATA.txt").string()).code == 0);
+  REQUIRE(run_adore("new ball --out " + (folder / "DATA.txt").string()).code == 0);
   const std::string here = "cd " + folder.path().string() + " && ";
   for (const char* out : {"-out", "two words", "it's"}) {
     std::string argument = out;
