@@ -13,12 +13,13 @@ namespace adore::cli {
 /// @throws InputError when it is one of the inputs, a link, or something else than such an export.
 void write_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);
-/// Refuses what write_export would. @throws InputError
-void check_export(const std::filesystem::path& path, std::string_view text,
-                  const std::vector<std::filesystem::path>& inputs);
 /// The same for text that is written to a stream and never held as a whole.
 void write_export(const std::filesystem::path& path,
                   const std::function<void(std::ostream&)>& produce,
+                  const std::vector<std::filesystem::path>& inputs);
+
+/// Refuses what write_export would. @throws InputError
+void check_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace adore::cli

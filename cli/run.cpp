@@ -44,7 +44,7 @@ struct RunOptions : DeckOptions {
     if (!out.empty()) line += " --out " + quoted_path(out);
     for (const std::string& text : sets) add("--set", text);
     for (const std::string& text : this->options) add("--opt", text);
-    add("--user", user);
+    if (!user.empty()) line += " --user " + quoted_path(user);
     add("--until", to);
     add("--integrator", integrator);
     if (tolerance_given) add("--tol", fmt::format("{}", tolerance));

@@ -162,7 +162,7 @@ std::array<RaceSums, 2> evaluate_pair_with(RacePairKernel kernel,
                                            const std::array<ElementForces, 2>& out) noexcept {
   const RaceKernelInput in[2] = {input_of(models[0], balls, races[0], out[0]),
                                  input_of(models[1], balls, races[1], out[1])};
-  RaceKernelSums sums[2];
+  RaceKernelSums sums[2]{};
   kernel(in, sums);
   return {sums_of(sums[0]), sums_of(sums[1])};
 }

@@ -90,7 +90,8 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
                      "xyz"[furthest]);
   if (load.tilts)
     return out +
-           "a race tilts freely (kMD21 to kMD32 of record 2.2) from where the equilibrium held "
+           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) from where the "
+           "equilibrium held "
            "it, which changes what the elements carry; hold its tilt, or give the moments that the "
            "equilibrium needs";
   if (load.shaken)

@@ -11,7 +11,7 @@ namespace adore::statics {
 namespace {
 
 constexpr const char* kRemedy =
-    "give the temperatures that the bearing runs at (record 9.1.3), a lubricant for this cold "
+    "give the temperatures that the bearing runs at (record 9.1.3), a thinner lubricant "
     "(record 10.0), or kTrac = 0";
 constexpr const char* kRace[] = {"outer", "inner"};
 

@@ -97,17 +97,21 @@ TEST_CASE("a study of a deck whose every variable is set is that of the deck", "
   REQUIRE(set.screening.size() == plain.screening.size());
   CHECK(plain.irregular.speed >= 0.0);
   CHECK(set.irregular.speed >= 0.0);  // of the cheapest good row, which may be another one
+  int compared = 0;
   for (const auto rows : {&AccuracyStudy::screening, &AccuracyStudy::models}) {
     REQUIRE((set.*rows).size() == (plain.*rows).size());
     for (std::size_t k = 0; k < (set.*rows).size(); ++k) {
       const AccuracyRow &one = (set.*rows)[k], &other = (plain.*rows)[k];
       CAPTURE(one.setting.name, one.failure);
       CHECK(one.setting.name == other.setting.name);
-      CHECK(one.failure == other.failure);
+      // Rows that take long are cut by processor time, which is another one each time.
+      if (!one.failure.empty() || !other.failure.empty()) continue;
+      ++compared;
       CHECK(one.steps == other.steps);
       CHECK(one.errors.heat == other.errors.heat);
     }
   }
+  CHECK(compared >= 5);
 }
 
 TEST_CASE("settings are chosen for a deck whose every variable is set",
