@@ -163,7 +163,7 @@ TEST_CASE("the commands that a run suggests are ones, whatever its folder is cal
       if (at == std::string::npos) continue;
       ++tried;
       // Without drawing: no file has such a page.
-      const Result read = run_shell(here + "ADORE " + line.substr(at + 6) + " --page 9999");
+      const Result read = run_shell(here + "ADORE " + line.substr(at + 6) + " --page 9999 2>&1");
       INFO(line << '\n' << read.out);
       CHECK(read.out.find("9999") != std::string::npos);
       CHECK(read.out.find("has no option") == std::string::npos);
