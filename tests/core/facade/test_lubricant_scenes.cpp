@@ -129,8 +129,17 @@ TEST_CASE("every lubricant in every hard scene: a result without NaN, or a sente
           }
         } catch (const SolverError& error) {
           ++said;
-          CHECK(scene.ends == Ends::RunsAway);
-          CHECK_THAT(error.what(), Catch::Contains("temperatures run away"));
+          // Oil that is a glass, or so thick that its film is none (statics/film_doubts.hpp).
+          const std::string why = error.what();
+          const bool solid = why.find("is a glass") != std::string::npos ||
+                             why.find("formulas of films") != std::string::npos;
+          const std::string name = scene.name;
+          if (solid) {
+            CHECK((name == "-50 degrees" || name == "in liquid oxygen"));
+          } else {
+            CHECK(scene.ends == Ends::RunsAway);
+            CHECK_THAT(why, Catch::Contains("temperatures run away"));
+          }
         } catch (const InputError& error) {
           FAIL_CHECK("refused: " << error.what());
         }
@@ -138,5 +147,5 @@ TEST_CASE("every lubricant in every hard scene: a result without NaN, or a sente
       }
   CAPTURE(solved, said);
   CHECK(solved + said == 19 * 9 * 2);  // lubricants, scenes, statics and motion
-  CHECK(solved > 19 * 13);
+  CHECK(solved > 19 * 12);  // most oils are no liquid at 95 K, and one at 223 K
 }

@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "core/facade/deck_runs.hpp"
 #include "deck/deck.hpp"
 #include "deck/templates.hpp"
@@ -177,6 +178,7 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
       {"starved", {{"strParam", "0.0"}}},
   };
   const testing::TemporaryFolder folder;
+  int ran = 0;
   for (const char* type : kTypes)
     for (const char* code : {"2", "8", "11", "20"})
       for (const Case& one : cases) {
@@ -186,8 +188,19 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
         sets.emplace_back("tol", "1e-7");  // such runs move next to nothing
         const std::string name = std::string(type) + " " + code + " " + one.name;
         INFO(name);
-        CHECK(fault_of(oiled(code, sets, type), folder / name) == "");
+        try {
+          const std::string fault = fault_of(oiled(code, sets, type), folder / name);
+          CHECK(fault == "");
+          ++ran;
+        } catch (const SolverError& error) {  // too cold for this oil (statics/film_doubts.hpp)
+          const std::string why = error.what();
+          INFO(why);
+          CHECK((why.find("is a glass") != std::string::npos ||
+                 why.find("formulas of films") != std::string::npos));
+          CHECK((std::string(one.name) == "cold" || std::string(one.name) == "cryogenic"));
+        }
       }
+  CHECK(ran >= 5 * 4 * 5);  // whatever is not cold, of every type
 }
 
 TEST_CASE("a run in oil reports film, lambda and flash of every contact, and its life uses them",
