@@ -147,5 +147,5 @@ TEST_CASE("every lubricant in every hard scene: a result without NaN, or a sente
       }
   CAPTURE(solved, said);
   CHECK(solved + said == 19 * 9 * 2);  // lubricants, scenes, statics and motion
-  CHECK(solved > 19 * 12);  // most oils are no liquid at 95 K, and one at 223 K
+  CHECK(solved > 19 * 12);             // most oils are no liquid at 95 K, and one at 223 K
 }
