@@ -38,7 +38,7 @@ QPointF element_centre(const Scene& s, std::size_t k) {
 QColor trail_colour(const Scene& s) { return s.sketch.theme().curves[3]; }
 
 QString longest_load(const Scene& s, double load) {
-  return QString::fromStdString(", up to " +
+  return QString::fromStdString(" ≤ " +
                                 desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 

@@ -390,7 +390,7 @@ void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const
                               const Metrics& m) {
   const QFont font = ui_font(m.tick_font);
   const qreal height = QFontMetricsF(font).height();
-  qreal last = area.bottom() + height;
+  qreal last = area.bottom();
   for (const ChartCurve& curve : panel.curves) {
     if (curve.hidden || curve.name.empty() || curve.y.empty()) continue;
     const double at = (y_axis.shown(curve.lift) - y_axis.min) / (y_axis.max - y_axis.min);
@@ -400,7 +400,8 @@ void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const
     auto* name = addSimpleText(text_of(curve.name), font);
     name->setBrush(theme_->muted);
     name->setPos(area.right() - 4.0 - name->boundingRect().width(), y);
-    name->setZValue(1.0);
+    name->setZValue(7.0);  // above the lines, which would strike it through
+    addRect(name->sceneBoundingRect(), Qt::NoPen, theme_->surface)->setZValue(6.0);
   }
 }
 

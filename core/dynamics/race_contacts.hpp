@@ -108,7 +108,10 @@ struct RaceSums {
 RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementViews& balls,
                                 const RaceMotion& race, const ElementForces& out) noexcept;
 
-/// Can both races be evaluated at once? Alike balls on races of revolution, dry.
+/// Can both races be evaluated at once? Alike balls on races of revolution, dry, under curves of
+/// one form (no routine of the user), with one kind of surface and constants that follow the angle
+/// for both or neither. Parameters of the curves and quadrature rules are not compared: they are
+/// those of one bearing.
 [[nodiscard]] bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept;
 /// The same as of one race after the other, to rounding, where share_vectors says so and the laws
 /// of both are of one curve; forces and moments of both go to the same arrays. Balls that fill no

@@ -11,6 +11,7 @@
 /// the bodies: h/R is some 1e-4 in bearings, and the regressions were fitted up to 1e-3. A film of
 /// a tenth of the radius is no film. A liquid of 1e12 Pa s is a glass (viscosity/glass.hpp), and
 /// laws of viscosity over temperature are measured up to some 1e3 Pa s. [choice]
+/// Decision 681.
 namespace adore::statics {
 
 inline constexpr double kThickFilm = 3e-3, kNoFilmAnyMore = 0.1;  ///< h/R

@@ -534,9 +534,9 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
                    element = words(View::Element), cage = words(View::Cage);
   for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("ways of the elements"));
   CHECK(element.contains("way of the element"));
-  CHECK(front.contains("race loads, up to " + load(contacts.largest_load)));
+  CHECK(front.contains("race loads ≤ " + load(contacts.largest_load)));
   for (const std::size_t race : {0U, 1U})
-    CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads, up to ") +
+    CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads ≤ ") +
                          load(contacts.largest_of_race[race])));
   // Arrows of contacts are as long as the cage's radius, whatever the force.
   for (const QByteArray& svg : {front, cage}) {

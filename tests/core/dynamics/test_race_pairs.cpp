@@ -1,4 +1,5 @@
 #include "contact/make_angle_law.hpp"
+#include "contact/wavy_groove.hpp"
 #include "core/dynamics/system_fixture.hpp"
 #include "core/dynamics/thrust_scene.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -109,6 +110,29 @@ TEST_CASE("both races at once are one after the other, to rounding", "[unit]") {
     }
 }
 
+TEST_CASE("scenes evaluate both races at once where nothing needs them apart", "[unit]") {
+  using enum scene::Effect;
+  const auto rows_of = [](const bearing::Bearing& b, scene::ScenePlan plan) {
+    std::vector<std::string> out;
+    for (const auto& row : fixture::make_system(b, plan).cost().rows())
+      if (row.name.find("race contacts") != std::string::npos) out.push_back(row.name);
+    return out;
+  };
+  const std::vector<std::string> both{"race contacts"},
+      each{"outer race contacts", "inner race contacts"};
+  const bearing::Bearing plain = fixture::angular_contact(10);
+  CHECK(rows_of(plain, fixture::full_plan()) == both);
+  CHECK(rows_of(plain, fixture::plan_with({RaceContact})) == both);
+  scene::ScenePlan light = fixture::full_plan();
+  light.effects.push_back({LightLoadBalance, "", true, "test"});
+  light.light_load_ratio = 0.05;
+  CHECK(rows_of(plain, light) == each);
+  bearing::Bearing unequal = plain;
+  unequal.imperfections.ball_diameter.assign(10, 0.0);
+  unequal.imperfections.ball_diameter[3] = 1e-6;
+  CHECK(rows_of(unequal, fixture::full_plan()) == each);
+}
+
 TEST_CASE("races share vectors where their balls are alike, round and dry", "[unit]") {
   const ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", 4,
                                                tribology::make_split_ellipse_rule(7, 2), 1.0);
@@ -122,5 +146,14 @@ TEST_CASE("races share vectors where their balls are alike, round and dry", "[un
   CHECK_FALSE(dynamics::share_vectors(other));
   other = scene.model;
   other[0].traction = false;
+  CHECK_FALSE(dynamics::share_vectors(other));
+  other = scene.model;
+  other[1].wavy = std::make_shared<const contact::WavyGroove>();
+  CHECK_FALSE(dynamics::share_vectors(other));
+  other = scene.model;
+  other[1].angle.follows = true;
+  CHECK_FALSE(dynamics::share_vectors(other));
+  other = scene.model;
+  other[1].surface = tribology::ContactSurface::FlatUndeformed;
   CHECK_FALSE(dynamics::share_vectors(other));
 }
