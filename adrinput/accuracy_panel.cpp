@@ -106,6 +106,7 @@ void AccuracyPanel::cancel() { background_.stop(); }
 void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
   studied_ = deck;
+  another_ = false;
   sets_.clear();
   view_->clear();
   view_->show();
@@ -157,7 +158,7 @@ void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString&
     headline_ = tr("The study was ended before it was complete.");
   } else {
     bar_->setValue(kBarSteps);
-    sets_ = facade::recommended_sets(study_made);
+    if (!another_) sets_ = facade::recommended_sets(study_made);
     headline_ = QString::fromStdString(facade::recommendation(study_made));
     QStringList changes;
     for (const auto& [name, value] : sets_)
@@ -171,11 +172,19 @@ void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString&
   emit finished();
 }
 
+void AccuracyPanel::forget() {
+  another_ = !studied_.records.empty();
+  sets_.clear();
+  enableButtons();
+}
+
 void AccuracyPanel::setDeck(const deck::Deck& deck) {
   if (studied_.records.empty() || busy()) return;
   note_->setText(deck == studied_
                      ? headline_
-                     : tr("Of the deck as it was before the last change. ") + headline_);
+                     : (another_ ? tr("Of another deck. ")
+                                 : tr("Of the deck as it was before the last change. ")) +
+                           headline_);
 }
 
 }  // namespace adore::adrinput

@@ -40,6 +40,8 @@ class AccuracyPanel : public QWidget {
   void start(const deck::Deck& deck, const RunOptionValues& options);
   /// The deck is this one now: a study of an older one says so.
   void setDeck(const deck::Deck& deck);
+  /// Another deck was opened: what is recommended is not for it.
+  void forget();
   [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
   /// What is recommended; empty before, or when nothing is.
@@ -67,6 +69,7 @@ class AccuracyPanel : public QWidget {
   QPlainTextEdit* view_;
   Background background_;
   deck::Deck studied_;
+  bool another_ = false;  ///< another deck was opened since
   Sets sets_;
   QString headline_;
 };

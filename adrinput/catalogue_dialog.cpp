@@ -64,10 +64,8 @@ void CatalogueDialog::look(const QString& designation) {
       lines << QString::fromStdString(line);
     story_->setText(lines.join("\n\n"));
     take_->setEnabled(true);
-    // The list opens after this; one that holds but what is typed would hide the story.
-    QTimer::singleShot(0, this, [list = name_->completer()] {
-      if (list->completionCount() <= 1) list->popup()->hide();
-    });
+    // The list opens after this, and would hide what is told of the bearing, and take its Enter.
+    QTimer::singleShot(0, this, [list = name_->completer()] { list->popup()->hide(); });
   } catch (const InputError& error) {
     const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
     QString text = QString::fromStdString(issue.remedy);

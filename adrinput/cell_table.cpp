@@ -29,6 +29,31 @@ namespace {
 constexpr int kOtherRole = Qt::UserRole;  // the value in the other system of units
 constexpr int kRowHeight = 28, kTwoLines = 44;
 
+/// Several values, as a spreadsheet or a list of numbers has them: they are no text of one cell.
+bool fills_cells(const QString& text) {
+  static const QRegularExpression numbers(R"(^\s*[-+.,\deEdD]+([\s;]+[-+.,\deEdD]+)+\s*$)");
+  return text.trimmed().contains(QRegularExpression("[\t\r\n]")) || numbers.match(text).hasMatch();
+}
+
+/// The text of a cell while it is typed. Several values that are pasted go into the table.
+class CellEditor : public QLineEdit {
+ public:
+  CellEditor(CellTable* table, QWidget* parent) : QLineEdit(parent), table_(table) {
+    setFrame(false);
+  }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    if (!event->matches(QKeySequence::Paste) || !fills_cells(QApplication::clipboard()->text()))
+      return QLineEdit::keyPressEvent(event);
+    table_->setFocus();  // closes this
+    table_->paste();
+  }
+
+ private:
+  CellTable* table_;
+};
+
 /// Edits a cell as text, or as a choice where the variable has codes.
 class CellDelegate : public QStyledItemDelegate {
  public:
@@ -66,11 +91,7 @@ class CellDelegate : public QStyledItemDelegate {
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                         const QModelIndex& index) const override {
     const deck::VariableSpec& variable = *variable_of(at(index));
-    if (variable.options.empty()) {
-      auto* line = new QLineEdit(parent);
-      line->setFrame(false);
-      return line;
-    }
+    if (variable.options.empty()) return new CellEditor(table_, parent);
     auto* combo = new QComboBox(parent);
     for (const deck::OptionSpec& choice : variable.options)
       combo->addItem(choice_text(choice.code, choice.meaning),
@@ -286,29 +307,27 @@ void CellTable::pasteInOrder(const QString& text) {
                                                : "[\\s]+|,\\s+";
   const QStringList values = text.trimmed().split(QRegularExpression(between), Qt::SkipEmptyParts);
   int at = std::max(currentRow(), 0) * columnCount() + std::max(currentColumn(), 0);
+  std::vector<std::pair<Cell, std::string>> typed;
   for (const QString& value : values) {
     if (at >= rowCount() * columnCount()) break;
-    document_.end_step();
-    document_.edit(cellAt(at / columnCount(), at % columnCount()), value.toStdString());
+    typed.emplace_back(cellAt(at / columnCount(), at % columnCount()), value.toStdString());
     ++at;
   }
-  document_.end_step();
+  document_.edit_all(typed);
 }
 
-/// Cells of a spreadsheet are taken over from the current cell on.
 void CellTable::paste() {
   if (!repeated_) return pasteInOrder(QApplication::clipboard()->text());
   const int top = std::max(currentRow(), 0), left = std::max(currentColumn(), 0);
   QStringList lines = QApplication::clipboard()->text().split('\n');
   if (!lines.isEmpty() && lines.back().isEmpty()) lines.removeLast();
+  std::vector<std::pair<Cell, std::string>> typed;
   for (int r = 0; r < lines.size() && top + r < rowCount(); ++r) {
     const QStringList values = lines[r].remove('\r').split('\t');
-    for (int c = 0; c < values.size() && left + c < columnCount(); ++c) {
-      document_.end_step();
-      document_.edit(cellAt(top + r, left + c), values[c].toStdString());
-    }
+    for (int c = 0; c < values.size() && left + c < columnCount(); ++c)
+      typed.emplace_back(cellAt(top + r, left + c), values[c].toStdString());
   }
-  document_.end_step();
+  document_.edit_all(typed);
 }
 
 void CellTable::keyPressEvent(QKeyEvent* event) {

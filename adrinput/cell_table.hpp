@@ -23,6 +23,8 @@ class CellTable : public QTableWidget {
   void sync();
   /// Shows below each value what it is in the other system of units.
   void setOtherUnits(bool shown);
+  /// Takes the clipboard over from the current cell on: one step for undo.
+  void paste();
   /// False when the cell is not in this table.
   bool focusCell(const Cell& cell);
   [[nodiscard]] Cell cellAt(int row, int column) const;
@@ -41,7 +43,6 @@ class CellTable : public QTableWidget {
   void setUp();
   void fillCell(int row, int column);
   [[nodiscard]] bool atEnd(bool next) const;
-  void paste();
   void pasteInOrder(const QString& text);
   [[nodiscard]] bool severalRecords() const { return !lines_.front().record.empty(); }
 

@@ -153,6 +153,7 @@ class DeckWindow : public QMainWindow {
   void leaveRun(std::function<void()> then);
   void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
+  void forgetResults();
 
   Document document_;
   std::string current_;

@@ -7,6 +7,7 @@
 #include "adrinput/record_page.hpp"
 #include "adrinput/replace_question.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/solution_charts.hpp"
 #include "adrinput/study_menu.hpp"
 #include "base/version.hpp"
 #include "deck/catalogue.hpp"
@@ -33,6 +34,7 @@
 #include <QVBoxLayout>
 
 #include <exception>
+#include <memory>
 #include <utility>
 
 /// Menus, files and questions of the window.
@@ -42,6 +44,22 @@ namespace {
 const QString kApp = "adrinput";
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
+
+/// Shows and hides a dock; one that stands behind another comes to the front first.
+QAction* dock_action(QDockWidget* dock, const QString& text) {
+  QAction* action = dock->toggleViewAction();
+  action->setText(text);
+  auto in_front = std::make_shared<bool>(false);
+  QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [dock, in_front](bool visible) {
+    if (!dock->isHidden()) *in_front = visible;
+  });
+  QObject::connect(action, &QAction::triggered, dock, [dock, in_front](bool on) {
+    if (!on && *in_front) return;
+    dock->show();
+    dock->raise();
+  });
+  return action;
+}
 
 }  // namespace
 
@@ -109,15 +127,11 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
   view->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this,
                   &DeckWindow::studyAccuracy);
-  QAction* drawing = drawing_dock_->toggleViewAction();
-  drawing->setText(tr("Drawin&g"));
+  QAction* drawing = dock_action(drawing_dock_, tr("Drawin&g"));
   drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
   view->addAction(drawing);
-  QAction* lubricant = findChild<QDockWidget*>("lubricant-dock")->toggleViewAction();
-  lubricant->setText(tr("&Lubricant"));
-  view->addAction(lubricant);
-  QAction* charts = charts_dock_->toggleViewAction();
-  charts->setText(tr("Charts of the &solution"));
+  view->addAction(dock_action(findChild<QDockWidget*>("lubricant-dock"), tr("&Lubricant")));
+  QAction* charts = dock_action(charts_dock_, tr("Charts of the &solution"));
   charts->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
   view->addAction(charts);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
@@ -162,10 +176,20 @@ void DeckWindow::showHelp(const QString& title, const QString& text) {
   dialog->open();
 }
 
+/// What was computed for the deck before is nothing of the one that is here now.
+void DeckWindow::forgetResults() {
+  plan_->forget();
+  statics_->forget();
+  charts_->forget();
+  accuracy_->forget();
+  run_->setAnother();
+}
+
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   try {
     const std::filesystem::path file = facade::deck_path(path);
     document_.open(file);
+    forgetResults();
     checkNow();
     remember(file);
     current_.clear();
@@ -180,6 +204,7 @@ bool DeckWindow::openFile(const std::filesystem::path& path) {
 void DeckWindow::newDeck(const QString& template_name) {
   leaveDeck([this, template_name] {
     document_.start_new(template_name.toStdString());
+    forgetResults();
     checkNow();
     current_.clear();
     showRecord(document_.pages().front());
@@ -191,6 +216,7 @@ void DeckWindow::newFromCatalogue() {
   connect(dialog, &CatalogueDialog::chosen, this, [this](const QString& text) {
     leaveDeck([this, text] {
       document_.start_with(text.toStdString());
+      forgetResults();
       checkNow();
       current_.clear();
       showRecord(document_.pages().front());

@@ -137,7 +137,7 @@ std::string Document::unused_because(const Cell& cell) const {
 
 void Document::begin_step(const Cell& cell) {
   redo_.clear();
-  if (step_cell_ == cell) return;
+  if (step_cell_ == cell || (together_ && step_cell_)) return;
   step_cell_ = cell;
   undo_.push_back({state_, cell.record});
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
@@ -209,6 +209,14 @@ void Document::edit(const Cell& cell, std::string_view typed) {
   });
   find_problems();
   notify();
+}
+
+void Document::edit_all(const std::vector<std::pair<Cell, std::string>>& typed) {
+  end_step();
+  together_ = true;
+  for (const auto& [cell, text] : typed) edit(cell, text);
+  together_ = false;
+  end_step();
 }
 
 void Document::set_user_lines(std::vector<std::string> lines) {
@@ -403,7 +411,7 @@ void Document::check_model() {
   }
   model_issues_ = std::move(found.issues);
   if (examined) refusals_ = std::move(found.refusals);
-  unused_.clear();
+  if (examined) unused_.clear();  // else it stays as it was when the deck was last right
   for (const deck::NoPart& value : found.unused) {
     Issue named;
     named.record = value.record;

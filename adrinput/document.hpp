@@ -119,6 +119,8 @@ class Document {
   /// typed before come back with them. Changes of the same cell are one step for undo until
   /// end_step().
   void edit(const Cell& cell, std::string_view typed);
+  /// Several values, one step for undo.
+  void edit_all(const std::vector<std::pair<Cell, std::string>>& typed);
   /// The same while a person is still typing: the text is shown and kept, but the deck keeps its
   /// value until end_step() takes the text, so that the "12.7" of "12.7 mm" is never a value.
   void type(const Cell& cell, std::string_view typed);
@@ -206,6 +208,7 @@ class Document {
   std::vector<Problem> problems_;
   std::vector<Step> undo_, redo_;
   std::optional<Cell> step_cell_, typing_;
+  bool together_ = false;  ///< changes of other cells belong to the step that is open
   std::filesystem::path draft_;
   std::optional<facade::RunScales> scales_;
   std::vector<deck::RecordData> scaled_;  ///< records that the scales are of

@@ -1,6 +1,7 @@
 #include "adrinput/document.hpp"
 #include "adrinput/typed.hpp"
 #include "base/atomic_file.hpp"
+#include "base/kept_copy.hpp"
 #include "base/plain_file.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
@@ -190,11 +191,7 @@ void Document::save(const fs::path& path) {
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
   const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept));
-  if (lost && same_file(path, path_)) {
-    fs::path backup = path;
-    backup += ".bak";
-    write_file_atomically(backup, original_);
-  }
+  if (lost && same_file(path, path_)) keep_copy(path, original_);
   save_options(path);
   write_file_atomically(path, text);
   path_ = path;

@@ -427,10 +427,14 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
       write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), false,
             marks::arrow_colour(t, arrow.kind));
   for (const drawing::Dimension& d : pane.dimensions)
-    if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
-        write(painter, area, middle(d), text_of(d.variable), false, t.muted) &&
-        d.kind == drawing::Dimension::Kind::Leader)
-      paintDimension(painter, d, frame.place);
+    if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place)) {
+      const QString name =
+          (d.half ? QString::fromUtf8("\u2300 ") : QString()) + text_of(d.variable);
+      if (writeAlong(painter, area, d, frame.place, name)) continue;
+      if (write(painter, area, middle(d), name, false, t.muted) &&
+          d.kind == drawing::Dimension::Kind::Leader)
+        paintDimension(painter, d, frame.place);
+    }
   if (!pane.axes.empty())
     for (const drawing::Shape& shape : pane.shapes) {
       if (shape.part != Part::Curve || shape.paths.empty() || pane.shapes.size() < 2) continue;
@@ -439,6 +443,39 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
       write(painter, area, frame.place.map(QPointF(p.x, p.y)), text_of(shape.name), false,
             inFocus(shape) ? t.accent : t.muted);
     }
+}
+
+/// A name along an upright line, as in engineering drawings: lines stand closer than names are
+/// long.
+bool DrawingView::writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& d,
+                             const QTransform& place, const QString& text) {
+  const QPointF from = place.map(QPointF(d.from.x, d.from.y)),
+                to = place.map(QPointF(d.to.x, d.to.y));
+  painter.setFont(desktop::ui_font(kText));
+  const QSizeF size =
+      QFontMetricsF(painter.font()).size(Qt::TextSingleLine, text) + QSizeF(6.0, 0.0);
+  if (d.kind != drawing::Dimension::Kind::Span || std::abs(to.x() - from.x()) > 1.0 ||
+      std::abs(to.y() - from.y()) < size.width() + 24.0)
+    return false;
+  QRectF box(QPointF(), size.transposed());
+  box.moveCenter(0.5 * (from + to));
+  if (!area.contains(box) || std::any_of(labels_.begin(), labels_.end(), [&](const Label& label) {
+        return label.box.intersects(box);
+      }))
+    return false;
+  const Theme& t = desktop::current_theme();
+  QColor ground = t.surface;
+  ground.setAlpha(230);
+  painter.fillRect(box, ground);
+  painter.save();
+  painter.translate(box.center());
+  painter.rotate(-90.0);
+  painter.setPen(t.muted);
+  painter.drawText(QRectF(-0.5 * size.width(), -0.5 * size.height(), size.width(), size.height()),
+                   Qt::AlignCenter, text);
+  painter.restore();
+  labels_.push_back({box, text, false});
+  return true;
 }
 
 bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, const QString& text,

@@ -81,6 +81,8 @@ class DrawingView : public QWidget {
   [[nodiscard]] bool visible(const drawing::Dimension& dimension) const;
   /// Writes near a point where nothing is written yet; false when there is no room.
   /// `free`: how far from the point the label has to stay, [px].
+  bool writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& dimension,
+                  const QTransform& place, const QString& text);
   bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,
              const QColor& colour, double free = 0.0);
   [[nodiscard]] bool inFocus(const drawing::Shape& shape) const;

@@ -81,6 +81,7 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
 EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
     : QWidget(parent),
       function_(function),
+      invitation_(invitation),
       note_(new QLabel(invitation, this)),
       view_(desktop::make_listing_view(this)) {
   note_->setWordWrap(true);
@@ -106,6 +107,19 @@ void EvaluationPanel::showNote() {
   note_->setVisible(!note.isEmpty());
 }
 
+void EvaluationPanel::forget() {
+  another_ = busy();
+  if (another_) return;  // when it ends
+  evaluated_ = {};
+  stale_ = false;
+  headline_.clear();
+  tables_.reset();
+  view_->clear();
+  view_->hide();
+  note_->setText(invitation_);
+  note_->show();
+}
+
 void EvaluationPanel::show(const Evaluation& result, bool failed) {
   headline_ =
       failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
@@ -120,7 +134,7 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   if (busy()) return;
   evaluated_ = deck;
   evaluated_options_ = options;
-  stale_ = false;
+  stale_ = another_ = false;
   note_->setText(tr("Computing …"));
   note_->show();
   struct Outcome {
@@ -138,7 +152,10 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
         }
       },
       [this, outcome] {
-        show(outcome->result, outcome->failed);
+        if (another_)
+          forget();
+        else
+          show(outcome->result, outcome->failed);
         emit finished();
       });
 }

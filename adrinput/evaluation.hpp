@@ -42,6 +42,8 @@ class EvaluationPanel : public QWidget {
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);
+  /// Another deck was opened: what was computed before belongs to none that is here.
+  void forget();
   /// The deck is this one now.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
@@ -61,6 +63,7 @@ class EvaluationPanel : public QWidget {
   void show(const Evaluation& result, bool failed);
 
   Function function_;
+  QString invitation_;
   QLabel* note_;
   QPlainTextEdit* view_;
   Background background_;
@@ -69,6 +72,7 @@ class EvaluationPanel : public QWidget {
   QString headline_;
   std::optional<results::StaticTables> tables_;
   bool stale_ = false;
+  bool another_ = false;  ///< what is under way is of a deck that is here no more
 };
 
 }  // namespace adore::adrinput

@@ -120,7 +120,7 @@ QString format_help() {
          "The button behind a field chooses the unit that values of its kind are shown in.</p>"
          "<p>Remarks behind the values of a deck that you open stay in the deck that is saved. "
          "Where that is impossible, and when the file had errors, the old file stays beside it "
-         "with .bak behind its name.</p>";
+         "with .bak behind its name (.bak2 where there is one already).</p>";
 }
 
 QString keyboard_help() {

@@ -4,6 +4,7 @@
 #include "adrinput/typed.hpp"
 #include "adrinput/window_words.hpp"
 #include "base/atomic_file.hpp"
+#include "base/kept_copy.hpp"
 #include "facade/option_file.hpp"
 
 #include <fmt/format.h>
@@ -145,11 +146,7 @@ void Document::save_options(const fs::path& deck_file) {
   if (!same(wanted, that_differ(there.values()))) {
     const fs::path path = facade::OptionFile::path_beside(deck_file);
     const bool known = there.text() == option_file_.text();
-    if (there.exists() && (!known || !there.problem().empty())) {
-      fs::path backup = path;
-      backup += ".bak";
-      write_file_atomically(backup, there.text());
-    }
+    if (there.exists() && (!known || !there.problem().empty())) keep_copy(path, there.text());
     write_file_atomically(path, (there.exists() ? there : option_file_).with(wanted));
   }
   option_file_ = facade::OptionFile::beside(deck_file);

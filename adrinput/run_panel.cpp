@@ -61,7 +61,11 @@ QString headline_of(const facade::RunOutcome& outcome) {
   switch (outcome.status) {
     case facade::RunStatus::Done:
       // A message says that there was nothing left to do.
-      return from("Done: " + (message.empty() ? done : message + "."));
+      return from(
+          "Done: " + (message.empty() ? done : message + ".") +
+          (outcome.missed_end > 0.0
+               ? fmt::format(" maxStps ended it before fTime, {:.6g} s.", outcome.missed_end)
+               : ""));
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);
     case facade::RunStatus::Untrusted:
@@ -178,6 +182,7 @@ void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
 void RunPanel::begin(const std::filesystem::path& file, const deck::Deck& deck,
                      const RunOptionValues& options) {
   computed_ = deck;
+  another_ = false;
   computed_options_ = options;
   stale_ = false;
   files_.clear();
@@ -269,8 +274,10 @@ void RunPanel::cancel() {
 void RunPanel::show(const facade::Progress& progress) {
   bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
   if (progress.runs > 0) {
-    headline_ = from(fmt::format("{} of {} {}s done. Remaining: {}.", progress.step, progress.runs,
-                                 progress.piece, duration_text(progress.remaining)));
+    headline_ =
+        from(fmt::format("{} of {} {}s done.", progress.step, progress.runs, progress.piece));
+    if (progress.step > 0)
+      headline_ += from(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
     return showNote();
   }
   plots_->setEnabled(!plotFiles().isEmpty());  // a viewer follows a run that goes on
@@ -321,8 +328,9 @@ void RunPanel::show(const RunEnd& end) {
 }
 
 void RunPanel::showNote() {
-  note_->setText(stale_ ? tr("Of the deck as it was before the last change. ") + headline_
-                        : headline_);
+  note_->setText(!stale_    ? headline_
+                 : another_ ? tr("Of another deck, %1. ").arg(from(file_.string())) + headline_
+                            : tr("Of the deck as it was before the last change. ") + headline_);
 }
 
 void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {

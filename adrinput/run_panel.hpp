@@ -44,6 +44,8 @@ class RunPanel : public QWidget {
   /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
+  /// Another deck was opened: results of the one before say so.
+  void setAnother() { another_ = !computed_.records.empty(); }
   /// The deck is this one now: results of an older one say so.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
@@ -94,7 +96,7 @@ class RunPanel : public QWidget {
   std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
   deck::Deck computed_;
   RunOptionValues computed_options_;
-  bool stale_ = false;
+  bool stale_ = false, another_ = false;
   SolverRun run_;  ///< last: ends before the widgets that it reports to
 };
 

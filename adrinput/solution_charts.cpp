@@ -12,7 +12,7 @@ namespace adore::adrinput {
 SolutionCharts::SolutionCharts(QWidget* parent)
     : QWidget(parent),
       choice_(new QComboBox(this)),
-      note_(new QLabel(tr("Run the quasi-static solution (F6) to see its charts here."), this)),
+      note_(new QLabel(this)),
       view_(new desktop::ChartView(this)) {
   choice_->setObjectName("solution-page");
   choice_->setAccessibleName(tr("Chart of the quasi-static solution"));
@@ -23,8 +23,7 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   view_->setObjectName("solution-chart");
   view_->setAccessibleName(tr("Chart of the quasi-static solution"));
   view_->setMinimumSize(200, 160);
-  choice_->hide();
-  view_->hide();
+  forget();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(choice_);
@@ -56,6 +55,15 @@ void SolutionCharts::setSolution(const results::StaticTables& tables) {
   view_->setVisible(any);
   setStale(false);
   if (any) choosePage(std::max(choice_->findText(before), 0));
+}
+
+void SolutionCharts::forget() {
+  tables_ = {};
+  choice_->clear();
+  choice_->hide();
+  view_->hide();
+  note_->setText(tr("Run the quasi-static solution (F6) to see its charts here."));
+  note_->show();
 }
 
 void SolutionCharts::setStale(bool stale) {

@@ -22,6 +22,8 @@ class SolutionCharts : public QWidget {
 
   /// Keeps the page that was shown where the new solution has it too.
   void setSolution(const results::StaticTables& tables);
+  /// There is no solution of the deck that is here.
+  void forget();
   /// The deck changed since.
   void setStale(bool stale);
   [[nodiscard]] QStringList pages() const;

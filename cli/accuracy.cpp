@@ -1,6 +1,7 @@
 #include "facade/accuracy.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/kept_copy.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/export.hpp"
@@ -86,9 +87,8 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
   const std::filesystem::path path = facade::deck_path(std::filesystem::path(options.deck));
   const std::string before = contents(path);
   const deck::KeptText text = deck::with_values(before, sets);
-  std::filesystem::path backup = path;
-  backup += ".bak";
-  if (!text.kept) write_file_atomically(backup, before);
+  std::filesystem::path backup;
+  if (!text.kept) backup = keep_copy(path, before);
   write_file_atomically(path, text.text);
   std::string said;
   for (const auto& [name, value] : sets)

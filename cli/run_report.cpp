@@ -82,6 +82,8 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
     text +=
         fmt::format("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
                     outcome.revolutions, outcome.time, duration_text(outcome.seconds));
+  if (outcome.missed_end > 0.0)
+    text += fmt::format("ended by maxStps, before fTime ({:.6g} s)\n", outcome.missed_end);
   if (outcome.energy_scale > 0.0)
     text += fmt::format("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
                         outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);

@@ -100,7 +100,8 @@ std::string squeezed(std::string_view text) {
 std::string what_there_is() {
   return "give 60xx, 62xx, 63xx (deep groove), 70xx, 72xx, 73xx (angular contact; C, AC or B), "
          "NU10xx, NU2xx, NU3xx, 302xx or 222xx with a bore up to 100 mm, such as 6205, 7208 B, "
-         "NU209, 30208 or 22210, or type and outside such as 'deep-groove 25x52x15'";
+         "NU209, 30208 or 22210, or type (deep-groove, angular-contact, cylindrical, tapered, "
+         "spherical) and outside in millimetres, such as 'deep-groove 25x52x15'";
 }
 
 [[noreturn]] void fail(std::string_view designation, const std::string& why) {
@@ -111,12 +112,45 @@ std::string what_there_is() {
   throw InputError({std::move(issue)});
 }
 
-/// C 15, AC (or E of some makers) 25, B 40 degrees.
-std::optional<double> angle_of_suffix(std::string_view suffix) {
-  if (suffix.starts_with("AC")) return 25.0;
-  if (suffix.starts_with("C")) return 15.0;
-  if (suffix.starts_with("B")) return 40.0;
-  return std::nullopt;
+/// Without the signs between suffixes at its ends.
+std::string trimmed(const std::string& suffix) {
+  const std::size_t first = suffix.find_first_not_of("-/,");
+  return first == std::string::npos
+             ? ""
+             : suffix.substr(first, suffix.find_last_not_of("-/,") - first + 1);
+}
+
+/// Takes the angle out of a suffix: C 15, AC 25, B 40 degrees, which is that without one.
+void take_angle(CatalogueBearing& bearing, std::string& suffix, std::string_view designation) {
+  constexpr std::array<std::pair<std::string_view, double>, 3> kAngles = {
+      {{"AC", 25.0}, {"C", 15.0}, {"B", 40.0}}};
+  bearing.angle = 40.0;
+  suffix = trimmed(suffix);
+  const auto given = std::find_if(kAngles.begin(), kAngles.end(),
+                                  [&](const auto& one) { return suffix.starts_with(one.first); });
+  bearing.angle_given = given != kAngles.end();
+  if (bearing.angle_given) {
+    bearing.angle = given->second;
+    suffix.erase(0, given->first.size());
+  } else if (!suffix.empty() && std::isalpha(static_cast<unsigned char>(suffix[0])) != 0) {
+    fail(designation, "has a suffix that says no contact angle known here");
+  }
+  bearing.designation += bearing.angle == 15.0 ? " C" : bearing.angle == 25.0 ? " AC" : " B";
+}
+
+/// "SKF " of "SKF 6205": a word of letters before a blank and a digit or NU; empty without one.
+std::string makers_name(std::string_view designation) {
+  const std::size_t blank = designation.find(' ', designation.find_first_not_of(' '));
+  if (blank == std::string_view::npos) return "";
+  const std::string word = squeezed(designation.substr(0, blank));
+  const std::string rest = squeezed(designation.substr(blank));
+  const bool letters = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalpha(c) != 0;
+  });
+  const bool number = !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 ||
+                                        rest.starts_with("NU"));
+  return letters && number && !word.starts_with("NU") ? std::string(designation.substr(0, blank))
+                                                      : "";
 }
 
 /// "25x52x15" and more: millimetres between x.
@@ -131,6 +165,7 @@ std::optional<std::vector<double>> sizes_in(std::string_view text) {
     std::string number = rest.substr(from, end - from);
     std::replace(number.begin(), number.end(), ',', '.');
     number.erase(0, number.find_first_not_of(' '));
+    number.erase(number.find_last_not_of(' ') + 1);
     if (parse_real(number, out.emplace_back())) return std::nullopt;
     from = end + 1;
   }
@@ -181,16 +216,63 @@ double nearest(double value, double step) {
   return std::max(step, std::round(value / step) * step);
 }
 
-/// Middle of the clearance group CN [m]; beyond the table in proportion to its last row.
-double middle_clearance(std::string_view kind, double bore) {
-  const Json& rows = table()["clearance"][std::string(kind)];
+constexpr std::array<std::string_view, 5> kGroups = {"C2", "CN", "C3", "C4", "C5"};
+
+/// Key of the table; empty: no group of radial clearance.
+std::string_view clearance_kind(BearingType type) {
+  switch (type) {
+    case BearingType::DeepGroove:
+      return "ball";
+    case BearingType::Cylindrical:
+      return "cylindrical";
+    case BearingType::Spherical:
+      return "spherical";
+    default:
+      return "";
+  }
+}
+
+bool has_group(BearingType type, std::string_view group) {
+  const std::string_view kind = clearance_kind(type);
+  const auto at = std::find(kGroups.begin(), kGroups.end(), group);
+  return !kind.empty() && at != kGroups.end() &&
+         static_cast<std::size_t>(at - kGroups.begin()) + 2 <
+             table()["clearance"][std::string(kind)][0].size();
+}
+
+/// Middle of a clearance group [m]; beyond the table in proportion to its last row.
+double middle_clearance(BearingType type, std::string_view group, double bore) {
+  if (!has_group(type, group))
+    throw InputError(
+        fmt::format("there is no clearance group {} of a {}", group, info_of(type).name));
+  const Json& rows = table()["clearance"][std::string(clearance_kind(type))];
+  const auto column = static_cast<std::size_t>(
+      2 + (std::find(kGroups.begin(), kGroups.end(), group) - kGroups.begin()));
+  const auto middle = [&](const Json& row) {
+    return 0.5 * (row[column][0].get<double>() + row[column][1].get<double>()) * kMicron;
+  };
   const double size = bore / kMm;
   for (const Json& row : rows)
-    if (size <= row[1].get<double>())
-      return 0.5 * (row[2].get<double>() + row[3].get<double>()) * kMicron;
-  const Json& last = rows.back();
-  return 0.5 * (last[2].get<double>() + last[3].get<double>()) * kMicron * size /
-         last[1].get<double>();
+    if (size <= row[1].get<double>()) return middle(row);
+  return middle(rows.back()) * size / rows.back()[1].get<double>();
+}
+
+std::string clearance_reason(std::string_view group) {
+  return fmt::format("middle of {} (ISO 5753-1)", group);
+}
+
+/// A clearance group that stands anywhere in a suffix ("-2RSC3", "ECP/C3"), taken out of it.
+std::string take_group(std::string& suffix) {
+  for (const std::string_view group : kGroups) {
+    const std::size_t at = suffix.find(group);
+    if (at == std::string::npos) continue;
+    const std::size_t after = at + group.size();
+    if (after < suffix.size() && std::isdigit(static_cast<unsigned char>(suffix[after])) != 0)
+      continue;
+    suffix.erase(at, group.size());
+    return std::string(group);
+  }
+  return "";
 }
 
 class Sets {
@@ -215,7 +297,7 @@ long long elements_that_fit(double diameter, double pitch, double share) {
       std::floor(share * std::numbers::pi / std::asin(diameter / pitch) + 1e-9));
 }
 
-InnerGeometry balls(BearingType type, const Envelope& e, double angle) {
+InnerGeometry balls(BearingType type, const Envelope& e, double angle, std::string_view group) {
   constexpr double kInch32 = 0.0254 / 32.0, kSection = 0.30, kShoulder = 0.54;
   const double pitch = 0.5 * (e.bore + e.outside);
   const double ball = nearest(kSection * (e.outside - e.bore), kInch32);
@@ -231,19 +313,20 @@ InnerGeometry balls(BearingType type, const Envelope& e, double angle) {
   sets.real("bReDia", ball);
   sets.length("pitchDia", pitch);
   sets.real("freeConAng", deep ? 0.0 : angle);
-  sets.length("freeIntCls", deep ? middle_clearance("ball", e.bore) : 0.0);
+  sets.length("freeIntCls", deep ? middle_clearance(type, group, e.bore) : 0.0);
   sets.real("raceCurFac1", deep ? 0.525 : 0.5232);
   sets.real("raceCurFac2", deep ? 0.515 : 0.5232);
   sets.length("shoulderDia1", pitch + kShoulder * ball);
   sets.length("shoulderDia2", pitch - kShoulder * ball);
-  return {sets.take(),
-          fmt::format("D = 0.30 (OD - bore) to 1/32 in, {}, f and shoulders as in the {} example{}",
-                      deep ? "as many balls as eccentric filling allows"
-                           : "balls over 0.9 of the pitch circle",
-                      deep ? "6205" : "218", deep ? ", clearance: middle of CN (ISO 5753-1)" : "")};
+  return {
+      sets.take(),
+      fmt::format(
+          "D = 0.30 (OD - bore) to 1/32 in, {}, f and shoulders as in the {} example{}",
+          deep ? "as many balls as eccentric filling allows" : "balls over 0.9 of the pitch circle",
+          deep ? "6205" : "218", deep ? ", clearance: " + clearance_reason(group) : "")};
 }
 
-InnerGeometry cylinders(const Envelope& e) {
+InnerGeometry cylinders(const Envelope& e, std::string_view group) {
   const double pitch = 0.5 * (e.bore + e.outside);
   const double roller = nearest(0.25 * (e.outside - e.bore), 0.5 * kMm);
   const double length = std::min(roller, nearest(0.6 * e.width, 0.5 * kMm));
@@ -256,7 +339,7 @@ InnerGeometry cylinders(const Envelope& e) {
   sets.length("bReCorRad1", 0.02 * roller);
   sets.length("bReCorRad2", 0.02 * roller);
   sets.length("pitchDia", pitch);
-  sets.length("freeIntCls", middle_clearance("cylindrical", e.bore));
+  sets.length("freeIntCls", middle_clearance(BearingType::Cylindrical, group, e.bore));
   sets.length("raceLandLmt1", length);
   sets.length("raceLandLmt2", 1.2 * length);
   sets.length("flngHt11", 0.2 * roller);
@@ -264,7 +347,8 @@ InnerGeometry cylinders(const Envelope& e) {
   return {
       sets.take(),
       "D = L = 0.25 (OD - bore), rollers over 0.7 of the pitch circle as in the textbooks' 209; "
-      "crown and flanges typical, play: middle of CN (ISO 5753-1)"};
+      "crown and flanges typical, play: " +
+          clearance_reason(group)};
 }
 
 InnerGeometry cones(const Envelope& e, double cup) {
@@ -296,7 +380,7 @@ InnerGeometry cones(const Envelope& e, double cup) {
       "the cone angle follows from the cup's, crown and rib typical"};
 }
 
-InnerGeometry barrels(const Envelope& e, double angle) {
+InnerGeometry barrels(const Envelope& e, double angle, std::string_view group) {
   const double pitch = 0.502 * (e.bore + e.outside);
   const double roller = nearest(0.275 * (e.outside - e.bore), 0.1 * kMm);
   const double sphere =
@@ -309,13 +393,14 @@ InnerGeometry barrels(const Envelope& e, double angle) {
   sets.length("bReCorRad1", 0.036 * roller);
   sets.length("bReCorRad2", 0.036 * roller);
   sets.length("pitchDia", pitch);
-  sets.length("freeIntCls", middle_clearance("spherical", e.bore));
+  sets.length("freeIntCls", middle_clearance(BearingType::Spherical, group, e.bore));
   sets.real("raceCurFac1", 0.5133);
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
   return {sets.take(),
           "D = 0.275 (OD - bore), L = 0.413 of the width, rollers over 0.87 of the pitch circle, "
-          "angle from the distance of the rows; play: middle of CN (ISO 5753-1)"};
+          "angle from the distance of the rows; play: " +
+              clearance_reason(group)};
 }
 
 double real(const std::string& text) {
@@ -393,7 +478,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 CatalogueBearing find_bearing(std::string_view designation) {
   if (std::optional<CatalogueBearing> sized = find_by_size(designation)) return *sized;
-  const std::string text = squeezed(designation);
+  const std::string maker = makers_name(designation);
+  const std::string text = squeezed(designation.substr(maker.size()));
   for (const Series& series : kSeries) {
     if (!text.starts_with(series.prefix)) continue;
     const std::string_view rest = std::string_view(text).substr(series.prefix.size());
@@ -409,6 +495,17 @@ CatalogueBearing find_bearing(std::string_view designation) {
       out.envelope = {bore * kMm, row[1].get<double>() * kMm, row[2].get<double>() * kMm,
                       row[2].get<double>() * kMm};
       out.designation = std::string(series.prefix) + bore_code(bore);
+      std::string suffix(rest.substr(2));
+      if (series.type == BearingType::AngularContact) {
+        take_angle(out, suffix, designation);
+      } else if (std::string group = take_group(suffix); !group.empty()) {
+        if (has_group(out.type, group))
+          out.clearance = std::move(group);
+        else
+          suffix += group;
+      }
+      out.left_out =
+          maker + (maker.empty() || trimmed(suffix).empty() ? "" : " ") + trimmed(suffix);
       if (series.type == BearingType::Tapered) {
         out.envelope.width = row[3].get<double>() * kMm;
         out.envelope.cup_width = row[4].get<double>() * kMm;
@@ -416,16 +513,8 @@ CatalogueBearing find_bearing(std::string_view designation) {
         out.angle_given = true;
         return out;
       }
-      out.angle = usual_angle(series.type, out.envelope);
-      if (series.type != BearingType::AngularContact) return out;
-      const std::string_view suffix = rest.substr(2);
-      if (const std::optional<double> given = angle_of_suffix(suffix)) {
-        out.angle = *given;
-        out.angle_given = true;
-      } else if (!suffix.empty() && std::isalpha(static_cast<unsigned char>(suffix[0])) != 0) {
-        fail(designation, "has a suffix that says no contact angle known here");
-      }
-      out.designation += out.angle == 15.0 ? " C" : out.angle == 25.0 ? " AC" : " B";
+      if (series.type != BearingType::AngularContact)
+        out.angle = usual_angle(series.type, out.envelope);
       return out;
     }
     fail(designation, "is no size of the series " + std::string(series.prefix) + " known here");
@@ -447,7 +536,8 @@ std::vector<std::string> catalogue_designations() {
   return out;
 }
 
-InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle) {
+InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
+                            std::string_view group) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
     throw InputError(fmt::format(
@@ -456,13 +546,13 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
         envelope.bore, envelope.outside, envelope.width));
   switch (type) {
     case BearingType::Cylindrical:
-      return cylinders(envelope);
+      return cylinders(envelope, group);
     case BearingType::Tapered:
       return cones(envelope, angle > 0.0 ? angle : usual_angle(type, envelope));
     case BearingType::Spherical:
-      return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope));
+      return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group);
     default:
-      return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope));
+      return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group);
   }
 }
 
@@ -499,7 +589,8 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
   const TypeInfo& info = info_of(bearing.type);
   const std::string text(template_text(info.template_name));
   const Deck example = read_deck_text(text, "example").deck;
-  const InnerGeometry inner = propose_inner(bearing.type, bearing.envelope, bearing.angle);
+  const InnerGeometry inner =
+      propose_inner(bearing.type, bearing.envelope, bearing.angle, bearing.clearance);
   Deck deck = example;
   deck.set_all(changes(bearing, inner, example));
   const bool standard = bearing.designation.find('x') == std::string::npos;
@@ -524,7 +615,9 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
     else if (id == "9.1.1")
       remark =
           "forces on the inner race, displacements [N, m]: those of the example, by the "
-          "capacity of this size; put in your own";
+          "capacity of this size; put in your own" +
+          std::string(bearing.type == BearingType::Spherical ? ", of one row: half of the bearing's"
+                                                             : "");
     else if (id == "9.1.2")
       remark =
           "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: put in your own";
@@ -543,7 +636,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
 
 std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
   const Envelope& e = bearing.envelope;
-  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle);
+  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle, bearing.clearance);
   std::vector<std::string> out;
   const bool standard = bearing.designation.find('x') == std::string::npos;
   out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
@@ -558,16 +651,26 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
         bearing.type == BearingType::Tapered ? "Cup half angle" : "Contact angle", bearing.angle,
         bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
         : bearing.angle_given                                       ? "by the designation"
-        : bearing.type == BearingType::AngularContact ? "taken as 40; write C for 15, AC for 25"
+        : bearing.type == BearingType::AngularContact ? "for want of a suffix; C is 15, AC 25, B 40"
                                                       : "an estimate"));
   out.push_back(
       fmt::format("Inside, an ESTIMATE, since makers do not publish it: {} elements of {:.4g} mm "
                   "on {:.4g} mm; {}.",
                   number(inner, "nRe"), number(inner, "bReDia") / kMm,
                   0.5 * (e.bore + e.outside) / kMm, inner.reasons));
+  if (!bearing.left_out.empty())
+    out.push_back(
+        fmt::format("Not in the deck: {}. Of a designation, size, contact angle and the "
+                    "clearance group of deep groove, cylindrical and spherical bearings "
+                    "go into it.",
+                    bearing.left_out));
+  if (bearing.type == BearingType::Spherical)
+    out.emplace_back(
+        "The deck is ONE row of the two: give it half of the bearing's radial load; the bearing's "
+        "life is below that of a row.");
   out.emplace_back(
-      "Load and speed are those of the example of this type, in proportion: put in "
-      "your own.");
+      "Load and speed are those of the example of this type, in proportion: put in your own. The "
+      "deck is quasi-static (mode -1); mode 0 moves every element over time.");
   return out;
 }
 

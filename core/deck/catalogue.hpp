@@ -32,11 +32,14 @@ struct CatalogueBearing {
   Envelope envelope;
   double angle = 0.0;  ///< contact angle, of a tapered bearing the cup half angle [deg]; 0: from
                        ///< the clearance
-  bool angle_given = false;  ///< by the designation or a standard, not by a habit
+  bool angle_given = false;      ///< by the designation or a standard, not by a habit
+  std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
+  std::string left_out;          ///< what else the designation says, "-2RS": no deck has it
 };
 
-/// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks; suffixes of cages, seals
-/// and tolerances ("6205-2RS C3") are left out. Also an outside without a number: "deep-groove
+/// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks and a maker's name; a
+/// clearance group ("6205-2RS C3") acts where the type has one, and what says something else about
+/// cage, seals or tolerances is kept as left out. Also an outside without a number: "deep-groove
 /// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimetres.
 /// @throws InputError naming what there is
 [[nodiscard]] CatalogueBearing find_bearing(std::string_view designation);
@@ -50,8 +53,10 @@ struct InnerGeometry {
   std::vector<std::pair<std::string, std::string>> sets;
   std::string reasons;  ///< where the figures come from, in one sentence
 };
-/// @throws InputError when no elements fit between bore and outside
-[[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle);
+/// @param group of the clearance (ISO 5753-1): C2, CN, C3, C4, of balls C5
+/// @throws InputError when no elements fit between bore and outside, or the group is none of them
+[[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
+                                          std::string_view group = "CN");
 
 /// The same for the bearing of a deck, from its own bore, outside diameter and race widths, in the
 /// deck's units. Contact or cup angles of the deck are kept. @throws InputError for

@@ -81,6 +81,7 @@ struct Dimension {
   Point from, to, centre;
   Point from_edge, to_edge;  ///< on the body: thin lines lead from there to `from` and `to`
   bool minor = false;        ///< worth showing only while somebody works on it
+  bool half = false;         ///< a diameter of which the figure has one side: `from` is on the axis
   std::string label;         ///< "pitchDia = 0.06 m": the deck's own number and unit
 };
 

@@ -315,6 +315,16 @@ void Measures::upright(std::string_view variable, double y1, double y2, double x
   add(std::move(d), variable, instance, index);
 }
 
+void Measures::half_diameter(std::string_view variable, double radius, double x, double body) {
+  Dimension d;
+  d.from = {x, 0.0};
+  d.to = {x, radius};
+  d.from_edge = {body, 0.0};
+  d.to_edge = {body, radius};
+  d.half = true;
+  add(std::move(d), variable, 1, 1);
+}
+
 void Measures::between(std::string_view variable, Point from, Point to, int instance, int index) {
   Dimension d;
   d.from = d.from_edge = from;

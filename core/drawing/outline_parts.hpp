@@ -43,6 +43,8 @@ class Measures {
   /// Between two values of y, drawn at x.
   void upright(std::string_view variable, double y1, double y2, double x, Point edge1, Point edge2,
                int instance = 1, int index = 1);
+  /// One side of a diameter, at x, from the axis to the radius of the body that ends at x = `body`.
+  void half_diameter(std::string_view variable, double radius, double x, double body);
   /// Straight from point to point.
   void between(std::string_view variable, Point from, Point to, int instance = 1, int index = 1);
   void radius(std::string_view variable, Point centre, Point on_arc);

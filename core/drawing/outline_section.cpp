@@ -93,11 +93,10 @@ void add_contact_line(const OutlineModel& m, Pane& pane) {
 
 void measure_envelope(const OutlineModel& m, Measures& put, double reach, double step) {
   const double bore = m.ring_radius[1], outside = m.ring_radius[0];
-  put.upright("brgBore", 0.0, bore, -reach - step, {-reach, 0.0}, {-reach, bore});
-  put.upright("brgOD", 0.0, outside, reach + step, {reach, 0.0}, {reach, outside});
-  put.upright("hsngOD", 0.0, m.housing, reach + 2.0 * step, {reach, 0.0}, {reach, m.housing});
-  put.upright("shftID", 0.0, m.shaft_bore, -reach - 2.0 * step, {-reach, 0.0},
-              {-reach, m.shaft_bore});
+  put.half_diameter("brgBore", bore, -reach - step, -reach);
+  put.half_diameter("brgOD", outside, reach + step, reach);
+  put.half_diameter("hsngOD", m.housing, reach + 2.0 * step, reach);
+  put.half_diameter("shftID", m.shaft_bore, -reach - 2.0 * step, -reach);
   const double top = std::max(m.housing, outside);
   const double w1 = 0.5 * m.ring_width[0], w2 = 0.5 * m.ring_width[1];
   put.across("raceWidth1", -w1, w1, top + step, {-w1, outside}, {w1, outside});
@@ -125,8 +124,7 @@ void measure_balls(const OutlineModel& m, Measures& put, double reach, double st
     put.radius("raceCurFac" + code, from, {from.x + radius * side, from.y + sigma * radius * 0.8});
     const double shoulder = 0.5 * m.balls->shoulder_diameter[j];
     const double w = 0.5 * m.ring_width[j];
-    put.upright("shoulderDia" + code, 0.0, shoulder, reach + step * (race + 1.0), {w, 0.0},
-                {w, shoulder});
+    put.half_diameter("shoulderDia" + code, shoulder, reach + step * (race + 1.0), w);
     const double split = m.groove.centre_x[j] + sigma * 0.5 * m.balls->shim[j];
     const double bottom = m.raceway(race);
     put.note("shimThickness" + code, {split, bottom + sigma * 2.0 * step}, {split, bottom});
@@ -172,10 +170,8 @@ void measure_cage(const Deck& deck, const OutlineModel& m, Measures& put, double
   if (!m.cage) return;
   const OutlineCage& cage = *m.cage;
   const double half = 0.5 * cage.width;
-  put.upright("cageDia1", 0.0, 0.5 * cage.outer_diameter, -reach - step, {-half, 0.0},
-              {-half, 0.5 * cage.outer_diameter});
-  put.upright("cageDia2", 0.0, 0.5 * cage.inner_diameter, -reach - 2.0 * step, {-half, 0.0},
-              {-half, 0.5 * cage.inner_diameter});
+  put.half_diameter("cageDia1", 0.5 * cage.outer_diameter, -reach - step, -half);
+  put.half_diameter("cageDia2", 0.5 * cage.inner_diameter, -reach - 2.0 * step, -half);
   const double y = m.ring_radius[0] + step;
   put.across("cageWidth", -half, half, y, {-half, cage.outer_radius(-half)},
              {half, cage.outer_radius(half)});
@@ -238,8 +234,7 @@ Drawing draw_cross_section(const Deck& deck) {
   const double step = 0.045 * std::max(m.housing, m.ring_radius[0]);
   Measures put(deck, pane);
   measure_envelope(m, put, reach, step);
-  put.upright("pitchDia", 0.0, m.pitch_radius(), -reach - step, {-reach, 0.0},
-              {0.0, m.pitch_radius()});
+  put.half_diameter("pitchDia", m.pitch_radius(), -reach - step, 0.0);
   if (m.balls)
     measure_balls(m, put, reach, step);
   else

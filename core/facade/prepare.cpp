@@ -456,6 +456,20 @@ std::string stability_text(const Prepared& prepared) {
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
+/// What ends a run of this deck, in turns: its time, or its steps before that.
+std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
+  const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+  if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0)) return "by fTime or maxStps";
+  const double by_time = prepared.control.end_time * make_system(prepared).scales().time * speed /
+                         (2.0 * std::numbers::pi);
+  const double by_steps = static_cast<double>(prepared.control.max_steps) *
+                          prepared.control.substeps / plan.steps_per_revolution;
+  if (by_steps < by_time)
+    return fmt::format("about {:.3g} revolutions, by maxStps; fTime would be {:.4g}", by_steps,
+                       by_time);
+  return fmt::format("{:.4g} revolutions, by fTime", by_time);
+}
+
 std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   std::string out =
       fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
@@ -475,9 +489,11 @@ std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
       "  expected step            {:.3g} s ({})\n"
       "  steps per revolution     {:.4g}\n"
       "  computing per revolution {:.3g} s\n"
+      "  end of the run           {}\n"
       "  stability                {}\n",
       plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
-      plan.steps_per_revolution, plan.seconds_per_revolution, stability_text(prepared));
+      plan.steps_per_revolution, plan.seconds_per_revolution, end_text(prepared, plan),
+      stability_text(prepared));
   return out;
 }
 

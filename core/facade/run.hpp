@@ -65,6 +65,7 @@ struct RunOutcome {
   long evaluations = 0;       ///< of the right-hand side
   double longest_step = 0.0;  ///< that the run was allowed [s]
   double time = 0.0, revolutions = 0.0, seconds = 0.0;
+  double missed_end = 0.0;       ///< fTime, when maxStps ended the run before it [s]; else 0
   bool speeds_vary = false;      ///< of races: turns give no end time
   double energy_residual = 0.0;  ///< [J]
   results::KeyResults summary;   ///< a sweep's columns

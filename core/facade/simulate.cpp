@@ -104,6 +104,8 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
               std::move(stop));
   RunOutcome out = run.run(remembers);
   out.revolutions = turns_now();
+  if (out.status == RunStatus::Done && request.until.empty() && out.time < span.end * (1.0 - 1e-9))
+    out.missed_end = span.end;
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }

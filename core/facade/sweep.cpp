@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
+#include "deck/lookup.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "results/run_json.hpp"
@@ -174,7 +175,6 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   const Range range = parse_range(variable, request.sets[swept].second);
   const std::filesystem::path folder = output_folder(request, deck_path(request));
 
-  const FolderLock lock(folder);
   const auto count = static_cast<std::size_t>(range.count);
   SweepOutcome out;
   out.table = folder / "SWEEP.csv";
@@ -186,6 +186,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     one.out = folder / fmt::format("{}-{}", variable, k + 1);
     return one;
   };
+  if (deck::find_variable(variable.substr(0, variable.find('['))).empty())
+    (void)load_deck(one_request(0));  // throws with names that are like it, before any file
+  const FolderLock lock(folder);
   const bool keep = !request.overwrite && !request.go_on;
   check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
@@ -211,6 +214,17 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   };
   // The table grows with the runs, so that a sweep that is killed leaves one. A tenth of the time
   // at most goes into that.
+  const auto tell = [&] {
+    if (!progress) return;
+    Progress p;
+    p.fraction = static_cast<double>(done) / static_cast<double>(count);
+    p.step = static_cast<long>(done);
+    p.runs = static_cast<long>(count);
+    p.elapsed = seconds(begin);
+    if (done > 0)
+      p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
+    progress(p);
+  };
   double rest = 0.0;
   auto written = begin;
   auto work = [&] {
@@ -235,17 +249,10 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
         return;
       }
       const std::scoped_lock guard(mutex);
-      if (progress) {
-        Progress p;
-        p.fraction = static_cast<double>(done) / static_cast<double>(count);
-        p.step = static_cast<long>(done);
-        p.runs = static_cast<long>(count);
-        p.elapsed = seconds(begin);
-        p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
-        progress(p);
-      }
+      tell();
     }
   };
+  tell();
   // Static variables of a plug-in would serve several runs at once.
   if (!request.user.empty()) threads = 1;
   const unsigned cores = threads > 0 ? static_cast<unsigned>(threads)

@@ -182,6 +182,83 @@ TEST_CASE("forty deviations are one table, and a pasted row or column fills it",
   CHECK(window.document().deck().real("reDiaVar12") == 0.5e-6);
   CHECK(window.document().deck().real("reDiaVar13") == -0.25e-6);
   CHECK(window.document().deck().real("reDiaVar14") == 14e-7);
+  // One paste is one step of undo.
+  window.document().undo();
+  CHECK(window.document().deck().real("reDiaVar12") == 12e-7);
+  CHECK(window.document().deck().real("reDiaVar13") == 13e-7);
+  window.document().undo();
+  for (const char* name : {"reDiaVar1", "reDiaVar12", "reDiaVar40"})
+    CHECK(window.document().deck().real(name) == 0.0);
+  // The editor that a click opens takes a list into the table, and one value into its cell.
+  table->setCurrentCell(0, 0);
+  const auto paste_into_editor = [&](const QString& text) {
+    QApplication::clipboard()->setText(text);
+    table->editItem(table->item(0, 0));
+    auto* editor = table->viewport()->findChild<QLineEdit*>();
+    REQUIRE(editor != nullptr);
+    editor->selectAll();
+    QTest::keyClick(editor, Qt::Key_V, Qt::ControlModifier);
+    QTest::keyClick(table, Qt::Key_Return);
+    table->setFocus();
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  for (const QString& list : {row.join('\t'), row.join('\n'), row.join(' '), row.join("; ")}) {
+    paste_into_editor(list);
+    CHECK(window.document().deck().real("reDiaVar1") == 1e-7);
+    CHECK(window.document().deck().real("reDiaVar40") == 40e-7);
+    window.document().undo();
+    CHECK(window.document().deck().real("reDiaVar1") == 0.0);
+  }
+  QApplication::clipboard()->setText("0.5 µm");
+  table->editItem(table->item(0, 0));
+  auto* editor = table->viewport()->findChild<QLineEdit*>();
+  REQUIRE(editor != nullptr);
+  editor->selectAll();
+  QTest::keyClick(editor, Qt::Key_V, Qt::ControlModifier);
+  CHECK(editor->text() == QString::fromUtf8("0.5 µm"));
+}
+
+TEST_CASE("a wrong value leaves what the deck does not use pale", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.checkNow();
+  const Cell absent = cell("reDiaVar40");
+  REQUIRE_FALSE(window.document().unused_because(absent).empty());
+  window.document().edit(cell("reDiaVar3"), "abc");
+  window.checkNow();
+  CHECK(window.document().has_errors());
+  CHECK_FALSE(window.document().unused_because(absent).empty());
+}
+
+TEST_CASE("another deck has nothing of what was computed for the one before",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  for (const char* next : {"cylindrical", "ball"}) {
+    INFO(next);
+    window.runQuasiStatic();
+    REQUIRE(QTest::qWaitFor([&] { return !window.staticsPanel().busy(); }, 60000));
+    CHECK(window.staticsPanel().tables() != nullptr);
+    CHECK_FALSE(window.solutionCharts().pages().isEmpty());
+    window.newDeck(next);
+    CHECK(window.staticsPanel().tables() == nullptr);
+    CHECK(window.staticsPanel().text().isEmpty());
+    CHECK(window.staticsPanel().headline().isEmpty());
+    CHECK(window.solutionCharts().pages().isEmpty());
+    for (const QLabel* note : window.findChildren<QLabel*>()) {
+      INFO(note->text().toStdString());
+      CHECK_FALSE(note->text().contains("before the last change"));
+    }
+  }
+  // One that is still computed is of the deck that was there.
+  window.runQuasiStatic();
+  window.newDeck("tapered");
+  REQUIRE(QTest::qWaitFor([&] { return !window.staticsPanel().busy(); }, 60000));
+  CHECK(window.staticsPanel().tables() == nullptr);
+  CHECK(window.solutionCharts().pages().isEmpty());
 }
 
 TEST_CASE("bodies and vectors have names", "[gui][adrinput][daily]") {

@@ -217,6 +217,40 @@ TEST_CASE("the drawing in dark and light, hidden and shown", "[gui][adrinput][dr
   CHECK(window.pageArea().width() > narrow + 200);
 }
 
+TEST_CASE("a dock that stands behind another comes to the front by its key, and hides from there",
+          "[gui][adrinput][drawing]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  std::vector<QDockWidget*> docks;
+  for (const char* name : {"drawing-dock", "solution-dock"}) {
+    docks.push_back(window.findChild<QDockWidget*>(name));
+    REQUIRE(docks.back() != nullptr);
+    docks.back()->show();
+  }
+  const auto in_front = [](const QDockWidget* dock) {
+    QCoreApplication::processEvents();
+    return !dock->isHidden() && !dock->visibleRegion().isEmpty();
+  };
+  docks[1]->raise();
+  REQUIRE(in_front(docks[1]));
+  REQUIRE_FALSE(in_front(docks[0]));
+  for (std::size_t i : {0U, 1U, 0U}) {
+    INFO(i);
+    docks[i]->toggleViewAction()->trigger();
+    CHECK(in_front(docks[i]));
+    CHECK_FALSE(docks[1 - i]->isHidden());
+    CHECK(docks[i]->toggleViewAction()->isChecked());
+  }
+  docks[0]->toggleViewAction()->trigger();
+  CHECK_FALSE(in_front(docks[0]));
+  CHECK(docks[0]->isHidden());
+  CHECK(in_front(docks[1]));
+  docks[0]->toggleViewAction()->trigger();
+  CHECK(in_front(docks[0]));
+}
+
 TEST_CASE("a click on a measure leads to its field", "[gui][adrinput][drawing]") {
   test::use_qt();
   DeckWindow window;

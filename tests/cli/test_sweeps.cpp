@@ -43,11 +43,23 @@ TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons",
   const Folder folder;
   new_ball_deck(folder);
   const Result sweep =
-      run_adore("run " + folder.path().string() + " --set noSuchVariable=1:2:2 --quiet --out " +
+      run_adore("run " + folder.path().string() + " --set brgOD=0.001:0.002:2 --quiet --out " +
                 (folder / "sweep").string());
   INFO(sweep.out);
   CHECK(sweep.code == 2);
-  CHECK(read(folder / "sweep" / "SWEEP.csv").find("noSuchVariable") != std::string::npos);
+  CHECK(read(folder / "sweep" / "SWEEP.csv").find("brgOD") != std::string::npos);
+}
+
+TEST_CASE("a sweep of a variable that is none ends before it has touched a file", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result sweep =
+      run_adore("run " + folder.path().string() + " --set appLodX=1:2:2 --quiet --out " +
+                (folder / "sweep").string());
+  INFO(sweep.out);
+  CHECK(sweep.code == 2);
+  CHECK(contains(sweep.out, "did you mean appLoadX"));
+  CHECK_FALSE(fs::exists(folder / "sweep"));
 }
 
 TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs again",

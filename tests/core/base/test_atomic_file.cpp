@@ -1,5 +1,6 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/kept_copy.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -97,4 +98,19 @@ TEST_CASE("an atomic write that cannot succeed says which path, why and what to 
   CHECK_THAT(message("/dev/full/deck.txt"), Catch::Contains("cannot be written"));
   CHECK_THAT(message(""), Catch::Contains("cannot be written"));
   CHECK(count_files(folder.path) == 0);
+}
+
+TEST_CASE("a kept copy replaces no earlier copy, and the same text is kept once", "[unit][base]") {
+  const Folder folder;
+  const fs::path file = folder.path / "DATA.txt";
+  CHECK(adore::keep_copy(file, "first") == folder.path / "DATA.txt.bak");
+  CHECK(adore::keep_copy(file, "second") == folder.path / "DATA.txt.bak2");
+  CHECK(adore::keep_copy(file, "first") == folder.path / "DATA.txt.bak");
+  fs::create_directory(folder.path / "DATA.txt.bak3");
+  fs::create_symlink(folder.path / "nowhere", folder.path / "DATA.txt.bak4");
+  CHECK(adore::keep_copy(file, "") == folder.path / "DATA.txt.bak5");
+  CHECK(content_of(folder.path / "DATA.txt.bak") == "first");
+  CHECK(content_of(folder.path / "DATA.txt.bak2") == "second");
+  CHECK(content_of(folder.path / "DATA.txt.bak5").empty());
+  CHECK(count_files(folder.path) == 5);
 }

@@ -43,7 +43,64 @@ TEST_CASE("a designation gives the standard outside and an estimated inside", "[
   const deck::Deck spherical = deck_of("22210");
   CHECK(spherical.real("brgBore") == 0.050);
   CHECK(spherical.real("raceWidth1") == 0.0115);  // one of two rows
-  CHECK(deck_of("6205-2RS C3") == deck_of("6205"));
+  CHECK(deck_of("6205-2RS") == deck_of("6205"));
+}
+
+TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][catalogue]") {
+  CHECK(deck_of("6205 C3").real("freeIntCls") == 20.5e-6);  // 13 to 28 um
+  CHECK(deck_of("6205-2RSC2").real("freeIntCls") == 6e-6);  // 1 to 11 um
+  CHECK(deck_of("6205/C5").real("freeIntCls") == 41.5e-6);
+  CHECK(deck_of("6205 CN") == deck_of("6205"));
+  CHECK(deck_of("NU209 ECP/C3").real("freeIntCls") == 65e-6);
+  CHECK(deck_of("22210 E/C4").real("freeIntCls") == 87.5e-6);
+  const auto left = [](std::string_view name) { return deck::find_bearing(name).left_out; };
+  CHECK(left("6205 C3").empty());
+  CHECK(left("6205-2RS C3") == "2RS");
+  CHECK(left("SKF 22210 E/C3") == "SKF E");
+  CHECK(left("NU209/C5") == "C5");  // of rollers no such group is known here
+  CHECK(left("30208 C3") == "C3");
+  CHECK(left("7208 B/C3") == "C3");
+  CHECK(deck::find_bearing("7208 C").angle == 15.0);
+  // Every group of every type: wider from one to the next, and each in the story.
+  for (const char* name : {"6205", "6316", "NU209", "NU320", "22205", "22220"}) {
+    double before = -1.0;
+    for (const char* group : {"C2", "CN", "C3", "C4"}) {
+      const deck::CatalogueBearing found = deck::find_bearing(std::string(name) + " " + group);
+      INFO(name << " " << group);
+      CHECK(found.clearance == group);
+      const double here = deck_of(std::string(name) + " " + group).real("freeIntCls");
+      CHECK(here > before);
+      before = here;
+      std::string story;
+      for (const std::string& line : deck::catalogue_story(found)) story += line;
+      CHECK(story.find("middle of " + std::string(group)) != std::string::npos);
+      CHECK(story.find("Not in the deck") == std::string::npos);
+    }
+  }
+  for (const char* name : {"6205-2RS", "NU209/C5", "30208 C3", "7208 B/C3", "SKF 6205"}) {
+    std::string story;
+    for (const std::string& line : deck::catalogue_story(deck::find_bearing(name))) story += line;
+    INFO(name);
+    CHECK(story.find("Not in the deck: " + left(name)) != std::string::npos);
+  }
+}
+
+TEST_CASE("an outside may be typed with blanks and the sign of multiplication",
+          "[unit][catalogue]") {
+  for (const char* typed : {"deep-groove 25 x 52 x 15", "deep-groove 25\u00d752\u00d715",
+                            "deep-groove 25 \u00d7 52 \u00d7 15", "Deep-Groove 25X52X15"}) {
+    INFO(typed);
+    CHECK(deck_of(typed) == deck_of("deep-groove 25x52x15"));
+  }
+}
+
+TEST_CASE("a spherical bearing of the catalogue says that it is one row of two",
+          "[unit][catalogue]") {
+  std::string story;
+  for (const std::string& line : deck::catalogue_story(deck::find_bearing("22210"))) story += line;
+  CHECK(story.find("ONE row of the two") != std::string::npos);
+  CHECK(deck::catalogue_deck(deck::find_bearing("22210")).find("half of the bearing's") !=
+        std::string::npos);
 }
 
 TEST_CASE("the estimates agree with the example decks of the same sizes", "[unit][catalogue]") {

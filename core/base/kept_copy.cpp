@@ -1,0 +1,36 @@
+#include "base/kept_copy.hpp"
+
+#include "base/atomic_file.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace adore {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds(const fs::path& path, std::string_view content) {
+  std::error_code error;
+  if (fs::file_size(path, error) != content.size() || error) return false;
+  std::ifstream file(path, std::ios::binary);
+  const std::string there{std::istreambuf_iterator<char>(file), {}};
+  return there == content;
+}
+
+}  // namespace
+
+fs::path keep_copy(const fs::path& path, std::string_view content) {
+  for (int number = 1;; ++number) {
+    fs::path copy = path;
+    copy += number == 1 ? ".bak" : ".bak" + std::to_string(number);
+    if (holds(copy, content)) return copy;
+    std::error_code ignored;
+    if (fs::exists(fs::symlink_status(copy, ignored))) continue;
+    write_file_atomically(copy, content);
+    return copy;
+  }
+}
+
+}  // namespace adore
