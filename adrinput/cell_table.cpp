@@ -113,7 +113,7 @@ class CellDelegate : public QStyledItemDelegate {
     const Cell cell = at(index);
     if (text == shown_value(document_, cell)) return;
     document_.end_step();
-    document_.edit(cell, text.toStdString());
+    document_.edit(cell, as_meant(document_, cell, text.toStdString()));
     document_.end_step();
   }
 
@@ -310,7 +310,8 @@ void CellTable::pasteInOrder(const QString& text) {
   std::vector<std::pair<Cell, std::string>> typed;
   for (const QString& value : values) {
     if (at >= rowCount() * columnCount()) break;
-    typed.emplace_back(cellAt(at / columnCount(), at % columnCount()), value.toStdString());
+    const Cell cell = cellAt(at / columnCount(), at % columnCount());
+    typed.emplace_back(cell, as_meant(document_, cell, value.toStdString()));
     ++at;
   }
   document_.edit_all(typed);
@@ -325,7 +326,8 @@ void CellTable::paste() {
   for (int r = 0; r < lines.size() && top + r < rowCount(); ++r) {
     const QStringList values = lines[r].remove('\r').split('\t');
     for (int c = 0; c < values.size() && left + c < columnCount(); ++c)
-      typed.emplace_back(cellAt(top + r, left + c), values[c].toStdString());
+      typed.emplace_back(cellAt(top + r, left + c),
+                         as_meant(document_, cellAt(top + r, left + c), values[c].toStdString()));
   }
   document_.edit_all(typed);
 }

@@ -14,6 +14,7 @@
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
 #include "adrinput/time_scale.hpp"
+#include "adrinput/unit_choice.hpp"
 #include "base/excerpt.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/chart_view.hpp"
@@ -98,6 +99,9 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   makeOtherMenus();
   makeToolBar();
   new desktop::MenuKeys(*this);
+  document_.meaning = [this](const Cell& cell, const std::string& typed) {
+    return as_meant(document_, cell, typed);
+  };
   document_.changed = [this] {
     check_->start();
     refresh();
@@ -235,6 +239,8 @@ void DeckWindow::makeDrawing() {
   charts_dock_->setWidget(charts_);
   addDockWidget(Qt::RightDockWidgetArea, charts_dock_);
   tabifyDockWidget(drawing_dock_, charts_dock_);
+  // In one place with the others: below each other they are higher than a small screen.
+  tabifyDockWidget(charts_dock_, findChild<QDockWidget*>("lubricant-dock"));
   charts_dock_->hide();  // until there is a solution
   drawing_dock_->raise();
   connect(statics_, &EvaluationPanel::finished, this, &DeckWindow::showCharts);
@@ -356,7 +362,11 @@ void DeckWindow::refresh() {
   const std::filesystem::path& shown =
       document_.draft().empty() ? document_.path() : document_.draft();
   const QString name =
-      shown.empty() ? tr("new deck") : QString::fromStdString(shown.filename().string());
+      shown.empty()
+          ? tr("new deck")
+          : QString::fromStdString(
+                (std::filesystem::absolute(shown).parent_path().filename() / shown.filename())
+                    .string());
   setWindowTitle(name + "[*] — AdrInput");
   setWindowModified(document_.modified());
   refreshNotices();
@@ -412,6 +422,7 @@ void DeckWindow::refreshProblems() {
 void DeckWindow::goToProblem(int row) {
   if (row < 0 || row >= static_cast<int>(document_.problems().size())) return;
   const Problem problem = document_.problems()[static_cast<std::size_t>(row)];
+  visited_problem_ = problem.issue.text();
   if (problem.page.empty()) return;
   showRecord(problem.page);
   if (problem.cell) page_->focusCell(*problem.cell);
@@ -421,7 +432,12 @@ void DeckWindow::stepProblem(int by) {
   const auto count = static_cast<int>(document_.problems().size());
   tabs_->setCurrentWidget(problems_);
   if (count == 0) return;
-  const int row = (std::max(problems_->currentRow(), by > 0 ? -1 : 0) + by + count) % count;
+  const int here = problems_->currentRow();
+  // One that is mended has left the list, and the next stands in its row.
+  const bool mended =
+      by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
+      document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;
+  const int row = mended ? here : (std::max(here, by > 0 ? -1 : 0) + by + count) % count;
   problems_->setCurrentRow(row);
   goToProblem(row);
 }
@@ -510,8 +526,11 @@ void DeckWindow::showCharts() {
   charts_->setSolution(*statics_->tables());
   charts_->setStale(statics_->stale());
   if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
+    const bool as_made = std::abs(drawing_dock_->width() - kDrawingWidth) < kDrawingWidth / 10;
     charts_dock_->show();
     charts_dock_->raise();
+    // Keys of curves need more room than the drawing; a width that somebody chose stays.
+    if (as_made && width() > kNarrow) resizeDocks({charts_dock_}, {width() / 3}, Qt::Horizontal);
   }
 }
 
@@ -584,6 +603,7 @@ void DeckWindow::switchTheme() {
   using desktop::ThemeKind;
   desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
                                                                         : ThemeKind::Dark);
+  desktop::remember_theme(desktop::current_theme().kind);
   for (auto* chart : findChildren<desktop::ChartView*>())
     chart->chartScene().setTheme(desktop::current_theme());
   const std::string record = std::exchange(current_, {});

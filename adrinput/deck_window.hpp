@@ -156,6 +156,7 @@ class DeckWindow : public QMainWindow {
   void forgetResults();
 
   Document document_;
+  std::string visited_problem_;  ///< its text
   std::string current_;
   std::string shown_original_;  ///< what the panel "File as opened" shows
   RecordPage* page_ = nullptr;

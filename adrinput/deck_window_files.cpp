@@ -384,7 +384,7 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
   document_.end_step();
   if (!document_.modified()) return then();
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("The deck has changes that are not saved; they will be lost."),
+                              tr("The deck has changes that are not saved. Save them?"),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
   box->setAttribute(Qt::WA_DeleteOnClose);
@@ -407,6 +407,7 @@ void DeckWindow::leaveRun(std::function<void()> then) {
                               QMessageBox::Cancel, this);
   box->setObjectName("running");
   box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
   QPushButton* quit = box->addButton(tr("End the run"), QMessageBox::DestructiveRole);
   connect(box, &QMessageBox::buttonClicked, this, [quit, then](QAbstractButton* button) {
     if (button == quit) then();

@@ -146,7 +146,10 @@ void Document::begin_step(const Cell& cell) {
 void Document::type(const Cell& cell, std::string_view typed) {
   if (typing_ && *typing_ != cell) end_step();
   if (cell.record == kOptionsPage) return edit(cell, typed);
-  if (text(cell) == typed || value_at(state_.deck, cell) == nullptr) return;
+  if (value_at(state_.deck, cell) == nullptr) return;
+  if (text(cell) == typed &&
+      (is_draft(cell) || !meaning || meaning(cell, std::string(typed)) == typed))
+    return;
   begin_step(cell);
   numbers_in_.reset();
   state_.drafts[cell] = typed;
@@ -166,7 +169,7 @@ void Document::end_step() {
       const auto held = before.drafts.find(cell);  // what the field held before it was typed in
       state_.drafts.erase(draft);
       if (held != before.drafts.end()) state_.drafts[cell] = held->second;
-      edit(cell, typed);
+      edit(cell, meaning ? meaning(cell, typed) : typed);
       if (state_.deck == before.deck && state_.drafts == before.drafts &&
           state_.options == before.options) {
         undo_.pop_back();

@@ -47,6 +47,9 @@ class Document {
 
   /// Called after every change of anything below.
   std::function<void()> changed;
+  /// What a text that was typed into a field means, where fields show other units than the deck's
+  /// (as_meant()). Not called for edit().
+  std::function<std::string(const Cell&, const std::string&)> meaning;
 
   /// A new data set from an example deck (deck/templates.hpp). @throws InputError
   void start_new(std::string_view template_name);

@@ -130,6 +130,15 @@ void Document::open(const fs::path& path) {
   keep_unread_values(read.issues);
   state = std::move(state_);
   start(std::move(state));
+  // What the deck itself says as long as it is so needs no remark of the file beside it.
+  const std::vector<Issue> live = deck::check_deck(state_.deck);
+  std::erase_if(file_issues_, [&](const Issue& issue) {
+    return std::any_of(live.begin(), live.end(), [&](const Issue& other) {
+      return other.record == issue.record && other.variable == issue.variable &&
+             other.message == issue.message;
+    });
+  });
+  find_problems();
   notify();
 }
 

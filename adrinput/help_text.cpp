@@ -116,8 +116,10 @@ QString format_help() {
          "(File), which no run takes and which AdrInput opens again as it was.</p>"
          "<p>Numbers may be typed with a unit and with arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 "
          "GPa, "
-         "3*0.005, 1 in + 2 mm. The deck gets the number in its own unit when you leave the field. "
-         "The button behind a field chooses the unit that values of its kind are shown in.</p>"
+         "3*0.005, 1 in + 2 mm. Times and steps of a run take seconds and turns: 0.01 s, 3 rev. "
+         "The deck gets the number in its own unit when you leave the field. "
+         "The button behind a field chooses the unit that values of its kind are shown in; a number "
+         "without a unit is in that one.</p>"
          "<p>Remarks behind the values of a deck that you open stay in the deck that is saved. "
          "Where that is impossible, and when the file had errors, the old file stays beside it "
          "with .bak behind its name (.bak2 where there is one already).</p>";

@@ -334,6 +334,7 @@ void StudyWindow::switchTheme() {
   using desktop::ThemeKind;
   desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
                                                                         : ThemeKind::Dark);
+  desktop::remember_theme(desktop::current_theme().kind);
   panel_->checkNow();
 }
 
@@ -341,8 +342,9 @@ void StudyWindow::leave(std::function<void()> then) {
   if (panel_->busy()) {
     auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
                                 tr("The study is at work. Leaving it ends the runs under way; "
-                                   "finished ones are recorded, and Resume goes on."),
+                                   "finished ones are recorded, and Run goes on with the rest."),
                                 QMessageBox::Cancel, this);
+    box->setDefaultButton(QMessageBox::Cancel);
     box->setObjectName("running");
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* quit = box->addButton(tr("End the runs"), QMessageBox::DestructiveRole);
@@ -358,7 +360,7 @@ void StudyWindow::leave(std::function<void()> then) {
   }
   if (!document_.modified() || document_.path().empty()) return then();
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("The study has changes that are not saved; they will be lost."),
+                              tr("The study has changes that are not saved. Save them?"),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
   box->setAttribute(Qt::WA_DeleteOnClose);

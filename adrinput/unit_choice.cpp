@@ -4,6 +4,7 @@
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
 
+#include <QRegularExpression>
 #include <QSettings>
 #include <fmt/format.h>
 
@@ -62,20 +63,40 @@ void choose_unit(std::string_view si, const QString& unit) {
     store.setValue(key_of(si), unit);
 }
 
+namespace {
+
+/// The unit that fields of a variable are shown in; empty for the deck's own.
+QString unit_in_view(const Document& document, const deck::VariableSpec& variable) {
+  if (deck::unit_name(document.deck(), variable).empty()) return {};
+  const QString unit = chosen_unit(variable.unit.si);
+  const auto usual = deck::usual_units(variable.unit);
+  const bool known = std::find(usual.begin(), usual.end(), unit.toStdString()) != usual.end();
+  return known ? unit : QString();
+}
+
+}  // namespace
+
 QString shown_value(const Document& document, const Cell& cell) {
   const QString text = QString::fromStdString(document.text(cell));
   const deck::VariableSpec* variable = variable_of(cell);
   const deck::Value* value = value_at(document.deck(), cell);
   if (variable == nullptr || value == nullptr || document.is_draft(cell)) return text;
   const double* real = std::get_if<double>(value);
-  if (real == nullptr || deck::unit_name(document.deck(), *variable).empty()) return text;
-  const QString unit = chosen_unit(variable->unit.si);
-  const auto usual = deck::usual_units(variable->unit);
-  const std::string name = unit.toStdString();
-  if (unit.isEmpty() || std::find(usual.begin(), usual.end(), name) == usual.end()) return text;
+  const QString unit = real == nullptr ? QString() : unit_in_view(document, *variable);
+  if (unit.isEmpty()) return text;
   return QString::fromStdString(
-             deck::number_in(*real, variable->unit, document.deck().units(), name)) +
+             deck::number_in(*real, variable->unit, document.deck().units(), unit.toStdString())) +
          " " + unit;
+}
+
+std::string as_meant(const Document& document, const Cell& cell, const std::string& typed) {
+  const deck::VariableSpec* variable = variable_of(cell);
+  if (variable == nullptr || variable->type != deck::VarType::Real) return typed;
+  static const QRegularExpression number(QString::fromUtf8(
+      R"(^[-+\x{2212}\d.,\s*/()]*\d[-+\x{2212}\d.,\s*/()]*([eEdD][-+\x{2212}]?\d+)?[-+\x{2212}\d.,\s*/()eEdD]*$)"));
+  const QString unit = unit_in_view(document, *variable);
+  if (unit.isEmpty() || !number.match(QString::fromStdString(typed)).hasMatch()) return typed;
+  return typed + " " + unit.toStdString();
 }
 
 QString run_time(const Document& document, const Cell& cell) {
@@ -96,8 +117,9 @@ QString typed_value(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->type != deck::VarType::Real || !document.is_draft(cell))
     return {};
-  const std::string text = document.text(cell);
-  if (!parse_typed(*variable, text).problem) return {};
+  const std::string typed_text = document.text(cell);
+  const std::string text = as_meant(document, cell, typed_text);
+  if (text == typed_text && !parse_typed(*variable, text).problem) return {};
   const Typed typed = document.parse(cell, text);
   if (typed.problem) return {};
   const std::string unit = unit_of(document.deck(), *variable);

@@ -25,12 +25,17 @@ void choose_unit(std::string_view si, const QString& unit);
 /// that is none.
 [[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
 
+/// What a text means that is typed where shown_value() shows it: a number without a unit is in the
+/// unit that the field is shown in, "3" is "3 kN".
+[[nodiscard]] std::string as_meant(const Document& document, const Cell& cell,
+                                   const std::string& typed);
+
 /// Of a time of a run what it is in seconds and turns: "0.0256 s = 4.27 revolutions"; empty while
 /// nobody knows.
 [[nodiscard]] QString run_time(const Document& document, const Cell& cell);
 
-/// Of a text that is being typed and is no plain number: what it will be in the deck, "0.0127 m".
-/// Empty while it cannot be understood.
+/// Of a text that is being typed and is no number in the deck's own unit: what it will be in the
+/// deck, "0.0127 m". Empty while it cannot be understood.
 [[nodiscard]] QString typed_value(const Document& document, const Cell& cell);
 
 }  // namespace adore::adrinput

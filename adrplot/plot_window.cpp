@@ -254,6 +254,7 @@ void PlotWindow::switchTheme() {
   using desktop::ThemeKind;
   desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
                                                                         : ThemeKind::Dark);
+  desktop::remember_theme(desktop::current_theme().kind);
   view_->chartScene().setTheme(desktop::current_theme());
 }
 

@@ -620,6 +620,7 @@ void AgoreWindow::switchTheme() {
   using desktop::ThemeKind;
   options_.dark = !options_.dark;
   desktop::apply_theme(options_.dark ? ThemeKind::Dark : ThemeKind::Light);
+  desktop::remember_theme(desktop::current_theme().kind);
   refresh();
 }
 

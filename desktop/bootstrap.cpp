@@ -28,7 +28,7 @@ void set_up(const QString& name) {
   for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
     demand(QFontDatabase::addApplicationFont(QString(":/adore/fonts/") + file) >= 0,
            "a shipped font does not load");
-  apply_theme(desktop_preference());
+  apply_theme(preferred_theme());
 }
 
 /// Pictures made without a session need no session folder and no window manager, so Qt's remarks

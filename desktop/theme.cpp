@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QSettings>
 
 namespace adore::desktop {
 namespace {
@@ -100,6 +101,24 @@ ThemeKind desktop_preference() {
   const bool dark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
   return dark ? ThemeKind::Dark : ThemeKind::Light;
+}
+
+namespace {
+
+QSettings shared_settings() { return QSettings("Adore", "desktop"); }
+
+}  // namespace
+
+void remember_theme(ThemeKind kind) {
+  shared_settings().setValue("theme", kind == ThemeKind::Dark ? "dark" : "light");
+}
+
+ThemeKind preferred_theme() {
+  if (QGuiApplication::platformName() == "offscreen") return ThemeKind::Light;
+  const QString chosen = shared_settings().value("theme").toString();
+  return chosen == "dark"    ? ThemeKind::Dark
+         : chosen == "light" ? ThemeKind::Light
+                             : desktop_preference();
 }
 
 QFont ui_font(int pixel_size, bool bold) {

@@ -33,6 +33,11 @@ void apply_theme(ThemeKind kind);
 /// when headless.
 ThemeKind desktop_preference();
 
+/// What a person chose in one of the windows counts in all of them, at the next start, too.
+void remember_theme(ThemeKind kind);
+/// What was chosen, else the desktop's.
+[[nodiscard]] ThemeKind preferred_theme();
+
 /// The shipped font, by pixel size, so that a picture looks the same on every machine.
 QFont ui_font(int pixel_size, bool bold = false);
 

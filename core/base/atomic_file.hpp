@@ -11,8 +11,8 @@ namespace adore {
 /// disk and then renamed over the old one. Whoever reads the path sees the old content or the new
 /// one, never a part, also after a crash. A symbolic link keeps pointing to its (replaced) target
 /// and the permissions of an existing file are kept, but for those to execute it.
-/// @throws InputError naming the path and the reason: folder missing or not writable, disk full,
-/// path is a folder.
+/// @throws InputError naming the path and the reason: folder missing or not writable, the file that
+/// is there write-protected (for root, too), disk full, path is a folder.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The same for content that nobody holds as a whole: `produce` hands it to its argument piece by

@@ -403,6 +403,24 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group) {
               clearance_reason(group)};
 }
 
+/// Record 7.1 in proportion to the cage of the example of the type: diameters about the pitch
+/// circle, width with the elements, plays with their diameter. Estimates, as all of the inside.
+void propose_cage(std::string_view example_name, const Envelope& e, double diameter, double length,
+                  double cone_angle, Sets& sets) {
+  const Deck example = new_deck(example_name);
+  const auto of = [&](std::string_view name) { return example.real(name); };
+  const bool balls = !example.has("bReLen");
+  const double pitch = 0.5 * (e.bore + e.outside),
+               pitch_there = 0.5 * (of("brgBore") + of("brgOD"));
+  const double size = diameter / of("bReDia");
+  for (const char* name : {"cageDia1", "cageDia2"})
+    sets.length(name, pitch + (of(name) - pitch_there) * size);
+  sets.length("cageWidth", of("cageWidth") * (balls ? size : length / of("bReLen")));
+  for (const char* name : {"cageCls1", "cageCls2", "bPocCls1", "bPocCls2"})
+    sets.length(name, of(name) * size);
+  sets.real("cageConeAng", cone_angle);
+}
+
 double real(const std::string& text) {
   double value = 0.0;
   demand(!parse_real(text, value), "what was proposed is a number");
@@ -574,6 +592,17 @@ InnerGeometry propose_inner(const Deck& deck) {
                     deck.si("raceWidth1")};
   if (kind == 3) envelope.width *= 2.0;  // of both rows
   InnerGeometry out = propose_inner(type, envelope, angle);
+  if (deck.integer("nCseg") == 1) {
+    constexpr std::array<std::string_view, 4> kExamples = {"ball", "cylindrical", "spherical",
+                                                           "tapered"};
+    const double cone =
+        kind == 4 ? 0.5 * (number(out, "raceTaper1") + number(out, "raceTaper2")) : 0.0;
+    Sets cage;
+    propose_cage(kExamples.at(static_cast<std::size_t>(kind - 1)), envelope, number(out, "bReDia"),
+                 number(out, "bReLen"), cone, cage);
+    for (auto& set : cage.take()) out.sets.push_back(std::move(set));
+    out.reasons += "; cage (record 7.1) in proportion to that of the example of this type";
+  }
   std::erase_if(out.sets, [&](const auto& set) { return !deck.has(set.first); });
   if (deck.units() == UnitSystem::SI) return out;
   for (auto& [name, value] : out.sets) {

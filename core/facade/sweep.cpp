@@ -173,6 +173,11 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   const std::string variable = request.sets[swept].first;
   const Range range = parse_range(variable, request.sets[swept].second);
+  if (deck::find_variable(variable.substr(0, variable.find('['))).empty()) {
+    RunRequest first = request;
+    first.sets[swept].second = value_text(range.first);
+    (void)load_deck(first);  // throws with names that are like it, before any file
+  }
   const std::filesystem::path folder = output_folder(request, deck_path(request));
 
   const auto count = static_cast<std::size_t>(range.count);
@@ -186,8 +191,6 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     one.out = folder / fmt::format("{}-{}", variable, k + 1);
     return one;
   };
-  if (deck::find_variable(variable.substr(0, variable.find('['))).empty())
-    (void)load_deck(one_request(0));  // throws with names that are like it, before any file
   const FolderLock lock(folder);
   const bool keep = !request.overwrite && !request.go_on;
   check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);

@@ -98,10 +98,35 @@ TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
   replace_text(line, "13 mm");
   CHECK(window.document().deck().real("bReDia") == 0.013);
   CHECK(line->text() == "13 mm");
-  replace_text(line, "0.0127");  // without a unit: the deck's
+  replace_text(line, "12.7");  // without a unit: in the unit that the field is shown in
   CHECK(line->text() == "12.7 mm");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  replace_text(line, "0.013 m");
+  CHECK(line->text() == "13 mm");
+  for (const auto& [typed, metres] : {std::pair{"3*4", 0.012},
+                                      {"12,5", 0.0125},
+                                      {"1/2 in", 0.0127},
+                                      {"1.25e1", 0.0125},
+                                      {"127e-1", 0.0127}}) {
+    INFO(typed);
+    replace_text(line, typed);
+    CHECK(window.document().deck().real("bReDia") == Approx(metres).epsilon(1e-14));
+  }
+  // The same digits as the deck has, in another unit: no text of "no change".
+  choose_unit("N", "kN");
+  line = line_of(window, "appLoadX");
+  replace_text(line, "3 N");
+  CHECK(window.document().deck().real("appLoadX") == 3.0);
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, QString::fromStdString(window.document().text(cell("appLoadX"))));
+  CHECK(beside(window, "appLoadX") == "= 3000.0 N");
+  QTest::keyClick(line, Qt::Key_Return);
+  CHECK(window.document().deck().real("appLoadX") == 3000.0);
+  CHECK(line->text() == "3 kN");
   choose_unit("m", {});
   choose_unit("K", {});
+  choose_unit("N", {});
 }
 
 TEST_CASE("a deck with an error is parked as a draft and comes back as it was",

@@ -98,6 +98,13 @@ TEST_CASE("an atomic write that cannot succeed says which path, why and what to 
   CHECK_THAT(message("/dev/full/deck.txt"), Catch::Contains("cannot be written"));
   CHECK_THAT(message(""), Catch::Contains("cannot be written"));
   CHECK(count_files(folder.path) == 0);
+  const fs::path kept = folder.path / "kept.txt";
+  adore::write_file_atomically(kept, "master");
+  fs::permissions(kept, fs::perms::owner_read);
+  CHECK_THAT(message(kept), Catch::Contains("write-protected"));
+  fs::create_symlink(kept, folder.path / "link.txt");
+  CHECK_THAT(message(folder.path / "link.txt"), Catch::Contains("write-protected"));
+  CHECK(content_of(kept) == "master");
 }
 
 TEST_CASE("a kept copy replaces no earlier copy, and the same text is kept once", "[unit][base]") {

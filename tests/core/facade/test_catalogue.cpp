@@ -94,6 +94,33 @@ TEST_CASE("an outside may be typed with blanks and the sign of multiplication",
   }
 }
 
+TEST_CASE("the inside that is proposed for a deck with a cage has the cage", "[unit][catalogue]") {
+  for (const char* designation : {"6205", "7310 B", "NU209", "NU320", "30208", "30216", "22210"}) {
+    INFO(designation);
+    deck::Deck moving = deck_of(designation);
+    const std::vector<std::pair<std::string, std::string>> motion = {{"mode", "0"}, {"nCseg", "1"}};
+    moving.set_all(motion);
+    const deck::InnerGeometry inner = deck::propose_inner(moving);
+    moving.set_all(inner.sets);
+    CHECK(moving.real("cageDia1") > moving.real("cageDia2"));
+    CHECK(moving.real("cageDia2") > moving.real("brgBore"));
+    CHECK(moving.real("cageDia1") < moving.real("brgOD"));
+    CHECK(moving.real("bPocCls1") > 0.0);
+    for (const Issue& issue : deck::check_deck(moving)) {
+      INFO(issue.text());
+      CHECK(issue.severity != Severity::Error);
+    }
+    for (const Issue& issue : facade::check_model(moving)) {
+      INFO(issue.text());
+      CHECK(issue.severity != Severity::Error);
+    }
+  }
+  deck::Deck english = deck::new_deck("ball-english");
+  const deck::InnerGeometry inner = deck::propose_inner(english);
+  english.set_all(inner.sets);
+  CHECK(english.si("cageWidth") == Approx(deck::new_deck("ball").real("cageWidth")).epsilon(0.2));
+}
+
 TEST_CASE("a spherical bearing of the catalogue says that it is one row of two",
           "[unit][catalogue]") {
   std::string story;
