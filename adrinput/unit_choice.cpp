@@ -96,7 +96,9 @@ std::string as_meant(const Document& document, const Cell& cell, const std::stri
       R"(^[-+\x{2212}\d.,\s*/()]*\d[-+\x{2212}\d.,\s*/()]*([eEdD][-+\x{2212}]?\d+)?[-+\x{2212}\d.,\s*/()eEdD]*$)"));
   const QString unit = unit_in_view(document, *variable);
   if (unit.isEmpty() || !number.match(QString::fromStdString(typed)).hasMatch()) return typed;
-  return typed + " " + unit.toStdString();
+  // A unit belongs to the whole of a sum.
+  const std::size_t sum = typed.find_first_of("+-*/(", typed.find_first_of("0123456789."));
+  return (sum == std::string::npos ? typed : "(" + typed + ")") + " " + unit.toStdString();
 }
 
 QString run_time(const Document& document, const Cell& cell) {

@@ -58,6 +58,10 @@ void check_place(const fs::path& path, std::string_view start,
       throw InputError(
           fmt::format("--out {}: this is the file that is read; name another one", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
+  if (write_protected(path))
+    throw InputError(fmt::format(
+        "--out {}: the file is write-protected; name another one, or make it writable (chmod u+w)",
+        path.string()));
   if (fs::is_regular_file(status) && fs::file_size(path, error) > 0) {
     std::string old(start.size() + 1, '\0');
     std::ifstream stream(path, std::ios::binary);

@@ -135,20 +135,6 @@ class TemporaryFile {
   bool named_ = false, renamed_ = false;
 };
 
-/// A new name in the folder would replace a file that may not be written, too, and root may write
-/// all: who takes the permission away wants the file to stay.
-void check_permission(const fs::path& target, const fs::path& shown) {
-  struct stat old {};
-  if (::stat(target.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
-  const bool anybody = (old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) != 0;
-  if (anybody && ::access(target.c_str(), W_OK) == 0) return;
-  Issue issue;
-  issue.file = shown.string();
-  issue.message = "the file is write-protected and stays as it is";
-  issue.remedy = "give another name, or make the file writable (chmod u+w)";
-  throw WriteError({issue});
-}
-
 /// Makes the rename itself durable; not every file system allows it, and then nothing is lost but
 /// this.
 void flush_folder(const fs::path& folder) {
@@ -159,6 +145,13 @@ void flush_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool write_protected(const fs::path& path) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return false;
+  const bool anybody = (there.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) != 0;
+  return !anybody || ::access(path.c_str(), W_OK) != 0;
+}
 
 std::string temporary_pattern(const fs::path& target) {
   return fmt::format(".{}.XXXXXX", target.filename().string());
@@ -176,7 +169,13 @@ void write_file_atomically(const fs::path& path,
   if (error || path.empty())
     fail(path, path.empty() ? ENOENT : error.value(), "finding its folder");
   if (fs::is_directory(target, error)) fail(path, EISDIR, "opening");
-  check_permission(target, path);
+  if (write_protected(target)) {
+    Issue issue;
+    issue.file = path.string();
+    issue.message = "the file is write-protected and stays as it is";
+    issue.remedy = "give another name, or make the file writable (chmod u+w)";
+    throw WriteError({issue});
+  }
 
   TemporaryFile file(target, path);
   produce([&](std::string_view piece) { file.write(piece); });

@@ -21,6 +21,10 @@ using TextSink = std::function<void(std::string_view piece)>;
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const TextSink&)>& produce);
 
+/// Is there a file that may not be written? A new one could take its name in a writable folder, and
+/// root may write all: who takes the permission away wants the file to stay.
+[[nodiscard]] bool write_protected(const std::filesystem::path& path);
+
 /// Name of the new file until it is renamed, X standing for any letter or digit: what a killed
 /// process may leave on file systems that know no files without a name.
 [[nodiscard]] std::string temporary_pattern(const std::filesystem::path& target);

@@ -514,14 +514,13 @@ CatalogueBearing find_bearing(std::string_view designation) {
                       row[2].get<double>() * kMm};
       out.designation = std::string(series.prefix) + bore_code(bore);
       std::string suffix(rest.substr(2));
-      if (series.type == BearingType::AngularContact) {
-        take_angle(out, suffix, designation);
-      } else if (std::string group = take_group(suffix); !group.empty()) {
-        if (has_group(out.type, group))
-          out.clearance = std::move(group);
-        else
-          suffix += group;
-      }
+      // First: the "C3" of "7208 C3" is no angle.
+      std::string group = take_group(suffix);
+      if (series.type == BearingType::AngularContact) take_angle(out, suffix, designation);
+      if (has_group(out.type, group))
+        out.clearance = std::move(group);
+      else
+        suffix += group;
       out.left_out =
           maker + (maker.empty() || trimmed(suffix).empty() ? "" : " ") + trimmed(suffix);
       if (series.type == BearingType::Tapered) {

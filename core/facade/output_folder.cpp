@@ -209,6 +209,9 @@ void check_names(const Outputs& outputs) {
       issue.message = "this output of the run exists, and is not a file that this program wrote";
       issue.remedy =
           "move it away, choose another name on record 2.3, or another folder with --out";
+    } else if (write_protected(path)) {
+      issue.message = "this output of the run is write-protected and stays as it is";
+      issue.remedy = "make it writable (chmod u+w), or choose another folder with --out";
     } else {
       continue;
     }

@@ -82,7 +82,7 @@ TEST_CASE("Go Back, Next Rec, Save & Exit and quitting behave as the manual says
     CHECK_FALSE(window.close());
     auto* box = window.findChild<QMessageBox*>("unsaved");
     REQUIRE(box != nullptr);
-    CHECK(box->text().contains("lost"));
+    CHECK(box->text().contains("Save them?"));
     QTest::mouseClick(box->button(button), Qt::LeftButton);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   };

@@ -107,7 +107,11 @@ TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
                                       {"12,5", 0.0125},
                                       {"1/2 in", 0.0127},
                                       {"1.25e1", 0.0125},
-                                      {"127e-1", 0.0127}}) {
+                                      {"127e-1", 0.0127},
+                                      {"2+9", 0.011},
+                                      {"10 - 1/2", 0.0095},
+                                      {"(1+2)*4", 0.012},
+                                      {"30/3", 0.01}}) {
     INFO(typed);
     replace_text(line, typed);
     CHECK(window.document().deck().real("bReDia") == Approx(metres).epsilon(1e-14));

@@ -61,6 +61,15 @@ TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][
   CHECK(left("30208 C3") == "C3");
   CHECK(left("7208 B/C3") == "C3");
   CHECK(deck::find_bearing("7208 C").angle == 15.0);
+  for (const char* group : {"C2", "CN", "C3", "C4", "C5"})
+    for (const auto& [angle, degrees] :
+         {std::pair{"", 40.0}, {"C/", 15.0}, {"AC ", 25.0}, {"B", 40.0}})
+      for (const char* size : {"7008 ", "7208", "7308 "}) {
+        const std::string name = std::string(size) + angle + group;
+        INFO(name);
+        CHECK(deck::find_bearing(name).angle == degrees);
+        CHECK(left(name) == group);
+      }
   // Every group of every type: wider from one to the next, and each in the story.
   for (const char* name : {"6205", "6316", "NU209", "NU320", "22205", "22220"}) {
     double before = -1.0;
