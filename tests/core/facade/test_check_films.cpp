@@ -33,9 +33,9 @@ Sets with(Sets sets, const Sets& more) {
   return sets;
 }
 
-/// SI.
+/// Temperatures of races and elements, in kelvin or degrees Rankine.
 Sets at(double kelvin, deck::UnitSystem units = deck::UnitSystem::SI) {
-  const double T = units == deck::UnitSystem::SI ? kelvin : 1.8 * kelvin - 459.67;
+  const double T = units == deck::UnitSystem::SI ? kelvin : 1.8 * kelvin;
   Sets out;
   for (const char* name : {"raceTemp1", "raceTemp2", "reTemp"})
     out.emplace_back(name, fmt::format("{:.2f}", T));
