@@ -5,13 +5,16 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/lubricant_pages.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace adore::adrinput {
@@ -19,6 +22,9 @@ namespace {
 
 constexpr int kPause = 300;                           // ms
 constexpr int kLeastWidth = 400, kLeastHeight = 360;  // of a chart with four lines of notes
+constexpr int kLeastDockWidth = 200, kLeastDockHeight = 120;
+constexpr int kDockTitle = 40;     // its height, at most
+constexpr int kRoomForDock = 640;  // of the window, for list and form beside it
 
 desktop::ChartPage sentence(const std::string& text) {
   desktop::ChartPage page;
@@ -58,10 +64,29 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
 LubricantPanel* LubricantPanel::inDockOf(QMainWindow* window) {
   auto* dock = new QDockWidget(tr("Lubricant"), window);
   dock->setObjectName("lubricant-dock");
-  auto* panel = new LubricantPanel(dock);
-  dock->setWidget(panel);
+  auto* panel = new LubricantPanel;
+  auto* scroll = new QScrollArea(dock);  // narrower than its charts can be read, it scrolls
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(panel);
+  scroll->setMinimumSize(kLeastDockWidth, kLeastDockHeight);
+  dock->setWidget(scroll);
   window->addDockWidget(Qt::RightDockWidgetArea, dock);
   dock->hide();
+  connect(dock->toggleViewAction(), &QAction::triggered, dock, [window, dock, panel](bool shown) {
+    if (!shown) return;
+    const QSize whole = panel->minimumSizeHint() + QSize(2, kDockTitle);
+    if (window->width() >= kRoomForDock + whole.width())
+      window->resizeDocks({dock}, {whole.width()}, Qt::Horizontal);
+    QList<QDockWidget*> docks{dock};  // and those below it
+    QList<int> heights{whole.height()};
+    for (QDockWidget* other : window->findChildren<QDockWidget*>())
+      if (other != dock && other->isVisible() && !other->isFloating()) {
+        docks.append(other);
+        heights.append(std::max(0, window->centralWidget()->height() - whole.height()));
+      }
+    window->resizeDocks(docks, heights, Qt::Vertical);
+  });
   return panel;
 }
 

@@ -2,6 +2,7 @@
 
 #include "deck/unit_text.hpp"
 #include "facade/prepare.hpp"
+#include "facade/rehearsal.hpp"
 #include "life/parameters.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
@@ -12,7 +13,9 @@
 #include "thermal/operating.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace adore::facade {
@@ -100,37 +103,55 @@ ModelCheck examine_model(const deck::Deck& deck) {
 
 bool CheckReport::ok() const { return !has_error(issues); }
 
-CheckReport check(const DeckRequest& request) {
+namespace {
+
+/// The run options of the request. @throws InputError
+void check_options(const DeckRequest& request) {
+  std::map<std::string, std::string> options;
+  if (!request.in_memory) options = options_beside(deck_path(request));
+  for (const auto& [name, value] : request.options) options[name] = value;
+  (void)setup::build_run_options(options);
+}
+
+/// Adds what is not said yet.
+void add_new(std::vector<Issue>& said, std::vector<Issue> more) {
+  std::set<std::string> texts;
+  for (const Issue& issue : said) texts.insert(issue.text());
+  for (Issue& issue : more)
+    if (texts.insert(issue.text()).second) said.push_back(std::move(issue));
+}
+
+}  // namespace
+
+CheckReport check(const DeckRequest& request, std::stop_token stop) {
   deck::ReadResult read = read_deck(request);
   CheckReport out{read.deck.file, read.deck.records.size(), read.issues};
-  if (read.ok() && !request.sets.empty()) {
-    try {
-      const LoadedDeck loaded = load_deck(request);
-      read.deck = loaded.deck;
-      out.issues = loaded.warnings;
+  if (read.ok() && !request.sets.empty()) try {
+      LoadedDeck loaded = load_deck(request);
+      read.deck = std::move(loaded.deck);
+      out.issues = std::move(loaded.warnings);
     } catch (const InputError& error) {
       out.issues = error.issues();
       return out;
     }
+  bool begins = read.ok();
+  // Only a run knows what routines of the user make of the model.
+  if (begins && !request.routines && request.user.empty()) {
+    ModelCheck model = examine_model(read.deck);
+    begins = model.refusals.empty();
+    add_new(out.issues, std::move(model.issues));
   }
-  if (read.ok() && (request.routines || !request.user.empty())) {
-    try {  // what routines say, and what they make of the model, only the model itself tells
-      out.issues = prepare(request).input.warnings;
-    } catch (const InputError& error) {
-      out.issues = error.issues();
-    }
-    return out;
-  }
-  if (read.ok())
-    for (Issue& issue : check_model(read.deck)) out.issues.push_back(std::move(issue));
   try {
-    std::map<std::string, std::string> options;
-    if (!request.in_memory) options = options_beside(deck_path(request));
-    for (const auto& [name, value] : request.options) options[name] = value;
-    (void)setup::build_run_options(options);
+    check_options(request);
   } catch (const InputError& error) {  // the run would end with it
-    out.issues.insert(out.issues.end(), error.issues().begin(), error.issues().end());
+    add_new(out.issues, error.issues());
   }
+  if (!begins || !out.ok()) return out;
+  LoadedDeck input = load_deck(request);
+  input.stop = std::move(stop);
+  Rehearsal rehearsal = rehearse(std::move(input));
+  add_new(out.issues, std::move(rehearsal.remarks));
+  add_new(out.issues, std::move(rehearsal.refusals));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "deck/no_part.hpp"
 #include "facade/deck_request.hpp"
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,12 @@ struct CheckReport {
   [[nodiscard]] bool ok() const;  ///< no error among them
 };
 
-/// What a deck asks for that cannot run yet is a note here and an error of run(). With routines of
-/// the user the model is prepared as a run does, equilibrium included.
-/// @throws InputError when the deck cannot be read, SolverError as check_model()
-[[nodiscard]] CheckReport check(const DeckRequest& request);
+/// What a deck asks for that cannot run yet is a note here and an error of run(). Any other deck
+/// without errors is rehearsed (rehearsal.hpp): what a run would end with before its first step is
+/// an error here, the equilibrium, the films and the steps of the method included. Files of the
+/// deck's folder are not looked at. Takes as long as a run takes until its first step.
+/// @throws InputError when the deck cannot be read, SolverError as check_model(), Interrupted
+[[nodiscard]] CheckReport check(const DeckRequest& request, std::stop_token stop = {});
 
 /// The same with what a form shows beside its fields.
 struct ModelCheck {

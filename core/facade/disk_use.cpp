@@ -2,6 +2,7 @@
 
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/run_files.hpp"
+#include "facade/thermal_run.hpp"
 #include "listing/print_file.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
@@ -59,7 +60,8 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   const deck::UnitSystem units = prepared.input.deck.units();
   dynamics::System system = make_system(prepared);
   const std::vector<double> y = system.initial_state();
-  const scene::Snapshot snapshot = system.snapshot(0.0, y);
+  scene::Snapshot snapshot = system.snapshot(0.0, y);
+  if (prepared.bearing.thermal) snapshot.thermal = ThermalRun(prepared).shown();
   results::ChannelRecorder recorder(prepared.bearing, units,
                                     results::ChannelTable(dynamics::energy_terms()));
   const results::StepRecord& record = recorder.record(snapshot);

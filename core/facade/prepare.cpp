@@ -21,10 +21,11 @@
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
+#include "statics/deck_fault.hpp"
 #include "statics/film_doubts.hpp"
-#include "statics/missing_thrust.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/bearing_drag.hpp"
+#include "tribology/fluid.hpp"
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -149,18 +150,66 @@ void choose_nodes(Prepared& prepared) {
   }
 }
 
-/// Says what of the films, and of a medium that drags, is beyond what is known of it.
+/// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
+/// known of it. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
+  const bearing::Bearing& b = out.bearing;
+  const auto warn = [&](const std::string& text) {
+    if (!text.empty()) add_remark(out, Severity::Warning, text);
+  };
+  using statics::FilmsOf;
+  const FilmsOf use = !out.control.dynamic ? FilmsOf::Equilibrium
+                      : b.thermal          ? FilmsOf::ThermalSteps
+                                           : FilmsOf::Motion;
   if (const auto& films = out.race_result().films)
-    for (const std::string& text : statics::film_doubts(*films))
-      add_remark(out, Severity::Warning, text);
-  if (!out.bearing.churning) return;
-  const tribology::ChurningMedium medium = tribology::churning_medium(out.bearing);
-  if (medium.clamped())
-    add_remark(out, Severity::Warning,
-               fmt::format("the properties of {}, the churning medium, are known from {:g} to {:g} "
-                           "K; it is at {:.4g} K, and the nearer end is used",
-                           medium.name, medium.T_min, medium.T_max, medium.temperature));
+    for (const std::string& text : statics::film_doubts(*films, use)) warn(text);
+  const auto flows = [&](const char* flag, double kelvin, const char* place) {
+    const tribology::Lubricant oil = tribology::lubricant_of(*b.lubrication);
+    warn(statics::flow_doubt(flag, oil.name, kelvin, oil.base_viscosity(kelvin), place));
+  };
+  if (out.control.dynamic && b.lubrication && b.cage && b.cage_films) {
+    const bearing::CageFilms& cage = *b.cage_films;
+    const bool pockets = cage.pockets && cage.pocket_viscosity == 0.0;
+    if (pockets || (cage.lands && cage.land_viscosity == 0.0))
+      flows(pockets ? "kPocHydro" : "kGsHydro", b.cage_temperature, "the oil at the cage");
+  }
+  if (!b.churning) return;
+  const tribology::ChurningMedium medium = tribology::churning_medium(b);
+  if (b.churning->code == 1)
+    flows("kChrn", medium.temperature, "the churning medium");
+  else if (medium.clamped())
+    warn(
+        fmt::format("the properties of {}, the churning medium, are known from {:g} to {:g} "
+                    "K; it is at {:.4g} K, and the nearer end is used",
+                    medium.name, medium.T_min, medium.T_max, medium.temperature));
+}
+
+/// Says where what flows around the elements is known by hearsay or guess.
+void say_certainty(Prepared& out) {
+  const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
+    const char* const known = provenance == "estimated" ? "are estimates, at least one of them"
+                              : provenance == "recalled"
+                                  ? "were recalled, at least one of them, not read in a publication"
+                                  : nullptr;
+    if (known != nullptr)
+      add_remark(out, Severity::Note,
+                 fmt::format("the properties of {}, {}, {}: what hangs on them is known no better",
+                             name, what, known));
+  };
+  const bearing::Bearing& b = out.bearing;
+  if (b.lubrication) {
+    const tribology::Lubricant oil = tribology::lubricant_of(*b.lubrication);
+    say(oil.name, oil.provenance, "the lubricant");
+  }
+  if (b.churning) {
+    const tribology::ChurningMedium medium = tribology::churning_medium(b);
+    if (b.churning->code > 2) say(medium.name, medium.provenance, "the churning medium");
+  }
+  if (b.thermal && b.thermal->coolant > 2 && b.thermal->flow > 0.0) {
+    const tribology::FluidProperties coolant =
+        tribology::fluid_properties(b.thermal->coolant, b.thermal->base_temperature);
+    say(coolant.name, coolant.provenance, "the coolant");
+  }
 }
 
 /// @throws Interrupted when the preparation is to end.
@@ -238,6 +287,7 @@ Prepared prepare_model(LoadedDeck input) {
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
+    say_certainty(out);
     if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
@@ -259,6 +309,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
+  say_certainty(out);
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
@@ -407,9 +458,9 @@ Prepared prepare(LoadedDeck input) {
       if (issue.file.empty()) issue.file = file;
     to_deck_units(issues, units);
     throw InputError(std::move(issues));
-  } catch (const statics::MissingThrust& error) {  // a fault of the loads, not of the numerics
+  } catch (const statics::DeckFault& error) {  // a fault of the deck, not of the numerics
     Issue issue =
-        deck.issue(Severity::Error, "appLoadX", deck::message_in_units(error.why(), units),
+        deck.issue(Severity::Error, error.variable(), deck::message_in_units(error.why(), units),
                    deck::message_in_units(error.remedy(), units));
     throw InputError(std::vector<Issue>{std::move(issue)});
   } catch (const SolverError& error) {

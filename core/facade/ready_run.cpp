@@ -74,7 +74,8 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   std::error_code error;
   if (!fs::exists(master, error)) return false;
   if (!thermal.restore(results::read_master(master).averages, master)) return false;
-  move_to(prepared, thermal.operating());
+  for (const std::string& text : move_to(prepared, thermal.operating()))
+    add_remark(prepared, Severity::Warning, text);
   return true;
 }
 

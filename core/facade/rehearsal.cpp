@@ -13,21 +13,20 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Of a deck without a name: no folder, where no file is in the way.
+/// Where no file is in the way.
 constexpr const char* kNowhere = "/nonexistent";
 
-void begin_run(LoadedDeck input) {
+/// @param folder of the run's files; empty: none is looked at
+std::vector<Issue> begin_run(LoadedDeck input, const fs::path& folder) {
   RunRequest request;
   request.overwrite = true;  // whoever starts the run is asked
-  const bool named = !input.path.empty();
-  fs::path folder = named ? input.path.parent_path() : fs::path(kNowhere);
-  if (folder.empty()) folder = ".";
-  if (named) check_writable(folder);
-  if (!named) input.path = "new deck";
+  if (!folder.empty()) check_writable(folder);
   Prepared prepared = prepare(std::move(input));
-  if (!prepared.control.dynamic) return;
-  if (!named) prepared.control.start = setup::StartState::Statics;
-  const ReadyRun ready(request, prepared, folder);
+  if (prepared.control.dynamic) {
+    if (folder.empty()) prepared.control.start = setup::StartState::Statics;
+    const ReadyRun ready(request, prepared, folder.empty() ? fs::path(kNowhere) : folder);
+  }
+  return std::move(prepared.input.warnings);
 }
 
 std::vector<Issue> sentence(const std::string& message) {
@@ -36,28 +35,42 @@ std::vector<Issue> sentence(const std::string& message) {
   return {issue};
 }
 
-}  // namespace
-
-std::vector<Issue> refusals_of_run(LoadedDeck input) {
+Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
   const std::string file = input.path.string();
   const deck::UnitSystem units = input.deck.units();
-  std::vector<Issue> out;
+  Rehearsal out;
   try {
-    begin_run(std::move(input));
+    out.remarks = begin_run(std::move(input), folder);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {
-    out = error.issues().empty() ? sentence(error.what()) : error.issues();
+    out.refusals = error.issues().empty() ? sentence(error.what()) : error.issues();
   } catch (const std::exception& error) {
-    out = sentence(error.what());
+    out.refusals = sentence(error.what());
   }
-  std::erase_if(out, [](const Issue& issue) { return issue.severity != Severity::Error; });
-  for (Issue& issue : out) {
-    if (issue.file.empty()) issue.file = file;
-    issue.message = deck::message_in_units(issue.message, units);
-    issue.remedy = deck::message_in_units(issue.remedy, units);
-  }
+  std::erase_if(out.refusals, [](const Issue& issue) { return issue.severity != Severity::Error; });
+  for (std::vector<Issue>* issues : {&out.refusals, &out.remarks})
+    for (Issue& issue : *issues) {
+      if (issue.file.empty()) issue.file = file;
+      issue.message = deck::message_in_units(issue.message, units);
+      issue.remedy = deck::message_in_units(issue.remedy, units);
+    }
   return out;
+}
+
+}  // namespace
+
+Rehearsal rehearse(LoadedDeck input) { return rehearse_in(std::move(input), {}); }
+
+std::vector<Issue> refusals_of_run(LoadedDeck input) {
+  fs::path folder;
+  if (input.path.empty()) {
+    input.path = "new deck";
+  } else {
+    folder = input.path.parent_path();
+    if (folder.empty()) folder = ".";
+  }
+  return rehearse_in(std::move(input), folder).refusals;
 }
 
 }  // namespace adore::facade

@@ -6,6 +6,18 @@
 
 namespace adore::facade {
 
+/// What `adore run` says of a deck before its first step.
+struct Rehearsal {
+  std::vector<Issue> refusals;  ///< errors; empty: the run begins
+  std::vector<Issue> remarks;   ///< warnings and notes, those of the reader among them
+};
+
+/// The checks of the model, the equilibrium, the method and its steps, the start state. Folders,
+/// and files of earlier runs in them, are not looked at. Writes nothing. Takes as long as a run
+/// takes until its first step.
+/// @param input a deck without errors @throws Interrupted when input.stop ended it
+[[nodiscard]] Rehearsal rehearse(LoadedDeck input);
+
 /// What `adore run` says against a deck before its first step, whatever finds it: the checks of the
 /// model, a folder that cannot be written into, the equilibrium, the method and its steps, the
 /// start state, and outputs that are no files of ours. Earlier results are not looked at: who

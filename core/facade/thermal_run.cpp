@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "dynamics/roller_start.hpp"
+#include "statics/film_doubts.hpp"
 #include "statics/kinematics.hpp"
 #include "thermal/steady_state.hpp"
 #include "thermal/too_cold.hpp"
@@ -217,21 +218,26 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
   return true;
 }
 
-void move_to(Prepared& p, bearing::Bearing operating) {
+std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
+  std::optional<statics::LubricantFilms> films;
   if (p.bearing.rollers()) {
     auto scene = std::make_shared<dynamics::RollerScene>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
     p.start = dynamics::static_start(*scene, p.bearing);
+    if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
-    return;
+  } else {
+    statics::StaticsOptions as_in_motion;
+    as_in_motion.curvature =
+        p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
+    as_in_motion.fixed_angle = p.fixed_angle;
+    p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
+    if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
-  statics::StaticsOptions as_in_motion;
-  as_in_motion.curvature =
-      p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
-  as_in_motion.fixed_angle = p.fixed_angle;
-  p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
+  if (!films) return {};
+  return statics::film_doubts(*films, statics::FilmsOf::ThermalSteps);
 }
 
 }  // namespace adore::facade

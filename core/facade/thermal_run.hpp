@@ -65,7 +65,8 @@ class ThermalRun {
 };
 
 /// A prepared dynamic deck whose bearing now is `operating`: races and elements in the equilibrium
-/// of this geometry. @throws SolverError when there is none
-void move_to(Prepared& prepared, bearing::Bearing operating);
+/// of this geometry. @throws SolverError when there is none, or the oil has become a glass
+/// @return what is to be doubted of its films
+std::vector<std::string> move_to(Prepared& prepared, bearing::Bearing operating);
 
 }  // namespace adore::facade

@@ -95,7 +95,11 @@ void TimeRun::thermal_step() {
     parts_.outputs.remark(fmt::format(
         "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
   try {
-    move_to(parts_.prepared, thermal.operating());
+    const std::vector<std::string> doubts = move_to(parts_.prepared, thermal.operating());
+    for (const std::string& text : doubts)
+      if (!films_doubted_)
+        parts_.outputs.remark(fmt::format("from thermal step {} on: {}", done.number, text));
+    films_doubted_ = !doubts.empty();
     dynamics::System next = make_system(parts_.prepared);
     next.take_over(system(), t, y);
     parts_.system.emplace(std::move(next));

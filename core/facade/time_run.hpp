@@ -90,6 +90,7 @@ class TimeRun {
   /// Of the run before this process, and of the stepper before its last start.
   integrators::Counters counters_;
   long held_changes_;
+  bool films_doubted_ = false;  ///< by the last thermal step
   double error_sum_, error_largest_;
 
   int stepper_cost_, output_cost_;  ///< entries of the ledger

@@ -175,6 +175,13 @@ bearing::ThermalInputs thermal_inputs(const Deck& deck) {
     out.element_convection = si_where(out.convection_given, deck, "reHTC");
     out.cage_convection =
         si_where(out.convection_given && deck.integer("nCseg") > 0, deck, "cageHTC");
+    if (flows && out.flow > 0.0 && out.convection_given)
+      for (const auto& [name, value] :
+           {std::pair{"reHTC", out.element_convection}, std::pair{"cageHTC", out.cage_convection}})
+        if (!(value > 0.0) && (name[0] == 'r' || deck.integer("nCseg") > 0))
+          throw InputError({deck.issue(Severity::Error, name,
+                                       "lets the coolant take no heat from what it flows around",
+                                       "give a value above 0, or kHTC = 0 to have it computed")});
   }
   if (out.coolant == 2) {
     out.density = deck.si("xRo");

@@ -157,9 +157,12 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          bearing.lubrication ? film_reason(*bearing.lubrication)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
   if (bearing.lubrication)
-    effect(Effect::RollingResistance, element + " / race rolling resistance", true,
-           fmt::format("kTrac = {}, oil in the inlets; flanges have traction alone",
-                       bearing.lubrication->code));
+    effect(Effect::RollingResistance, element + " / race rolling resistance",
+           bearing.lubrication->meniscus > 0.0,
+           bearing.lubrication->meniscus > 0.0
+               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction alone",
+                             bearing.lubrication->code)
+               : std::string("strParam = 0, no oil in the inlets"));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction",

@@ -1,6 +1,6 @@
 #include "statics/film_doubts.hpp"
 
-#include "base/errors.hpp"
+#include "statics/deck_fault.hpp"
 #include "tribology/viscosity/glass.hpp"
 
 #include <fmt/format.h>
@@ -10,40 +10,70 @@
 namespace adore::statics {
 namespace {
 
-constexpr const char* kRemedy =
-    "give the temperatures that the bearing runs at (record 9.1.3), a thinner lubricant "
-    "(record 10.0), or kTrac = 0";
 constexpr const char* kRace[] = {"outer", "inner"};
+
+bool glass(double viscosity) {
+  return !(viscosity < 0.99 * std::exp(tribology::kLogGlassViscosity));
+}
+
+[[noreturn]] void refuse(const std::string& flag, const std::string& why) {
+  throw DeckFault(flag, why,
+                  fmt::format("give the temperatures that the bearing runs at (record 9.1.3), a "
+                              "thinner lubricant (kTrac), or {} = 0",
+                              flag));
+}
+
+std::string at(const std::string& oil, double temperature, const std::string& place) {
+  return fmt::format("{} at {:.4g} K, {},", oil, temperature, place);
+}
+
+std::string beyond_measured(double viscosity) {
+  return fmt::format(
+      " has {:.3g} Pa s by its law, beyond what is measured (some {:g} Pa s): films, friction and "
+      "heat are extrapolations",
+      viscosity, kThickOil);
+}
 
 }  // namespace
 
-std::vector<std::string> film_doubts(const LubricantFilms& films) {
+std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
   std::vector<std::string> out;
+  if (!(films.meniscus > 0.0)) return out;
   for (std::size_t j = 0; j < 2; ++j) {
-    const std::string oil = fmt::format("{} at {:.4g} K, the inlet of the {} race", films.lubricant,
-                                        films.temperature[j], kRace[j]);
-    if (!(films.viscosity[j] < 0.99 * std::exp(tribology::kLogGlassViscosity)))
-      throw SolverError(fmt::format(
-          "{}, is a glass (1e12 Pa s): it makes no film, and nothing is known of its traction; {}",
-          oil, kRemedy));
     const double ratio = films.thickest[j];
-    if (ratio > kNoFilmAnyMore)
-      throw SolverError(fmt::format(
-          "{}, is so thick ({:.3g} Pa s) that its film would be {:.2g} of the radius of the bodies "
-          "that it parts: formulas of films, and the contacts themselves, end far below; {}",
-          oil, films.viscosity[j], ratio, kRemedy));
-    if (ratio > kThickFilm)
+    if (use == FilmsOf::Equilibrium && !(ratio > 0.0)) continue;
+    const std::string oil = at(films.lubricant, films.temperature[j],
+                               fmt::format("the inlet of the {} race", kRace[j]));
+    if (glass(films.viscosity[j]))
+      refuse("kTrac", oil +
+                          " is a glass (1e12 Pa s): it makes no film, and nothing is known of its "
+                          "traction");
+    if (ratio > kNoFilmAnyMore) {
+      const std::string why = fmt::format(
+          "{} is so thick ({:.3g} Pa s) that its film would be {:.2g} of the radius of the bodies "
+          "that it parts: formulas of films, and the contacts themselves, end far below",
+          oil, films.viscosity[j], ratio);
+      if (use != FilmsOf::ThermalSteps) refuse("kTrac", why);
+      out.push_back(why +
+                    ". Until thermal steps have warmed it nothing that hangs on this oil can be "
+                    "trusted, and they take their heat from it: begin nearer to the temperatures "
+                    "that you expect (record 9.1.3)");
+    } else if (ratio > kThickFilm)
       out.push_back(fmt::format(
-          "{}, makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "
+          "{} makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "
           "films are known up to some 0.001: films, lambda, friction and heat are rough there",
           oil, ratio));
     else if (films.viscosity[j] > kThickOil)
-      out.push_back(fmt::format(
-          "{}, has {:.3g} Pa s by its law, beyond what is measured (some {:g} Pa s): films, "
-          "friction and heat are extrapolations",
-          oil, films.viscosity[j], kThickOil));
+      out.push_back(oil + beyond_measured(films.viscosity[j]));
   }
   return out;
+}
+
+std::string flow_doubt(const std::string& flag, const std::string& oil, double temperature,
+                       double viscosity, const std::string& place) {
+  const std::string text = at(oil, temperature, place);
+  if (glass(viscosity)) refuse(flag, text + " is a glass (1e12 Pa s) and does not flow");
+  return viscosity > kThickOil ? text + beyond_measured(viscosity) : std::string();
 }
 
 }  // namespace adore::statics

@@ -5,21 +5,36 @@
 #include <string>
 #include <vector>
 
-/// What of a solution's films is beyond what their formulas and laws know.
+/// What of a bearing's oil is beyond what the formulas of films and the laws of viscosity know.
 ///
 /// Hertz's ellipse and the regressions of film_thickness.hpp hold for films that are thin beside
 /// the bodies: h/R is some 1e-4 in bearings, and the regressions were fitted up to 1e-3. A film of
 /// a tenth of the radius is no film. A liquid of 1e12 Pa s is a glass (viscosity/glass.hpp), and
 /// laws of viscosity over temperature are measured up to some 1e3 Pa s. [choice]
-/// Decision 681.
+/// Decisions 681 and 690.
 namespace adore::statics {
 
 inline constexpr double kThickFilm = 3e-3, kNoFilmAnyMore = 0.1;  ///< h/R
 inline constexpr double kThickOil = 1e3;                          ///< [Pa s]
 
-/// Sentences to warn of; empty: nothing to doubt.
-/// @throws SolverError where the oil is a glass, or a film no film: nothing that hangs on it could
-/// be trusted
-[[nodiscard]] std::vector<std::string> film_doubts(const LubricantFilms& films);
+/// What films of these temperatures are for.
+enum class FilmsOf : unsigned char {
+  Equilibrium,  ///< mode -1: a race that has no film asks nothing of its oil
+  Motion,       ///< a race at rest turns later
+  ThermalSteps  ///< a motion whose temperatures are iterates: films that are too thick may thin
+};
+
+/// Sentences to warn of; empty: nothing to doubt. Where no oil reaches the contacts (meniscus 0)
+/// there is none.
+/// @throws DeckFault (kTrac) where the oil is a glass, or a film no film (but for thermal steps):
+/// nothing that hangs on it could be trusted. In a glass not even the energy of a motion closes.
+[[nodiscard]] std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use);
+
+/// The same of oil that only flows, such as that between cage and elements; empty: nothing.
+/// @param flag the variable of the deck that switches its effect
+/// @param place what stands behind "Mobil Jet Oil at 95 K, "
+[[nodiscard]] std::string flow_doubt(const std::string& flag, const std::string& oil,
+                                     double temperature, double viscosity,
+                                     const std::string& place);
 
 }  // namespace adore::statics

@@ -144,7 +144,8 @@ class Oil {
   /// Power of the oil in the inlet; of lines over their length.
   [[nodiscard]] double rolling(std::size_t j, const tribology::FilmContact& contact,
                                double length) const {
-    if (!oil_ || !(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
+    if (!oil_ || !(bearing_.lubrication->meniscus > 0.0)) return 0.0;
+    if (!(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
     tribology::ContactPoint<double> point;
     point.load = contact.load;
     point.peak_pressure = contact.peak_pressure;

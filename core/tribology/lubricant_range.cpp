@@ -44,8 +44,9 @@ const PressureRange& pressure_range(int code) {
 std::string beyond_range(const PressureRange& range, double pressure) {
   if (!range.measured_to) return "to which pressure it was measured is not known";
   if (pressure <= *range.measured_to) return {};
-  return fmt::format("beyond {:g} GPa, where its measurements end, extrapolated",
-                     1e-9 * *range.measured_to);
+  return fmt::format("beyond {:g} GPa, where its measurements end{}, extrapolated",
+                     1e-9 * *range.measured_to,
+                     range.provenance == "seen" ? "" : " (recalled, not read)");
 }
 
 }  // namespace adore::tribology

@@ -1,3 +1,4 @@
+#include "adrinput/deck_window.hpp"
 #include "adrinput/lubricant_panel.hpp"
 #include "calculators/deck_lubricant.hpp"
 #include "deck/templates.hpp"
@@ -7,10 +8,12 @@
 #include "tribology/lubricant.hpp"
 #include "tribology/lubricant_range.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QTest>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -134,4 +137,28 @@ TEST_CASE("the lubricant of records 10.4 has the charts of a table's one, or say
   panel.drawNow();
   CHECK(panel.chart().chartScene().page().panels.empty());
   CHECK_THAT(panel.chart().chartScene().page().note, Catch::Contains("refTracVis"));
+}
+
+TEST_CASE("adrinput: a window of 1000 pixels holds the lubricant's dock and the drawing's",
+          "[gui][film]") {
+  test::use_qt();
+  adrinput::DeckWindow window;
+  window.resize(1000, 690);
+  window.show();
+  auto* dock = window.findChild<QDockWidget*>("lubricant-dock");
+  REQUIRE(dock != nullptr);
+  dock->toggleViewAction()->trigger();
+  QTest::qWait(50);
+  CHECK(dock->isVisible());
+  CHECK(window.minimumSizeHint().width() <= 1000);
+  CHECK(window.width() == 1000);
+  CHECK(window.height() == 690);
+  // Where there is room all of it is seen.
+  window.resize(1280, 800);
+  dock->toggleViewAction()->trigger();
+  dock->toggleViewAction()->trigger();
+  QTest::qWait(50);
+  const auto* panel = window.findChild<adrinput::LubricantPanel*>();
+  CHECK(panel->visibleRegion().boundingRect().width() >= panel->minimumSizeHint().width());
+  CHECK(panel->visibleRegion().boundingRect().height() >= panel->minimumSizeHint().height());
 }

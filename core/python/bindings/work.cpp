@@ -239,7 +239,8 @@ void bind_work(py::module_& module) {
       [](const std::string& text, const std::string& name, const Options& options,
          const py::object& user) {
         const facade::DeckRequest request = deck_request(text, name, options, user);
-        return interruptible([&](const std::stop_token&) { return facade::check(request).issues; });
+        return interruptible(
+            [&](const std::stop_token& stop) { return facade::check(request, stop).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
       "Everything that is to be said of a deck's text, and of it with routines of the user.");

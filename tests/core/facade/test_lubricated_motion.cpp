@@ -192,7 +192,7 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
           const std::string fault = fault_of(oiled(code, sets, type), folder / name);
           CHECK(fault == "");
           ++ran;
-        } catch (const SolverError& error) {  // too cold for this oil (statics/film_doubts.hpp)
+        } catch (const InputError& error) {  // too cold for this oil (statics/film_doubts.hpp)
           const std::string why = error.what();
           INFO(why);
           CHECK((why.find("is a glass") != std::string::npos ||
