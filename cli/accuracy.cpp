@@ -144,7 +144,7 @@ int run(const Options& options) {
       request,
       [&](const facade::AccuracyRow& row, const facade::AccuracyStudy& so_far) {
         report(row, so_far);
-        write(so_far);
+        write(facade::joined(so_far, earlier));
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)
