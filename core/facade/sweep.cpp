@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
 #include "facade/output_folder.hpp"
+#include "facade/results_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "results/run_json.hpp"
 
@@ -172,8 +173,8 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   const std::string variable = request.sets[swept].first;
   const Range range = parse_range(variable, request.sets[swept].second);
-  const std::filesystem::path folder = output_folder(request, deck_path(request));
-
+  const ResultsFolder made(output_folder(request, deck_path(request)));
+  const std::filesystem::path& folder = made.path();
   const FolderLock lock(folder);
   const auto count = static_cast<std::size_t>(range.count);
   SweepOutcome out;
