@@ -11,6 +11,7 @@
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "deck/keep_text.hpp"
+#include "facade/results_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -117,12 +118,9 @@ int run(const Options& options) {
   request.turns = options.turns;
   request.budget = options.budget;
   request.target = parse_percentage("--accuracy", options.accuracy);
-  const std::filesystem::path folder(options.out);
+  const facade::ResultsFolder made(options.out);
+  const std::filesystem::path& folder = made.path();
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error))
-    throw InputError(
-        fmt::format("--out {}: this folder cannot be made; name another one", folder.string()));
   const std::filesystem::path json = folder / "ACCURACY.json";
   facade::AccuracyStudy earlier;
   if (options.go_on) {
@@ -144,7 +142,7 @@ int run(const Options& options) {
       request,
       [&](const facade::AccuracyRow& row, const facade::AccuracyStudy& so_far) {
         report(row, so_far);
-        write(so_far);
+        write(facade::joined(so_far, earlier));
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)

@@ -25,6 +25,7 @@ bool all_moderate(const double* angle, int n) noexcept {
 
 ADORE_CLONES
 void reduced(const double* angle, int n, double* sine, double* cosine) noexcept {
+#pragma GCC ivdep  // sines and cosines are not the angles
   for (int i = 0; i < n; ++i) {
     const double k = (angle[i] * kTwoOverPi + kToInteger) - kToInteger;
     const double r = ((angle[i] - k * kFirst) - k * kSecond) - k * kThird;
@@ -38,26 +39,26 @@ void reduced(const double* angle, int n, double* sine, double* cosine) noexcept 
         r + r * z *
                 (-1.0 / 6.0 +
                  z * (1.0 / 120.0 +
-                      z * (-1.0 / 5040.0 +
-                           z * (1.0 / 362880.0 +
-                                z * (-1.0 / 39916800.0 +
-                                     z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0 +
-                                                                    z / 355687428096000.0)))))));
+                      z * (-1.0 / 5040.0 + z * (1.0 / 362880.0 +
+                                                z * (-1.0 / 39916800.0 +
+                                                     z * (1.0 / 6227020800.0 +
+                                                          z * (-1.0 / 1307674368000.0 +
+                                                               z * (1.0 / 355687428096000.0))))))));
     const double c =
         1.0 -
         (0.5 * z -
          z * z *
              (1.0 / 24.0 +
               z * (-1.0 / 720.0 +
-                   z * (1.0 / 40320.0 +
-                        z * (-1.0 / 3628800.0 +
-                             z * (1.0 / 479001600.0 +
-                                  z * (-1.0 / 87178291200.0 +
-                                       z * (1.0 / 20922789888000.0 - z / 6402373705728000.0))))))));
+                   z * (1.0 / 40320.0 + z * (-1.0 / 3628800.0 +
+                                             z * (1.0 / 479001600.0 +
+                                                  z * (-1.0 / 87178291200.0 +
+                                                       z * (1.0 / 20922789888000.0 -
+                                                            z * (1.0 / 6402373705728000.0)))))))));
     const double sign = 1.0 - 2.0 * turned;
-    const bool exchange = odd > 0.5;
-    sine[i] = sign * (exchange ? c : s);
-    cosine[i] = sign * (exchange ? -s : c);
+    const double even = 1.0 - odd;
+    sine[i] = sign * (even * s + odd * c);  // one of both: a choice would be a branch with AVX2
+    cosine[i] = sign * (even * c - odd * s);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -32,8 +33,8 @@ constexpr std::size_t kFinalists = 8;                  ///< beside the deck's ow
 constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
 constexpr double kNearby = 1e-6;  ///< change of the loads that tells whether a motion is irregular
-constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
-constexpr int kRules = 2;  ///< of comparing; rows of a study by other ones are not taken over
+constexpr std::size_t kNearbyMethods = 2, kNearbyRuns = 3;  ///< that tell it
+constexpr int kRules = 3;  ///< of comparing; rows of a study by other ones are not taken over
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double difference(double a, double b, double scale) {
@@ -110,6 +111,7 @@ class Study {
 
   AccuracyStudy run() {
     set_up();
+    if (goes_on_ && earlier_.complete) return earlier_;
     try {
       first_round();
       second_round();
@@ -118,7 +120,7 @@ class Study {
       repeat_those_that_count();
       study_.complete = true;
     } catch (const Interrupted&) {
-      study_.complete = false;
+      study_ = joined(study_, earlier_);
     }
     study_.recommended = choose();
     return std::move(study_);
@@ -157,7 +159,8 @@ class Study {
       study_.digest += fmt::format("-{:g}", tolerance);
     settings_ = settings_of(prepared, request_.methods, request_.tolerances);
     models_ = models_of(prepared);
-    if (study_.digest == earlier_.digest) spend_unlisted(earlier_.unlisted_seconds);
+    goes_on_ = study_.digest == earlier_.digest;
+    if (goes_on_) study_.twins = earlier_.twins;
     stp_max_ = prepared.control.step_maximum;
     deck_ = prepared.input.deck;
   }
@@ -165,7 +168,7 @@ class Study {
   /// The row of an earlier study of the same deck and span; nullptr: none.
   [[nodiscard]] const AccuracyRow* known(const std::vector<AccuracyRow>& rows,
                                          const AccuracySetting& setting, double turns) const {
-    if (study_.digest != earlier_.digest) return nullptr;
+    if (!goes_on_) return nullptr;
     for (const AccuracyRow& row : rows)
       if (row.setting.name == setting.name && row.turns == turns) return &row;
     return nullptr;
@@ -200,12 +203,11 @@ class Study {
 
   /// @throws SolverError, ReferenceCut when one of both takes more than most_seconds
   AccuracyReference references(double turns, const AccuracyReference& known, double most_seconds) {
-    if (study_.digest == earlier_.digest && !known.results.empty()) {
+    if (goes_on_ && !known.results.empty()) {
       study_.reference = earlier_.reference;
       study_.seconds += known.seconds;
       return known;
     }
-    double spent = 0.0;
     const auto reference = [&](const char* method, double tolerance) {
       AccuracySetting setting;
       setting.method = method;
@@ -213,11 +215,8 @@ class Study {
       // Its steps may be shorter than the deck allows, not longer.
       setting.sets = {{"stpMin", fmt::format("{:.3g}", 1e-6 * std::min(1.0, stp_max_))}};
       Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
-      if (out.cut_at > 0.0) {
-        spend_unlisted(spent + out.row.seconds);
-        throw ReferenceCut{out.cut_at / subject_.turn};
-      }
-      spent += out.row.seconds;
+      spend_unlisted(out.row.seconds);  // until both have come to their end
+      if (out.cut_at > 0.0) throw ReferenceCut{out.cut_at / subject_.turn};
       if (!out.good())
         throw SolverError(fmt::format("no reference solution: {} at {:.0e}: {}", method, tolerance,
                                       out.row.failure));
@@ -230,7 +229,7 @@ class Study {
     const Trial check = reference("rkf5", 10.0 * tight);
     AccuracyReference out{best.results, compare_results(check.results, best.results),
                           best.row.seconds + check.row.seconds};
-    study_.seconds += spent;
+    study_.unlisted_seconds -= out.seconds;
     study_.reference =
         fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
     return out;
@@ -246,7 +245,7 @@ class Study {
   }
 
   void first_round() {
-    const auto same = study_.digest == earlier_.digest && earlier_.short_turns > 0.0;
+    const auto same = goes_on_ && earlier_.short_turns > 0.0;
     // Two short runs of the deck's own settings tell what a turn and what the start cost; one
     // before them finds programs and files in no cache.
     const double few = 0.02, more = 0.2;
@@ -268,6 +267,10 @@ class Study {
     for (const AccuracySetting& setting : settings_) {
       const std::string group = setting.method + (setting.as_long_as_stable ? "+" : "-");
       if (group == settled && !setting.own) continue;
+      if (std::find(study_.twins.begin(), study_.twins.end(), setting.name) != study_.twins.end()) {
+        settled = group;
+        continue;
+      }
       const double room = left() - (1.0 - kShortMost) * request_.budget;
       if (room < start_cost_ && !setting.own &&
           known(earlier_.screening, setting, study_.short_turns) == nullptr) {
@@ -279,7 +282,12 @@ class Study {
       // So does a method that is refused, and one whose steps its stability bounds in any case.
       const bool twin = has_twin(row.row);
       if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
-      if (!twin) add(study_.screening, row, study_.short_reference.results);
+      if (twin) {
+        study_.twins.push_back(setting.name);
+        study_.unlisted_seconds += row.row.seconds;
+      } else {
+        add(study_.screening, row, study_.short_reference.results);
+      }
     }
     judge_rows(study_.screening, study_.short_reference.noise, study_.target);
   }
@@ -298,7 +306,7 @@ class Study {
 
   double try_seconds(double turns) {
     const Trial own = try_setting(subject_, own_setting(settings_), turns, kUnlimited, stop_);
-    study_.seconds += own.row.seconds;
+    spend_unlisted(own.row.seconds);
     if (!own.good() && own.row.seconds == 0.0)
       throw InputError(own.row.failure);  // refused before it began
     return own.row.seconds;
@@ -348,18 +356,24 @@ class Study {
   }
 
   void second_round() {
+    // What was spent before without a row was spent in this round, but for a few short runs.
+    if (goes_on_) spend_unlisted(earlier_.unlisted_seconds);
     const std::vector<AccuracySetting> chosen = finalists();
-    const double rows = static_cast<double>(chosen.size());
-    double turn_of_all = reference_cost_;
-    for (const AccuracySetting& setting : chosen) turn_of_all += cost_of(setting);
+    std::vector<double> costs;
+    for (const AccuracySetting& setting : chosen) costs.push_back(cost_of(setting));
+    double turn_of_all = std::accumulate(costs.begin(), costs.end(), reference_cost_);
+    // Loads a millionth beside are run with the cheapest that will do.
+    std::sort(costs.begin(), costs.end());
+    costs.resize(std::min(costs.size(), kNearbyMethods));
+    for (const double cost : costs) turn_of_all += kNearbyRuns * cost;
+    const double runs = static_cast<double>(chosen.size() + 2 + kNearbyRuns * costs.size());
     const double affordable =
-        (kLongShare * (left() - kept_for_models()) - (rows + 2.0) * start_cost_) / turn_of_all;
+        (kLongShare * (left() - kept_for_models()) - runs * start_cost_) / turn_of_all;
     double turns = std::min(request_.turns, affordable);
     // Means over whole turns; where not even one can be afforded, over what can be.
     turns = turns >= 1.0 ? std::floor(turns) : turns;
     study_.long_turns = std::max(turns, study_.short_turns);
-    if (study_.digest == earlier_.digest && earlier_.long_turns > 0.0)
-      study_.long_turns = earlier_.long_turns;
+    if (goes_on_ && earlier_.long_turns > 0.0) study_.long_turns = earlier_.long_turns;
     long_references();
     for (const AccuracySetting& setting : chosen) {
       if (left() < start_cost_ && !study_.finals.empty() &&
@@ -393,33 +407,60 @@ class Study {
 
   /// What a millionth of the loads changes, more and less: a motion that is regular changes by as
   /// little. With the cheapest settings of the second round that keep to what the references know,
-  /// else with the most accurate ones: errors of their own are to play no part.
+  /// else with the most accurate ones, and with those of a second method that are the next best.
   void measure_irregularity() {
-    if (study_.digest == earlier_.digest && earlier_.irregular.speed >= 0.0) {
+    if (goes_on_ && earlier_.irregular.speed >= 0.0) {
       study_.irregular = earlier_.irregular;
+      study_.irregular_by = earlier_.irregular_by;
       return;
     }
-    const AccuracyRow* row = nullptr;
+    if (nearby_loads(deck_, 1.0).empty()) return;
+    std::vector<NearbyRuns> methods;
+    std::vector<std::string> used;
+    std::string by;
+    while (methods.size() < kNearbyMethods) {
+      const AccuracyRow* row = best_for_nearby_runs(used);
+      if (row == nullptr) break;
+      used.push_back(row->setting.method);
+      NearbyRuns runs = nearby_runs(*row);
+      if (runs.size() < kNearbyRuns) continue;
+      methods.push_back(std::move(runs));
+      by += (by.empty() ? "" : "; ") + row->setting.name;
+    }
+    study_.irregular = noise_of(methods);
+    study_.irregular_by = by;
+  }
+
+  /// Of another method than those used; nullptr: none has time left.
+  [[nodiscard]] const AccuracyRow* best_for_nearby_runs(
+      const std::vector<std::string>& used) const {
+    const AccuracyRow* out = nullptr;
+    const AccuracyErrors noise = study_.noise();
     const auto rank = [&](const AccuracyRow& one) {
-      const double over = over_limits(one.errors, study_.noise(), study_.target);
+      const double over = over_limits(one.errors, noise, study_.target);
       return std::pair(over > 1.0, over > 1.0 ? over : one.seconds);
     };
-    for (const AccuracyRow& other : study_.finals)
-      if (other.failure.empty() && !(other.energy_share > results::kMovedWarning) &&
-          left() > 3.0 * other.seconds && (row == nullptr || rank(other) < rank(*row)))
-        row = &other;
-    if (row == nullptr || nearby_loads(deck_, 1.0).empty()) return;
-    const auto run = [&](double change) {
+    for (const AccuracyRow& row : study_.finals) {
+      const bool tried = std::find(used.begin(), used.end(), row.setting.method) != used.end();
+      if (!tried && row.failure.empty() && !(row.energy_share > results::kMovedWarning) &&
+          left() > kNearbyRuns * row.seconds && (out == nullptr || rank(row) < rank(*out)))
+        out = &row;
+    }
+    return out;
+  }
+
+  /// Under the loads as they are, a millionth more and less; fewer where one fails.
+  NearbyRuns nearby_runs(const AccuracyRow& row) {
+    NearbyRuns out;
+    for (const double change : {0.0, kNearby, -kNearby}) {
       Subject subject = subject_;
       for (auto& load : nearby_loads(deck_, change)) subject.request.changes.push_back(load);
-      Trial out = try_setting(subject, row->setting, row->turns, kUnlimited, stop_);
-      spend_unlisted(out.row.seconds);
-      return out;
-    };
-    const Trial base = run(0.0), more = run(kNearby), less = run(-kNearby);
-    if (base.good() && more.good() && less.good())
-      study_.irregular = larger(compare_results(more.results, base.results),
-                                compare_results(less.results, base.results));
+      Trial one = try_setting(subject, row.setting, row.turns, kUnlimited, stop_);
+      spend_unlisted(one.row.seconds);
+      if (!one.good()) break;
+      out.push_back(std::move(one.results));
+    }
+    return out;
   }
 
   /// What other resolutions of the model would change against the deck's own run.
@@ -431,7 +472,7 @@ class Study {
     }
     const AccuracySetting own = own_setting(settings_);
     const Trial base = try_setting(subject_, own, study_.short_turns, kUnlimited, stop_);
-    study_.seconds += base.row.seconds;
+    spend_unlisted(base.row.seconds);
     if (!base.good()) return;
     for (AccuracySetting setting : models_) {
       setting.method = own.method;
@@ -443,7 +484,7 @@ class Study {
       if (setting.dear) {
         const double turns = std::min(study_.short_turns, kDearTurns);
         const Trial beside = try_setting(subject_, own, turns, kUnlimited, stop_);
-        study_.seconds += beside.row.seconds;
+        spend_unlisted(beside.row.seconds);
         if (!beside.good()) continue;
         Trial row =
             trial(earlier_.models, setting, turns, std::min(kDearShare * request_.budget, left()));
@@ -510,7 +551,8 @@ class Study {
   double stp_max_ = 0.0;
   deck::Deck deck_;
   double turn_cost_ = 0.0, start_cost_ = 0.0, reference_cost_ = 0.0;  ///< [s/turn, s, s/turn]
-  bool known_ = false;  ///< the last trial was taken from the earlier study
+  bool goes_on_ = false;  ///< the earlier study is of the same request
+  bool known_ = false;    ///< the last trial was taken from the earlier study
   AccuracyStudy study_;
 };
 
@@ -525,7 +567,7 @@ AccuracyErrors larger(const AccuracyErrors& a, const AccuracyErrors& b) {
 
 AccuracyErrors AccuracyStudy::limits() const {
   const AccuracyErrors n = noise();
-  const auto of = [&](double one) { return std::max(target, 1.5 * one); };
+  const auto of = [&](double one) { return std::max(target, kBeyondNoise * one); };
   return {of(n.speed), of(n.load), of(n.heat), of(n.life)};
 }
 
@@ -561,6 +603,36 @@ AccuracyErrors compare_results(const results::KeyResults& run,
   out.life = std::isfinite(life) && std::isfinite(of("run_life_hours")) ? relative("run_life_hours")
                                                                         : -1.0;
   return out;
+}
+
+AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier) {
+  if (study.complete || study.digest != earlier.digest) return study;
+  const auto add = [](std::vector<AccuracyRow>& rows, const std::vector<AccuracyRow>& more) {
+    for (const AccuracyRow& row : more)
+      if (std::none_of(rows.begin(), rows.end(), [&](const AccuracyRow& other) {
+            return other.setting.name == row.setting.name && other.turns == row.turns;
+          }))
+        rows.push_back(row);
+  };
+  add(study.screening, earlier.screening);
+  add(study.finals, earlier.finals);
+  add(study.models, earlier.models);
+  if (study.reference.empty()) study.reference = earlier.reference;
+  if (study.short_reference.results.empty() && earlier.short_turns > 0.0) {
+    study.short_turns = earlier.short_turns;
+    study.short_reference = earlier.short_reference;
+  }
+  if (study.long_reference.results.empty() && earlier.long_turns > 0.0) {
+    study.long_turns = earlier.long_turns;
+    study.long_reference = earlier.long_reference;
+  }
+  if (study.irregular.speed < 0.0) {
+    study.irregular = earlier.irregular;
+    study.irregular_by = earlier.irregular_by;
+  }
+  study.unlisted_seconds = std::max(study.unlisted_seconds, earlier.unlisted_seconds);
+  study.seconds = std::max(study.seconds, earlier.seconds);
+  return study;
 }
 
 AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink& row_done,

@@ -22,10 +22,11 @@
 ///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
 ///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
 ///   life   |Δ life| / life, by the loads of the run
-/// The error of a row is the largest of them. A second reference by another method, and runs under
-/// loads that differ by a millionth, say how far such means can be known at all: where a motion is
-/// irregular, such runs differ too. That is judged for each of the four by itself: a whirl that
-/// is irregular does not excuse an error of heat.
+/// The error of a row is the largest of them. A second reference by another method, and runs of two
+/// methods under loads that differ by a millionth, say how far such means can be known at all:
+/// where a motion is irregular, such runs differ too (accuracy_judgement.hpp: noise_of()). That is
+/// judged for each of the four by itself: a whirl that is irregular does not excuse an error of
+/// heat.
 ///
 /// Two rounds: all settings over a short span, then the deck's own and those that may win over as
 /// many turns as the budget allows. The study ends within the budget: rows are cut or left out
@@ -101,11 +102,14 @@ struct AccuracyStudy {
   AccuracyReference short_reference, long_reference;
   /// What a millionth of the loads changes over the second span; negative: not measured.
   AccuracyErrors irregular{-1.0, -1.0, -1.0, -1.0};
+  std::string irregular_by;        ///< the settings by which that was measured
+  std::vector<std::string> twins;  ///< settings whose steps are those of another row, not listed
   double target = 0.0;
   std::vector<AccuracyRow> screening, finals, models;
   int recommended = -1;  ///< among finals; negative: none keeps to the target
   double seconds = 0.0;  ///< processor time of the study, of the rows taken over, too
-  /// Of it in runs that leave no row: references that were cut, loads changed by a millionth.
+  /// Of it in runs that leave no row: short ones that tell what a turn costs, references that were
+  /// cut, loads changed by a millionth, twins.
   double unlisted_seconds = 0.0;
   int untried = 0;  ///< settings and models for which the budget left no time
   bool complete = false;
@@ -113,7 +117,7 @@ struct AccuracyStudy {
   /// How far means over the second span can be known: the larger of what two accurate runs differ
   /// by and of `irregular`.
   [[nodiscard]] AccuracyErrors noise() const { return larger(long_reference.noise, irregular); }
-  /// Errors up to which a row may be recommended: each the target, or 1.5 times its noise.
+  /// Errors up to which a row may be recommended: each the target, or kBeyondNoise times its noise.
   [[nodiscard]] AccuracyErrors limits() const;
   [[nodiscard]] bool keeps(const AccuracyErrors& errors) const;
 };
@@ -121,11 +125,16 @@ struct AccuracyStudy {
 /// A row that is done, in its round.
 using AccuracySink = std::function<void(const AccuracyRow&, const AccuracyStudy&)>;
 
-/// @param earlier a study that was broken off: rows of the same request are taken from it
+/// @param earlier a study that was broken off: rows of the same request are taken from it; one of
+/// the same request that is complete comes back as it is
 /// @throws InputError (quasi-static deck, unknown method), SolverError when no reference can be
 /// computed. An interrupted study comes back as far as it got, `complete` false.
 AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink& row_done = {},
                              std::stop_token stop = {}, const AccuracyStudy& earlier = {});
+
+/// A study on its way, with what the earlier one had beyond it: what is written meanwhile loses
+/// nothing of it, whenever the program ends.
+[[nodiscard]] AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier);
 
 /// One sentence: which settings this deck wants, and what they reach.
 [[nodiscard]] std::string recommendation(const AccuracyStudy& study);

@@ -1,21 +1,20 @@
 #include "facade/accuracy_judgement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace adore::facade {
 namespace {
 
-constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
-constexpr double kBeyondNoise = 1.5;
 constexpr double kFarOff = 5.0;  ///< times the limits: first rounds are short, and tell as much
 
 }  // namespace
 
 AccuracyErrors standing_out(const AccuracyErrors& errors, const AccuracyErrors& noise) {
   const auto of = [](double error, double known) {
-    return error > kBeyondNoise * known ? error : 0.0;
+    return error > kBeyondNoise * std::max(known, 0.0) ? error : std::min(error, 0.0);
   };
   return {of(errors.speed, noise.speed), of(errors.load, noise.load), of(errors.heat, noise.heat),
           of(errors.life, noise.life)};
@@ -29,6 +28,26 @@ double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise, do
         std::pair(out.heat, noise.heat), std::pair(out.life, noise.life)})
     worst = std::max(worst, error / std::max(target, kBeyondNoise * known));
   return worst;
+}
+
+AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods) {
+  constexpr std::array<double, 2> kStudent{4.303, 2.776};  // two-sided 95 %; 2 and 4 degrees
+  if (methods.empty()) return {-1.0, -1.0, -1.0, -1.0};
+  const double factor = kStudent.at(std::min(methods.size(), kStudent.size()) - 1) / kBeyondNoise;
+  const auto of = [&](double AccuracyErrors::*quantity) {
+    double sum = 0.0;
+    int pairs = 0;
+    for (const NearbyRuns& runs : methods)
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j, ++pairs) {
+          const double d = compare_results(runs[i], runs[j]).*quantity;
+          if (d < 0.0) return -1.0;
+          sum += d * d;
+        }
+    return pairs > 0 ? factor * std::sqrt(sum / pairs) : -1.0;
+  };
+  return {of(&AccuracyErrors::speed), of(&AccuracyErrors::load), of(&AccuracyErrors::heat),
+          of(&AccuracyErrors::life)};
 }
 
 void judge_rows(std::vector<AccuracyRow>& rows, const AccuracyErrors& noise, double target) {

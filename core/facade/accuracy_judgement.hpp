@@ -9,15 +9,30 @@
 /// target: each quantity by what can be known of it.
 namespace adore::facade {
 
-/// Errors that stand out of 1.5 times the noise of their own quantity; others are 0: over this
-/// span nobody can tell whether a row has them.
+constexpr double kBeyondNoise = 1.5;  ///< times what is known of a quantity: an error stands out
+constexpr double kAtLongest = 0.98;   ///< mean step over longest: it never took another
+
+/// Errors that stand out of `kBeyondNoise` times the noise of their own quantity; others are 0:
+/// over this span nobody can tell whether a row has them. What was not computed stays negative.
 [[nodiscard]] AccuracyErrors standing_out(const AccuracyErrors& errors,
                                           const AccuracyErrors& noise);
 
-/// The largest of them over its limit, the larger of `target` and 1.5 times its noise: up to 1 a
-/// row keeps to the target, of two rows the one with less is the better.
+/// The largest of them over its limit, the larger of `target` and `kBeyondNoise` times its noise:
+/// up to 1 a row keeps to the target, of two rows the one with less is the better.
 [[nodiscard]] double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise,
                                  double target);
+
+/// Runs of one method from starts that differ by next to nothing.
+using NearbyRuns = std::vector<results::KeyResults>;
+
+/// Noise of means as such runs tell it, of one method or of two with three runs each: the root mean
+/// square of the differences of two runs of one method, times Student's t for 95 % of so few runs
+/// (4.30 with 2 degrees of freedom, 2.78 with 4) over kBeyondNoise. A run of another method then
+/// differs by more than kBeyondNoise times that in one case of twenty only, unless the method is
+/// off. Errors of a method do not count, since its runs all have them; one method alone may cross
+/// a sudden motion (a cage that passes its axis) alike in all of its runs.
+/// Negative where it was not computed.
+[[nodiscard]] AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods);
 
 /// Front (no row of the round is cheaper and as good) and observed order of the rows of one round.
 void judge_rows(std::vector<AccuracyRow>& rows, const AccuracyErrors& noise, double target);

@@ -1,4 +1,5 @@
 #include "base/json_text.hpp"
+#include "facade/accuracy_judgement.hpp"
 #include "facade/verify.hpp"
 #include "integrators/stepper.hpp"
 #include "results/energy_judgement.hpp"
@@ -43,7 +44,7 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
                        short_percent(row.errors.load), short_percent(row.errors.heat),
                        short_percent(row.errors.life), static_cast<double>(row.steps) / row.turns,
                        row.order > 0.0 ? fmt::format("{:.1f}", row.order) : "-", row.energy_share,
-                       row.at_longest > 0.98 ? "  at its longest step" : "",
+                       row.at_longest > kAtLongest ? "  at its longest step" : "",
                        row.setting.own ? "  (as the deck asks)" : "");
   }
   return out;
@@ -210,7 +211,7 @@ std::string recommendation(const AccuracyStudy& study) {
         "two accurate runs differ by {}{}",
         percent(study.long_reference.noise.largest()),
         study.irregular.largest() > 0.0
-            ? fmt::format(", runs whose loads differ by a millionth by {}",
+            ? fmt::format(", runs whose loads differ by a millionth by up to {}",
                           percent(study.irregular.largest()))
             : std::string());
   return out + ".";
@@ -255,8 +256,9 @@ std::string accuracy_table(const AccuracyStudy& study) {
     out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}. {}\n", study.asked,
                        study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
-    out += fmt::format("A millionth of the loads changes these means by {} ({}).\n",
-                       percent(study.irregular.largest()), errors_text(study.irregular));
+    out += fmt::format("A millionth of the loads changes these means by up to {} ({}; {}).\n",
+                       percent(study.irregular.largest()), errors_text(study.irregular),
+                       study.irregular_by);
   else if (!study.finals.empty() && study.irregular.speed < 0.0)
     out +=
         "What a millionth of the loads changes was not measured (no loads, no time left, or a run "
@@ -321,6 +323,8 @@ std::string accuracy_json(const AccuracyStudy& study) {
            {"short_reference", json_of(study.short_reference)},
            {"long_reference", json_of(study.long_reference)},
            {"irregular", json_of(study.irregular)},
+           {"irregular_by", study.irregular_by},
+           {"twins", study.twins},
            {"seconds", study.seconds},
            {"unlisted_seconds", study.unlisted_seconds},
            {"untried", study.untried},
@@ -352,6 +356,8 @@ AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
     out.short_reference = reference_of(json.at("short_reference"));
     out.long_reference = reference_of(json.at("long_reference"));
     if (json.contains("irregular")) out.irregular = errors_of(json.at("irregular"));
+    out.irregular_by = json.value("irregular_by", "");
+    out.twins = json.value("twins", std::vector<std::string>());
     out.seconds = json.at("seconds").get<double>();
     out.unlisted_seconds = json.value("unlisted_seconds", 0.0);
     out.untried = json.value("untried", 0);

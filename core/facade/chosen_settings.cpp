@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
+#include "facade/accuracy_judgement.hpp"
 #include "facade/prepare.hpp"
 #include "facade/verify.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 constexpr double kForSteps = 0.75;  ///< of the target
 constexpr double kStudyTurns = 5.0, kStudySeconds = 20.0;
 constexpr double kMostTurns = 1.0, kLeastTurns = 0.02, kSeconds = 10.0;  ///< of all resolutions
-constexpr double kNoiseMargin = 1.5;
 
 /// From the cheapest on; the last one is what the others are compared with. Across the contact two
 /// nodes do, four where a film follows the pressure (decisions 390, 414, 328).
@@ -78,14 +78,6 @@ std::vector<ResolutionRow> resolutions(const Prepared& prepared) {
   for (ResolutionRow& row : out)
     row.usual = row.name == nodes_row(usual.ellipse_major, usual.ellipse_minor).name;
   return out;
-}
-
-AccuracyErrors beyond(const AccuracyErrors& errors, const AccuracyErrors& noise) {
-  const auto one = [](double error, double of_noise) {
-    return error > kNoiseMargin * std::max(of_noise, 0.0) ? error : std::min(error, 0.0);
-  };
-  return {one(errors.speed, noise.speed), one(errors.load, noise.load),
-          one(errors.heat, noise.heat), one(errors.life, noise.life)};
 }
 
 class Choice {
@@ -192,7 +184,7 @@ class Choice {
       const auto results = results_of(run_of(row), row);
       if (results) {
         const AccuracyErrors errors = compare_results(*results, *is);
-        row.told = beyond(errors, out_.noise);
+        row.told = standing_out(errors, out_.noise);
         row.hidden = errors.speed > row.told.speed || errors.load > row.told.load ||
                      errors.heat > row.told.heat || errors.life > row.told.life;
       }

@@ -159,6 +159,14 @@ FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : pat
     return;  // a full disk: the lock holds all the same
 }
 
+bool FolderLock::is_free(const fs::path& lock) noexcept {
+  const int descriptor = ::open(lock.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool free = is_lock(descriptor) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return free;
+}
+
 FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
   ::unlink(path_.c_str());

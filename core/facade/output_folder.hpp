@@ -23,6 +23,8 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
 
   static constexpr const char* kName = ".adore.lock";
+  /// Is the file a lock that no process holds? A file that is none is not free, either.
+  [[nodiscard]] static bool is_free(const std::filesystem::path& lock) noexcept;
 
  private:
   std::filesystem::path path_;

@@ -1,27 +1,65 @@
 #include "facade/passing_folder.hpp"
 
 #include "base/write_error.hpp"
+#include "facade/output_folder.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kStem = "adore-";
+constexpr std::size_t kUnique = 6;          ///< letters that mkdtemp gives
+constexpr std::chrono::minutes kQuiet{10};  ///< nobody is about to take a lock that is so old
+
+/// A folder of this user, named as ours are, that a process left which was killed.
+bool is_left(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  if (!name.starts_with(kStem) || name.size() != std::strlen(kStem) + kUnique) return false;
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+      status.st_uid != ::geteuid())
+    return false;
+  std::error_code error;
+  const fs::path lock = folder / FolderLock::kName;
+  const auto made = fs::last_write_time(lock, error);
+  return !error && fs::file_time_type::clock::now() - made > kQuiet && FolderLock::is_free(lock);
+}
+
+void remove_left_ones(const fs::path& place) {
+  std::error_code error;
+  for (fs::directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (is_left(at->path())) fs::remove_all(at->path(), ignored);
+  }
+}
+
+}  // namespace
 
 PassingFolder::PassingFolder() {
-  std::string pattern = (fs::temp_directory_path() / "adore-XXXXXX").string();
+  const fs::path place = fs::temp_directory_path();
+  [[maybe_unused]] static const bool cleaned = (remove_left_ones(place), true);
+  std::string pattern = (place / kStem).string() + std::string(kUnique, 'X');
   if (mkdtemp(pattern.data()) == nullptr)
-    throw WriteError("no folder for passing files can be made in " +
-                     fs::temp_directory_path().string() + ": " + std::strerror(errno) +
+    throw WriteError("no folder for passing files can be made in " + place.string() + ": " +
+                     std::strerror(errno) +
                      "; name another place in the environment variable TMPDIR");
-  path_ = pattern;
+  outer_ = pattern;
+  lock_ = std::make_unique<FolderLock>(outer_);
+  path_ = outer_ / "files";
+  fs::create_directory(path_);
 }
 
 PassingFolder::~PassingFolder() {
   std::error_code error;
-  fs::remove_all(path_, error);
+  fs::remove_all(outer_, error);
 }
 
 }  // namespace adore::facade

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 namespace adore::facade {
 
-/// A new folder for files that nobody wants to keep, gone with this object.
+class FolderLock;
+
+/// A new folder for files that nobody wants to keep, gone with this object. The first one of a
+/// process also removes those of this user that killed processes left: their lock is free
+/// (FolderLock), and nothing in them has been made for a while.
 class PassingFolder {
  public:
   /// In the folder that TMPDIR names, or /tmp. @throws WriteError when none can be made
@@ -15,7 +20,8 @@ class PassingFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path outer_, path_;  ///< with the lock; in it, for the files
+  std::unique_ptr<FolderLock> lock_;
 };
 
 }  // namespace adore::facade

@@ -6,6 +6,7 @@
 #include "facade/film_precision.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/progress_meter.hpp"
+#include "facade/results_folder.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/simulate.hpp"
 #include "facade/solver_stamp.hpp"
@@ -90,14 +91,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
 
 fs::path output_folder(const RunRequest& request, const fs::path& deck) {
   const fs::path folder = request.out ? *request.out : deck.parent_path();
-  if (folder.empty()) return ".";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw InputError(
-        fmt::format("cannot make the output folder {}: {}; name another one with --out",
-                    folder.string(), error ? error.message() : "a file of that name exists"));
-  return folder;
+  return folder.empty() ? fs::path(".") : folder;
 }
 
 std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
@@ -130,7 +124,8 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
   if (!remark.empty()) add_remark(prepared, Severity::Note, remark);
-  const fs::path folder = output_folder(request, prepared.input.path);
+  const ResultsFolder made(output_folder(request, prepared.input.path));
+  const fs::path& folder = made.path();
   const FolderLock lock(folder);
   RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
                                             : run_quasi_static(request, prepared, folder);

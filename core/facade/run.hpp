@@ -79,7 +79,7 @@ struct RunOutcome {
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 
-/// The folder that the request's files go into, made when missing. @throws InputError
+/// The folder that the request's files go into.
 std::filesystem::path output_folder(const RunRequest& request, const std::filesystem::path& deck);
 
 /// Says what is run, in a few digits: deck with its sets, options, end, method and program version.

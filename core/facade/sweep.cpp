@@ -4,6 +4,7 @@
 #include "base/json_text.hpp"
 #include "deck/lookup.hpp"
 #include "facade/output_folder.hpp"
+#include "facade/results_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "results/run_json.hpp"
 
@@ -178,8 +179,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     first.sets[swept].second = value_text(range.first);
     (void)load_deck(first);  // throws with names that are like it, before any file
   }
-  const std::filesystem::path folder = output_folder(request, deck_path(request));
-
+  const ResultsFolder made(output_folder(request, deck_path(request)));
+  const std::filesystem::path& folder = made.path();
+  const FolderLock lock(folder);
   const auto count = static_cast<std::size_t>(range.count);
   SweepOutcome out;
   out.table = folder / "SWEEP.csv";
@@ -191,7 +193,6 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     one.out = folder / fmt::format("{}-{}", variable, k + 1);
     return one;
   };
-  const FolderLock lock(folder);
   const bool keep = !request.overwrite && !request.go_on;
   check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});

@@ -27,14 +27,14 @@ struct WhatIfRow {
   std::string without;  ///< how it is left out: "effectsOff=gravity", "nCseg=0"
   std::string failure;  ///< why there is no run without it; empty: there is
   double seconds = 0.0;
-  double share = 0.0;   ///< of the processor time of the deck's own run, set-up included
+  double share = 0.0;   ///< of the deck's own run before and after it, set-up included
   WhatIfChange change;  ///< run without it minus run with it
 };
 
 struct WhatIf {
   double turns = 0.0;
   double seconds = 0.0;      ///< of the deck's own run
-  double time_spread = 0.0;  ///< of two such runs, over `seconds`
+  double time_spread = 0.0;  ///< largest of two such runs one after the other, over their mean
   WhatIfChange noise;        ///< between runs under loads that differ by a millionth
   results::KeyResults base;
   std::vector<WhatIfRow> rows;

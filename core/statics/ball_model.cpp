@@ -67,8 +67,8 @@ HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_
     log_K[k] = std::log(h.K / reference_.K);
     log_a[k] = std::log(h.a_hat / reference_.a_hat);
   }
-  log_K_ = chebyshev_coefficients(log_K);
-  log_a_ = chebyshev_coefficients(log_a);
+  log_K_ = with_slope(chebyshev_coefficients(log_K));
+  log_a_ = with_slope(chebyshev_coefficients(log_a));
 }
 
 contact::HertzConstants HertzSeries::at(double alpha) const {
@@ -76,26 +76,34 @@ contact::HertzConstants HertzSeries::at(double alpha) const {
                   : reference_;
 }
 
-HertzSeries::Value HertzSeries::evaluate(const std::vector<double>& coefficients,
-                                         double c) noexcept {
-  if (coefficients.empty()) {
+/// d/dx Σ c_k T_k = Σ d_k T_k with d_(k-1) = d_(k+1) + 2 k c_k, d_0 halved [mason2003].
+HertzSeries::Series HertzSeries::with_slope(const std::vector<double>& coefficients) {
+  const std::size_t n = coefficients.size();
+  Series out(n, Eigen::Array2d::Zero());
+  for (std::size_t k = n; k-- > 0;) {
+    out[k](0) = coefficients[k];
+    if (k > 0)
+      out[k - 1](1) =
+          (k + 1 < n ? out[k + 1](1) : 0.0) + 2.0 * static_cast<double>(k) * coefficients[k];
+  }
+  if (n > 0) out[0](1) *= 0.5;
+  return out;
+}
+
+HertzSeries::Value HertzSeries::evaluate(const Series& series, double c) noexcept {
+  if (series.empty()) {
     return {};
   }
-  double b1 = 0.0;
-  double b2 = 0.0;
-  double d1 = 0.0;  // derivative of b1
-  double d2 = 0.0;
+  Eigen::Array2d b1 = Eigen::Array2d::Zero(), b2 = Eigen::Array2d::Zero();
   // One product and one sum wait for the last value, the rest is done before.
   const double twice = 2.0 * c;
-  for (std::size_t k = coefficients.size() - 1; k > 0; --k) {
-    const double d = (2.0 * b1 - d2) + twice * d1;
-    d2 = d1;
-    d1 = d;
-    const double b = (coefficients[k] - b2) + twice * b1;
+  for (std::size_t k = series.size() - 1; k > 0; --k) {
+    const Eigen::Array2d b = (series[k] - b2) + twice * b1;
     b2 = b1;
     b1 = b;
   }
-  return {coefficients[0] + c * b1 - b2, b1 + c * d1 - d2};
+  const Eigen::Array2d sum = series[0] + c * b1 - b2;
+  return {sum(0), sum(1)};
 }
 
 SpinLaw first_spin_law(const bearing::Bearing& bearing, const StaticsOptions& options) {

@@ -6,6 +6,8 @@
 #include "contact/hertz.hpp"
 #include "statics/ball_statics.hpp"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <vector>
 
@@ -36,9 +38,12 @@ class HertzSeries {
   [[nodiscard]] contact::HertzConstants at(double alpha) const;
 
  private:
-  static Value evaluate(const std::vector<double>& coefficients, double c) noexcept;
+  /// Coefficients of a series and of its derivative, side by side: one sum of two lanes.
+  using Series = std::vector<Eigen::Array2d>;
+  static Value evaluate(const Series& series, double c) noexcept;
+  static Series with_slope(const std::vector<double>& coefficients);
 
-  std::vector<double> log_K_, log_a_;  ///< empty when nothing varies
+  Series log_K_, log_a_;  ///< empty when nothing varies
   contact::AngleLaw law_;
   contact::HertzConstants reference_;
   bearing::BallGeometry balls_;

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
+#include "statics/ball_springs.hpp"
 #include "statics/race_text.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -214,6 +215,10 @@ BallRace balls_at(const BallModel& model, const SpinLaw& law, const Vec5& q) {
   return state;
 }
 
+Vec5 cold_start(const BallModel& model, const RaceTask& task, const Vec5& given) {
+  return guess_by_springs(model, task, first_guess(model, task, given));
+}
+
 void fill_summary(const BallModel& m, StaticSolution& s) {
   double heaviest = -1.0;
   for (const StaticBall& ball : s.balls) {
@@ -246,13 +251,13 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   }
   const SpinLaw law = first_spin_law(bearing, options);
   BallRace state =
-      balls_at(model, law, options.warm_start ? given : first_guess(model, task, given));
+      balls_at(model, law, options.warm_start ? given : cold_start(model, task, given));
 
   StaticSolution solution;
   Staged staged = solve_in_stages(model, task, state, true);
   const Vec5 nothing_guessed = given_only(task, given);
   if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
-    state = balls_at(model, law, first_guess(model, task, nothing_guessed));
+    state = balls_at(model, law, cold_start(model, task, nothing_guessed));
     staged = solve_in_stages(model, task, state, true);
     solution.notes.push_back(
         "no equilibrium was found from the first guess of the displacement; this one was found "

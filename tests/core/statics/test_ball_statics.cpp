@@ -1,8 +1,12 @@
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
 #include "statics/ball_forces.hpp"
+#include "statics/ball_model.hpp"
+#include "statics/ball_race.hpp"
+#include "statics/ball_springs.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/kinematics.hpp"
+#include "statics/race_text.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -169,6 +173,44 @@ TEST_CASE("a conservative problem has a symmetric stiffness", "[physics][statics
   Bearing slow = bearing;
   slow.speed = {0.0, 0.0};
   CHECK(std::abs(solve_ball_statics(slow).stiffness(0, 2)) > 0.0);
+}
+
+TEST_CASE("springs hold a race at rest where its balls hold it", "[physics][statics]") {
+  // At rest with constants of the free angle and linear kinematics both problems are the same one.
+  StaticsOptions options;
+  options.curvature = Curvature::Free;
+  options.kinematics = RingKinematics::Linear;
+  for (const bool tilted : {false, true})
+    for (const auto& [x, y, z, about_y] : {std::array{17800.0, 0.0, 0.0, 0.0},
+                                           {17800.0, 1000.0, 8900.0, 0.0},
+                                           {9000.0, -2000.0, 3000.0, 120.0},
+                                           {20000.0, 0.0, -15000.0, -50.0}}) {
+      CAPTURE(x, y, z, about_y, tilted);
+      Bearing bearing = angular_contact_218();
+      load(bearing, x, y, z, about_y);
+      if (tilted) bearing.constraints.outer_misalignment = {3e-4, -2e-4};
+      const BallModel model = make_ball_model(bearing, options);
+      const RaceTask task = race_task(bearing.constraints);
+      const Vec5 q = guess_by_springs(model, task, first_guess(model, task, Vec5::Zero()));
+      const auto s = solve_ball_statics(bearing, options);
+      double reach = 0.0;
+      for (const double d : s.displacement) reach = std::max(reach, std::abs(d));
+      RaceState<BallSpring> springs;
+      for (const double azimuth : model.azimuth)
+        springs.elements.push_back({std::sin(azimuth), std::cos(azimuth)});
+      Vec5 exact;
+      for (Eigen::Index k = 0; k < 5; ++k) exact(k) = s.displacement[static_cast<std::size_t>(k)];
+      REQUIRE(update_race(BallSprings{model}, exact, springs));
+      const RaceScales scales = race_scales(model);
+      for (Eigen::Index k = 0; k < 5; ++k) {
+        const auto n = static_cast<std::size_t>(k);
+        CHECK(springs.load(k) == Approx(s.load[n]).epsilon(1e-9).margin(1e-6));
+        for (Eigen::Index l = 0; l < 5; ++l)
+          CHECK(springs.stiffness(k, l) ==
+                Approx(s.stiffness(k, l)).epsilon(1e-7).margin(1e-9 * s.stiffness.norm()));
+        CHECK(std::abs(q(k) - exact(k)) * lever_of(scales, k) < 0.02 * reach);
+      }
+    }
 }
 
 TEST_CASE("thrust load follows the closed form of one ball", "[physics][statics]") {

@@ -1,0 +1,63 @@
+#include "statics/ball_springs.hpp"
+
+#include "statics/ball_race.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::statics {
+
+RaceScales race_scales(const BallSprings& springs) { return race_scales(springs.model); }
+
+double reference_stiffness(const BallSprings& springs, double load) {
+  return reference_stiffness(springs.model, load);
+}
+
+bool update_race(const BallSprings& springs, const Vec5& q, RaceState<BallSpring>& state,
+                 double /*accuracy*/) {
+  const BallModel& m = springs.model;
+  const contact::GrooveGeometry& groove = m.groove;
+  const double soft = std::pow(m.hertz[0].reference().K, -2.0 / 3.0) +
+                      std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
+  const double K = std::pow(soft, -1.5);
+  const double R = groove.centre_radius[1];
+  const double along = groove.centre_x[1] - groove.centre_x[0];
+  const double across = R - groove.centre_radius[0];
+  state.q = q;
+  state.load.setZero();
+  state.stiffness.setZero();
+  state.largest_contact = 0.0;
+  for (const auto& [s, c] : state.elements) {
+    const double outer_shift =
+        groove.centre_radius[0] * (m.outer_tilt[0] * c + m.outer_tilt[1] * s);
+    const double x = along + q(0) + R * (q(3) * c + q(4) * s) - outer_shift;
+    const double r = across + q(2) * c - q(1) * s;
+    const double length = std::sqrt(x * x + r * r);
+    const double approach = length - m.offset_sum();
+    if (!(approach > 0.0)) {
+      continue;
+    }
+    const double ux = x / length, ur = r / length;
+    const Vec5 along_normal = (Vec5() << ux, -ur * s, ur * c, ux * R * c, ux * R * s).finished();
+    const Vec5 along_tangent =
+        (Vec5() << -ur, -ux * s, ux * c, -ur * R * c, -ur * R * s).finished();
+    const double root = std::sqrt(approach);
+    const double load = K * approach * root;
+    state.load += load * along_normal;
+    state.stiffness += 1.5 * K * root * along_normal * along_normal.transpose() +
+                       load / length * along_tangent * along_tangent.transpose();
+    state.largest_contact = std::max(state.largest_contact, load);
+  }
+  return true;
+}
+
+Vec5 guess_by_springs(const BallModel& model, const RaceTask& task, const Vec5& q) {
+  RaceState<BallSpring> state;
+  state.q = q;
+  for (const double azimuth : model.azimuth)
+    state.elements.push_back({std::sin(azimuth), std::cos(azimuth)});
+  const RaceSolve solve = solve_race(BallSprings{model}, task, state, 0.01);
+  return solve.converged ? state.q : q;
+}
+
+}  // namespace adore::statics
