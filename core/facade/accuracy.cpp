@@ -34,7 +34,8 @@ constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are f
 constexpr double kReferenceTolerance = 1e-9;
 constexpr double kNearby = 1e-6;  ///< change of the loads that tells whether a motion is irregular
 constexpr std::size_t kNearbyMethods = 2, kNearbyRuns = 3;  ///< that tell it
-constexpr int kRules = 3;  ///< of comparing; rows of a study by other ones are not taken over
+constexpr double kNearbyCost = 2.0;  ///< at most half of what is left for them
+constexpr int kRules = 4;  ///< of comparing; rows of a study by other ones are not taken over
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double difference(double a, double b, double scale) {
@@ -153,8 +154,9 @@ class Study {
     study_.asked = request_.turns;
     study_.target = request_.target;
     study_.digest = request_digest(subject_.request, prepared.input) +
-                    fmt::format("-{:g}-{:g}-{}-{}", request_.turns, request_.budget,
-                                request_.methods.size(), kRules);
+                    fmt::format("-{:g}-{:g}-{:g}-{}-{}", request_.turns, request_.budget,
+                                request_.target, request_.models, kRules);
+    for (const std::string& method : request_.methods) study_.digest += "-" + method;
     for (const double tolerance : request_.tolerances)
       study_.digest += fmt::format("-{:g}", tolerance);
     settings_ = settings_of(prepared, request_.methods, request_.tolerances);
@@ -362,7 +364,7 @@ class Study {
     std::vector<double> costs;
     for (const AccuracySetting& setting : chosen) costs.push_back(cost_of(setting));
     double turn_of_all = std::accumulate(costs.begin(), costs.end(), reference_cost_);
-    // Loads a millionth beside are run with the cheapest that will do.
+    // Time for loads a millionth beside, at the least; the most accurate that it allows are run.
     std::sort(costs.begin(), costs.end());
     costs.resize(std::min(costs.size(), kNearbyMethods));
     for (const double cost : costs) turn_of_all += kNearbyRuns * cost;
@@ -406,8 +408,9 @@ class Study {
   }
 
   /// What a millionth of the loads changes, more and less: a motion that is regular changes by as
-  /// little. With the cheapest settings of the second round that keep to what the references know,
-  /// else with the most accurate ones, and with those of a second method that are the next best.
+  /// little. With the most accurate setting of the second round, and with that of a second method
+  /// whose errors lie within what is asked: loose steps scatter by themselves, and would be
+  /// excused.
   void measure_irregularity() {
     if (goes_on_ && earlier_.irregular.speed >= 0.0) {
       study_.irregular = earlier_.irregular;
@@ -436,15 +439,17 @@ class Study {
       const std::vector<std::string>& used) const {
     const AccuracyRow* out = nullptr;
     const AccuracyErrors noise = study_.noise();
-    const auto rank = [&](const AccuracyRow& one) {
-      const double over = over_limits(one.errors, noise, study_.target);
-      return std::pair(over > 1.0, over > 1.0 ? over : one.seconds);
-    };
+    std::pair<double, double> least(used.empty() ? std::numeric_limits<double>::infinity() : 1.0,
+                                    0.0);
     for (const AccuracyRow& row : study_.finals) {
       const bool tried = std::find(used.begin(), used.end(), row.setting.method) != used.end();
-      if (!tried && row.failure.empty() && !(row.energy_share > results::kMovedWarning) &&
-          left() > kNearbyRuns * row.seconds && (out == nullptr || rank(row) < rank(*out)))
-        out = &row;
+      if (tried || !row.failure.empty() || row.energy_share > results::kMovedWarning ||
+          left() < kNearbyCost * kNearbyRuns * row.seconds)
+        continue;
+      const std::pair rank(over_limits(row.errors, noise, study_.target), row.errors.largest());
+      if (!(rank < least)) continue;
+      least = rank;
+      out = &row;
     }
     return out;
   }
