@@ -193,6 +193,7 @@ void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> the
   leaveDeck([this, bytes, then = std::move(then)] {
     try {
       const std::string page = document_.restore(bytes);
+      forgetResults();
       checkNow();
       current_.clear();
       showRecord(document_.pages().front());

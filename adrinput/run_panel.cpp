@@ -333,6 +333,12 @@ void RunPanel::showNote() {
                             : tr("Of the deck as it was before the last change. ") + headline_);
 }
 
+void RunPanel::setAnother() {
+  if (computed_.records.empty()) return;
+  another_ = true;
+  if (!busy()) showNote();
+}
+
 void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   if (computed_.records.empty()) return;
   const bool stale = !(deck == computed_ && options == computed_options_);

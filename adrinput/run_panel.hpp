@@ -45,7 +45,7 @@ class RunPanel : public QWidget {
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
   /// Another deck was opened: results of the one before say so.
-  void setAnother() { another_ = !computed_.records.empty(); }
+  void setAnother();
   /// The deck is this one now: results of an older one say so.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }

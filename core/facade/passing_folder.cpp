@@ -15,9 +15,20 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kStem = "adore-";
+constexpr const char* kStem = "adore-passing-";
+constexpr const char* kFiles = "files";
 constexpr std::size_t kUnique = 6;          ///< letters that mkdtemp gives
 constexpr std::chrono::minutes kQuiet{10};  ///< nobody is about to take a lock that is so old
+
+/// Nothing but what a passing folder holds: results of a run are never taken for one.
+bool holds_passing_files(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name != FolderLock::kName && name != kFiles) return false;
+  }
+  return !error;
+}
 
 /// A folder of this user, named as ours are, that a process left which was killed.
 bool is_left(const fs::path& folder) {
@@ -30,7 +41,8 @@ bool is_left(const fs::path& folder) {
   std::error_code error;
   const fs::path lock = folder / FolderLock::kName;
   const auto made = fs::last_write_time(lock, error);
-  return !error && fs::file_time_type::clock::now() - made > kQuiet && FolderLock::is_free(lock);
+  return !error && fs::file_time_type::clock::now() - made > kQuiet &&
+         holds_passing_files(folder) && FolderLock::is_free(lock);
 }
 
 void remove_left_ones(const fs::path& place) {
@@ -53,7 +65,7 @@ PassingFolder::PassingFolder() {
                      "; name another place in the environment variable TMPDIR");
   outer_ = pattern;
   lock_ = std::make_unique<FolderLock>(outer_);
-  path_ = outer_ / "files";
+  path_ = outer_ / kFiles;
   fs::create_directory(path_);
 }
 

@@ -215,8 +215,12 @@ BallRace balls_at(const BallModel& model, const SpinLaw& law, const Vec5& q) {
   return state;
 }
 
-Vec5 cold_start(const BallModel& model, const RaceTask& task, const Vec5& given) {
-  return guess_by_springs(model, task, first_guess(model, task, given));
+/// Where the race is before its balls are asked.
+enum class ColdStart : unsigned char { Springs, PlainGuess };
+
+Vec5 cold_start(const BallModel& model, const RaceTask& task, const Vec5& given, ColdStart start) {
+  const Vec5 plain = first_guess(model, task, given);
+  return start == ColdStart::Springs ? guess_by_springs(model, task, plain) : plain;
 }
 
 void fill_summary(const BallModel& m, StaticSolution& s) {
@@ -240,9 +244,8 @@ void fill_summary(const BallModel& m, StaticSolution& s) {
   }
 }
 
-}  // namespace
-
-StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options) {
+StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
+                          const StaticsOptions& options) {
   BallModel model = make_ball_model(bearing, options);
   const RaceTask task = race_task(bearing.constraints);
   Vec5 given;
@@ -251,13 +254,13 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   }
   const SpinLaw law = first_spin_law(bearing, options);
   BallRace state =
-      balls_at(model, law, options.warm_start ? given : cold_start(model, task, given));
+      balls_at(model, law, options.warm_start ? given : cold_start(model, task, given, start));
 
   StaticSolution solution;
   Staged staged = solve_in_stages(model, task, state, true);
   const Vec5 nothing_guessed = given_only(task, given);
   if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
-    state = balls_at(model, law, cold_start(model, task, nothing_guessed));
+    state = balls_at(model, law, cold_start(model, task, nothing_guessed, start));
     staged = solve_in_stages(model, task, state, true);
     solution.notes.push_back(
         "no equilibrium was found from the first guess of the displacement; this one was found "
@@ -298,6 +301,18 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
     add_difference_stiffness(model, state, options.difference_share, solution);
   }
   return solution;
+}
+
+}  // namespace
+
+StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options) {
+  try {
+    return solve_from(ColdStart::Springs, bearing, options);
+  } catch (const SolverError&) {
+    if (options.warm_start) throw;
+  }
+  // Springs hold the race where balls at speed may have left it: from the plain guess, then.
+  return solve_from(ColdStart::PlainGuess, bearing, options);
 }
 
 }  // namespace adore::statics

@@ -107,6 +107,14 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(deck::read_deck(folder.filePath("DATA.txt").toStdString()).deck.real("appLoadX") == 1501);
   press(window, "open-plots");
   CHECK(launches.size() == 1);
+
+  window.newDeck("cylindrical");
+  CHECK(note(window).contains("Of another deck"));
+  CHECK(note(window).contains("DATA.txt"));
+  window.document().edit(cell("rpm2"), "1234");
+  CHECK(note(window).contains("Of another deck"));
+  REQUIRE(window.openFile(folder.filePath("DATA.txt").toStdString()));
+  CHECK(note(window).startsWith("Done: 60 steps"));
 }
 
 TEST_CASE("viewers get whole names of files, wherever the deck was opened from",

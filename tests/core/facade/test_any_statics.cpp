@@ -13,8 +13,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace adore;
@@ -177,4 +179,21 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
   const double least = find(random, "pocket clearance I, least: no. ");
   CHECK(least < nominal);
   CHECK(least > nominal - 1e-4);
+}
+
+TEST_CASE("balls that leave the place where springs hold the race are solved all the same",
+          "[physics][statics]") {
+  using Sets = std::vector<std::pair<std::string, std::string>>;
+  const auto converges = [](const Sets& sets) {
+    deck::Deck deck = at_rest("ball");
+    deck.set_all(sets);
+    const auto q = solution(deck);
+    return std::all_of(q.begin(), q.end(), [](double x) { return std::isfinite(x); });
+  };
+  CHECK(converges({{"appLoadX", "1"},
+                   {"appLoadY", "300"},
+                   {"appLoadZ", "500"},
+                   {"rpm2", "-20000"},
+                   {"freeConAng", "0"},
+                   {"freeIntCls", "3e-4"}}));
 }

@@ -80,26 +80,33 @@ TEST_CASE("passing folders of killed processes go, those of living ones and of o
     std::ofstream(place / name / FolderLock::kName) << text;
     fs::last_write_time(place / name / FolderLock::kName, old);
   };
-  make("adore-ABCDEF", "my own notes");     // no lock
-  make("adore-ABCDEFG", "process 1 on x");  // not our name
+  make("adore-passing-ABCDEF", "my own notes");     // no lock
+  make("adore-passing-ABCDEFG", "process 1 on x");  // not our name
   make("data-ABCDEF", "process 1 on x");
-  fs::create_directory(place / "adore-GHIJKL");  // without a lock
+  fs::create_directory(place / "adore-passing-GHIJKL");  // without a lock
+  // Results of a run that was killed, whatever somebody called their folder.
+  for (const char* name : {"adore-ABCDEF", "adore-passing-MNOPQR"}) {
+    make(name, "process 1 on x");
+    std::ofstream(place / name / "MASTER") << "to be continued";
+  }
   const auto count = [&] { return std::distance(fs::directory_iterator(place / ""), {}); };
   in_a_child([] { const PassingFolder folder; });
   CHECK(fs::exists(left));  // its lock is too young to tell
   fs::last_write_time(left / FolderLock::kName, old);
   {
-    fs::create_directory(place / "adore-living");
-    const FolderLock held(place / "adore-living");
-    fs::last_write_time(place / "adore-living" / FolderLock::kName, old);
+    fs::create_directory(place / "adore-passing-living");
+    const FolderLock held(place / "adore-passing-living");
+    fs::last_write_time(place / "adore-passing-living" / FolderLock::kName, old);
     in_a_child([] { const PassingFolder folder; });
-    CHECK(fs::exists(place / "adore-living"));
+    CHECK(fs::exists(place / "adore-passing-living"));
     CHECK_FALSE(fs::exists(left));
   }
-  CHECK(count() == 5);
-  std::ofstream(place / "adore-living" / FolderLock::kName) << "process 1 on x";
-  fs::last_write_time(place / "adore-living" / FolderLock::kName, old);
+  CHECK(count() == 7);
+  std::ofstream(place / "adore-passing-living" / FolderLock::kName) << "process 1 on x";
+  fs::last_write_time(place / "adore-passing-living" / FolderLock::kName, old);
   in_a_child([] { const PassingFolder folder; });
-  CHECK(count() == 4);
-  CHECK_FALSE(fs::exists(place / "adore-living"));
+  CHECK(count() == 6);
+  for (const char* name : {"adore-ABCDEF", "adore-passing-MNOPQR"})
+    CHECK(fs::exists(place / name / "MASTER"));
+  CHECK_FALSE(fs::exists(place / "adore-passing-living"));
 }
