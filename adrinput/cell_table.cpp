@@ -30,9 +30,11 @@ constexpr int kOtherRole = Qt::UserRole;  // the value in the other system of un
 constexpr int kRowHeight = 28, kTwoLines = 44;
 
 /// Several values, as a spreadsheet or a list of numbers has them: they are no text of one cell.
+/// Two numbers with a blank between them may be one with a group of digits.
 bool fills_cells(const QString& text) {
-  static const QRegularExpression numbers(R"(^\s*[-+.,\deEdD]+([\s;]+[-+.,\deEdD]+)+\s*$)");
-  return text.trimmed().contains(QRegularExpression("[\t\r\n]")) || numbers.match(text).hasMatch();
+  static const QRegularExpression list(
+      R"(^\s*[-+]?[\d.,]+([eEdD][-+]?\d+)?((\s*;\s*|\s+)[-+]?[\d.,]+([eEdD][-+]?\d+)?){2,}\s*$)");
+  return text.trimmed().contains(QRegularExpression("[\t\r\n]")) || list.match(text).hasMatch();
 }
 
 /// The text of a cell while it is typed. Several values that are pasted go into the table.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <utility>
 
 namespace adore::adrinput {
@@ -216,9 +217,12 @@ void Document::edit(const Cell& cell, std::string_view typed) {
 
 void Document::edit_all(const std::vector<std::pair<Cell, std::string>>& typed) {
   end_step();
-  together_ = true;
-  for (const auto& [cell, text] : typed) edit(cell, text);
-  together_ = false;
+  {
+    const auto apart = [this](void*) { together_ = false; };
+    const std::unique_ptr<void, decltype(apart)> guard(this, apart);  // edit() may throw
+    together_ = true;
+    for (const auto& [cell, text] : typed) edit(cell, text);
+  }
   end_step();
 }
 

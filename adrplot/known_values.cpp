@@ -54,6 +54,20 @@ std::string KnownColumns::unit(const std::string& id) const {
   return index < columns_.size() ? results::unit_of_column(file_, columns_[index]) : "";
 }
 
+std::vector<std::string> KnownColumns::sources(const std::string& id) {
+  for (const std::string_view channel :
+       {"contact.angle.", "contact.spin_to_roll.", "contact.slip."})
+    if (id.starts_with(channel)) return {"contact.load." + id.substr(channel.size())};
+  for (const std::string land : {"cage.land1", "cage.land2"})
+    if (id.starts_with(land + "_"))
+      return {land + "_force", land + "_gap", land + "_angle", "cage.y_over_clearance",
+              "cage.z_over_clearance"};
+  if (id.starts_with("pocket.position.")) return {"pocket.force" + behind(id, "pocket.position")};
+  if (id.starts_with("flange."))
+    return {"flange.gap" + id.substr(id.find('.', std::string("flange.").size()))};
+  return {};
+}
+
 KnownValues KnownColumns::values(const std::string& id) const {
   KnownValues out{stored(id), unit(id), {}};
   const auto nothing = [&out](std::string why) {

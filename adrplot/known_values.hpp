@@ -33,6 +33,8 @@ class KnownColumns {
   [[nodiscard]] bool has(const std::string& id) const { return find(id) < columns_.size(); }
   [[nodiscard]] KnownValues values(const std::string& id) const;
   [[nodiscard]] std::string unit(const std::string& id) const;
+  /// The columns that the rules for a column look at besides its own.
+  [[nodiscard]] static std::vector<std::string> sources(const std::string& id);
   [[nodiscard]] const std::vector<results::SolColumn>& columns() const { return columns_; }
 
  private:

@@ -129,7 +129,7 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
   std::erase_if(curves, [](const Taken& one) { return one.x.empty(); });
   std::vector<double> distances;
   for (const Taken& one : curves) distances.push_back(one.x.front());
-  tell_lines(page, distances, options.scale);
+  tell_lines(page, distances, options);
   page.title += ": amplitude spectrum";
   page.x_title = "Frequency";
   page.x_unit = "Hz";

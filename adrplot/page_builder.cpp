@@ -351,7 +351,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
         return std::any_of(panel.curves.begin(), panel.curves.end(),
                            [](const ChartCurve& curve) { return !curve.y.empty(); });
       });
-  if (drawn) tell_lines(chart, {chart.x.front()}, options.scale);
+  if (drawn) tell_lines(chart, {chart.x.front()}, options);
   first_view_of_spectra(chart, options.scale);
   drop_low_marks(chart);
 }
@@ -362,6 +362,16 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
   if (number < 1 || number > static_cast<int>(count))
     throw InputError(
         fmt::format("{} has no page {}; its pages are 1 to {}", file.string(), number, count));
+}
+
+std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page) {
+  if (kind == results::SolKind::Cage && page.kind == PageKind::Orbit)
+    return {"cage.radial_position", "cage.y_over_clearance", "cage.z_over_clearance",
+            "cage.land1_force", "cage.land2_force"};
+  if (kind == results::SolKind::Race && !page.panels.empty() &&
+      page.panels.front().curves.front().column.starts_with("race.applied_"))
+    return {"race.x", "race.y", "race.z", "race.theta", "race.phi", "race.angular_velocity"};
+  return {};
 }
 
 ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, int number,

@@ -44,6 +44,9 @@ struct PageContext {
 /// @throws InputError unless 1 <= number <= count.
 void check_page_number(const std::filesystem::path& file, int number, std::size_t count);
 
+/// Columns that the notes and scales of a page are from, besides its curves.
+[[nodiscard]] std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page);
+
 /// The chart of one page, its numbers taken from the file. @throws InputError for a page number
 /// outside 1 .. pages.size(). Numbers that mean "not computed" are no values (known_values.hpp).
 desktop::ChartPage build_page(const results::SolFile& file, const std::vector<PageSpec>& pages,

@@ -1,6 +1,7 @@
 #include "adrplot/plot_document.hpp"
 
 #include "adrplot/accuracy_page.hpp"
+#include "adrplot/known_values.hpp"
 #include "adrplot/run_beside.hpp"
 #include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <string>
 
 namespace adore::adrplot {
 namespace {
@@ -70,6 +72,10 @@ class StepPages {
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
     };
+    if (range_.every > 1)
+      note(fmt::format(
+          "These are {} of the file's steps, every {}th one: shorter peaks are left out.",
+          file_.steps.size(), range_.every));
     if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
@@ -83,13 +89,19 @@ class StepPages {
   }
 
  private:
+  /// Those of its curves, and what the page tells is from.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
+    const PageSpec& page = pages_[static_cast<std::size_t>(number - 1)];
+    std::set<std::string> ids;
+    for (const PanelSpec& panel : page.panels)
+      for (const CurveSpec& curve : panel.curves) ids.insert(curve.column);
+    for (const std::string& id : page_sources(file_.kind, page)) ids.insert(id);
+    for (const std::string& id : std::set<std::string>(ids))
+      for (const std::string& source : KnownColumns::sources(id)) ids.insert(source);
     const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
     std::set<std::size_t> out;
-    for (const PanelSpec& panel : pages_[static_cast<std::size_t>(number - 1)].panels)
-      for (const CurveSpec& curve : panel.curves)
-        for (std::size_t c = 0; c < columns.size(); ++c)
-          if (columns[c].id == curve.column) out.insert(c);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (ids.contains(columns[c].id)) out.insert(c);
     return out;
   }
   void read(int first_page) {

@@ -232,15 +232,18 @@ void PlotWindow::resizeEvent(QResizeEvent* event) {
   fitCursors();
 }
 
+/// How long the status line tells that pages end [ms].
+static constexpr int kTold = 4000;
+
 void PlotWindow::previousPage() {
   if (!document()) return askForFile();
-  if (page_ <= 1) return desktop::show_message(this, tr("This is the first plot."));
+  if (page_ <= 1) return statusBar()->showMessage(tr("This is the first plot."), kTold);
   showPage(page_ - 1);
 }
 
 void PlotWindow::nextPage() {
   if (!document()) return askForFile();
-  if (page_ >= pageCount()) return desktop::show_message(this, tr("This is the last plot."));
+  if (page_ >= pageCount()) return statusBar()->showMessage(tr("This is the last plot."), kTold);
   showPage(page_ + 1);
 }
 

@@ -1,6 +1,7 @@
 #include "adrplot/plot_window.hpp"
 #include "adrplot/run_dialog.hpp"
 #include "adrplot/study_document.hpp"
+#include "desktop/chart_view.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/window_place.hpp"
@@ -68,6 +69,7 @@ void PlotWindow::addDocument(PlotDocument document, const results::SolRange& ran
       Document{std::move(document), range, on_disk, ignored ? 0 : bytes}));
   current_ = fileCount() - 1;
   page_ = 1;
+  view_->zoomAll();  // a new file begins whole
   fillTree();
 }
 

@@ -31,6 +31,18 @@ double weight(Window window, std::size_t i, std::size_t n) {
 
 }  // namespace
 
+std::string window_name(Window window) {
+  switch (window) {
+    case Window::Hann:
+      return "Hann window";
+    case Window::FlatTop:
+      return "flat top window";
+    case Window::None:
+      break;
+  }
+  return "no window";
+}
+
 Samples equal_samples(const std::vector<double>& all_times, const std::vector<double>& values) {
   Samples out;
   std::vector<double> times = all_times;

@@ -9,6 +9,9 @@ namespace adore::adrplot {
 enum class Window : unsigned char { None, Hann, FlatTop };
 enum class SpectrumScale : unsigned char { Relative, Units, Decibel };
 
+/// "Hann window", "flat top window", "no window"
+[[nodiscard]] std::string window_name(Window window);
+
 struct SpectrumOptions {
   Window window = Window::Hann;
   SpectrumScale scale = SpectrumScale::Relative;

@@ -214,16 +214,19 @@ void drop_low_marks(ChartPage& chart) {
     add_note(chart, fmt::format("Below the first line, and so not marked: {}.", names));
 }
 
-void tell_lines(ChartPage& chart, const std::vector<double>& distances, SpectrumScale scale) {
+void tell_lines(ChartPage& chart, const std::vector<double>& distances,
+                const SpectrumOptions& options) {
   if (distances.empty()) return;
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = scale == SpectrumScale::Relative
+  const char* over = options.scale == SpectrumScale::Relative
                          ? "Each amplitude is divided by the largest of its own curve. "
-                     : scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
-                                                       : "";
-  add_note(chart, fmt::format("{}There are lines every {} and none below.", over, apart));
+                     : options.scale == SpectrumScale::Decibel
+                         ? "0 dB is the largest of its own curve. "
+                         : "";
+  add_note(chart, fmt::format("{}{}; a line every {}, none below.", over,
+                              capital(window_name(options.window)), apart));
 }
 
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
@@ -251,8 +254,8 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }
   if (beyond > 0.0)
-    add_note(chart, fmt::format("Lines above {} are not in this view: the largest of them, at {}, "
-                                "has {} % of its curve's largest.",
+    add_note(chart, fmt::format("The first view ends at {}: the largest line beyond, at {}, has "
+                                "{} % of its curve's largest.",
                                 desktop::pretty_quantity(chart.view_high, "Hz", 3),
                                 desktop::pretty_quantity(at, "Hz", 3),
                                 desktop::pretty_number(100.0 * beyond, 2)));

@@ -29,7 +29,7 @@ void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
 /// Says in the note what the heights are relative to, and how far apart the spectra have lines
 /// [Hz]: left of the first one nothing is known, whatever is marked there.
 void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
-                SpectrumScale scale);
+                const SpectrumOptions& options);
 
 /// Marks below the first line of spectra stand where nothing is known: they go, and the note says
 /// so.

@@ -3,6 +3,7 @@
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/even_digits.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +13,13 @@
 namespace adore::adrplot {
 namespace {
 
-/// Where the first view ends: a little beyond the last amplitude above 1 % of the largest, ten
-/// lines of the spectra at least.
+/// Each curve stands this part of the largest amplitude above the one before.
+constexpr double kDistance = 0.2;
+
+/// Where the first view ends: a little beyond the last amplitude above a quarter of that distance,
+/// ten lines of the spectra at least.
+constexpr double kVisible = 0.25 * kDistance;
 double last_visible(const Waterfall& fall, double largest) {
-  constexpr double kVisible = 0.01;
   std::size_t last = std::min<std::size_t>(10, fall.frequency.size() - 1);
   for (const auto& piece : fall.amplitude)
     for (std::size_t k = last; k < piece.size(); ++k)
@@ -58,7 +62,6 @@ bool keeps_speed(const std::vector<double>& times, const std::vector<double>& tu
 
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                   const std::vector<double>& turns, const SpectrumOptions& options) {
-  constexpr double kDistance = 0.2;
   const desktop::ChartPanel* found = nullptr;
   for (const auto& panel : page.panels)
     if (found == nullptr && !panel.curves.empty() &&
@@ -90,7 +93,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   // Races that do not turn against each other have no speed to tell.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
-    desktop::ChartCurve curve{desktop::pretty_quantity(fall.time[i], "s", 3), {}, {}};
+    desktop::ChartCurve curve{desktop::even_quantity(fall.time[i], "s", 3), {}, {}};
     if (!steady)
       curve.name += fmt::format(", {:.4g} rpm", 60.0 * speed_at(times, turns, fall.time[i]));
     curve.lift = kDistance * largest * static_cast<double>(i);
@@ -105,11 +108,11 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.x_title = "Frequency";
   page.x_unit = "Hz";
   page.note += fmt::format(
-      "{}These are {} spectra of {}{}{}, from {} to {}; each stands {} above the one before and "
-      "has a point every {}.",
-      page.note.empty() ? "" : " ", fall.time.size(), small(source.title),
-      source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
-      desktop::pretty_quantity(fall.time.front(), "s", 3),
+      "{}These are {} spectra ({}) of {}{}{}, from {} to {}; each stands {} above the one before "
+      "and has a point every {}.",
+      page.note.empty() ? "" : " ", fall.time.size(), window_name(options.window),
+      small(source.title), source.curves.front().name.empty() ? "" : ", ",
+      source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
       desktop::pretty_quantity(fall.time.back(), "s", 3) +
           (steady ? std::string()
                   : fmt::format(" ({:.4g} to {:.4g} rpm)",
@@ -117,6 +120,13 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                                 60.0 * speed_at(times, turns, fall.time.back()))),
       desktop::pretty_quantity(kDistance * largest, source.unit, 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
+  if (options.scale == SpectrumScale::Decibel)
+    page.note += " They are in units: lines that stand above each other have no room for dB.";
+  if (page.view_high < page.x.back())
+    page.note +=
+        fmt::format(" The first view ends at {}: nothing beyond is above {} % of the largest.",
+                    desktop::pretty_quantity(page.view_high, "Hz", 3),
+                    desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }
 

@@ -178,7 +178,7 @@ void AgoreWindow::makeMenus() {
        {tr("R"), tr("repeats for ever")},
        {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
        {tr("V"), tr("four views side by side, and one again")},
-       {tr("L, T"), tr("race loads and ways of all elements")},
+       {tr("L, T"), tr("race loads and paths of all elements")},
        {tr("C"), tr("the next colouring of the elements")},
        {tr("+ or =, -, 0"), tr("zooms the first picture, shows all of it")},
        {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
@@ -308,7 +308,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
   connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
-  auto* trails = menu->addAction(tr("&Ways of the Elements"));
+  auto* trails = menu->addAction(tr("Pat&hs of the Elements"));
   trails->setCheckable(true);
   trails->setShortcut(Qt::Key_T);
   connect(trails, &QAction::toggled, this, &AgoreWindow::setTrails);
@@ -418,6 +418,10 @@ void AgoreWindow::setView(View view, int element) {
   if (!picture_) return askForFile();
   const std::string reason = why_not(view, picture_->animation());
   if (!reason.empty()) return desktop::show_message(this, QString::fromStdString(reason));
+  if (view != options_.view) {  // a place in one view is none in another
+    options_.zoom = 1.0;
+    options_.pan = {0.0, 0.0};
+  }
   options_.view = view;
   if (element > 0) options_.element = std::min(element, picture_->animation().file.elements);
   refresh();
@@ -460,11 +464,14 @@ void AgoreWindow::askForElement(View view) {
                       [this, view](int number) { setView(view, number); });
 }
 
+/// The number first, as the classic tool has it. Nobody who only wants to see a run loses steps by
+/// it: all that can be held is what is offered, whatever was asked for before.
 void AgoreWindow::askForFile() {
   desktop::ask_number(
-      this, tr("Open"), tr("Number of time steps to animate (at most what is stored):"), steps_, 1,
-      100'000'000, [this](int steps) {
-        steps_ = steps;
+      this, tr("Open: steps, then the file"),
+      tr("Most time steps to animate. Of a run with more, every 2nd, 3rd ... is shown.\n"
+         "The file is chosen next."),
+      static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
             this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",
             [this, steps](const QString& name) { openFile(name.toStdString(), steps); });

@@ -126,7 +126,6 @@ class AgoreWindow : public QMainWindow {
   double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
   int direction_ = 1;
   std::size_t frame_ = 0;
-  int steps_ = 5000;  ///< number of time steps asked for last
   ViewOptions options_;
 };
 

@@ -2,14 +2,31 @@
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
+#include <QLineF>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 /// The bearing and its cage, seen along the axis.
 namespace adore::agore {
 
 namespace {
+
+/// Of the cage or its segments, to lie behind the elements or below the bars.
+void draw_rails(const Scene& s) {
+  for (int part = 0; part < s.animation.segments; ++part) {
+    const QPointF centre = s.place(s.animation.part(s.index, part));
+    if (s.animation.segments == 1) {
+      s.sketch.cage_rail(centre, s.animation);
+      continue;
+    }
+    const auto [begin, end] = segment_sector(s.animation, part);
+    const double turned = s.animation.part_angle(s.index, part);
+    s.sketch.cage_rail(centre, s.animation, begin + turned, end + turned);
+  }
+}
 
 void draw_cage(const Scene& s) {
   const double outside = s.geometry().cage_outer_radius;
@@ -98,6 +115,29 @@ double drawn_guide_radius(const Scene& s) {
              : 0.0;
 }
 
+struct TurningFrame {
+  double angle, length;
+  QColor colour;
+};
+
+/// Frames about the bearing's axis, the names of each on that side of its arms where they stand
+/// farther from those before.
+void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
+  std::vector<QPointF> taken;
+  for (const TurningFrame& frame : frames) {
+    const auto room = [&](double side) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
+        for (const QPointF& other : taken) least = std::min(least, QLineF(name, other).length());
+      return least;
+    };
+    const double side = room(-1.0) > room(1.0) ? -1.0 : 1.0;
+    s.sketch.frame({0, 0}, frame.angle, frame.length, frame.colour, side);
+    for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
+      taken.push_back(name);
+  }
+}
+
 }  // namespace
 
 void bearing_rings(const Scene& s) {
@@ -121,9 +161,8 @@ void bearing_rings(const Scene& s) {
 void bearing_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
-  const QPointF cage = s.place(s.frame.cage);
   const double guide_radius = drawn_guide_radius(s);
-  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_rails(s);
   draw_elements(s);
   if (s.animation.has_cage) {
     draw_cage(s);
@@ -132,9 +171,10 @@ void bearing_view(const Scene& s) {
                              guide_radius, t.red, 1.6);
   }
   const double bore = g.inner_race_inner_radius;
-  s.sketch.frame({0, 0}, s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue);
-  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
-  if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
+  std::vector<TurningFrame> frames{{s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue},
+                                   {s.animation.race_angle[1][s.index], 0.62 * bore, t.blue}};
+  if (s.animation.has_cage) frames.push_back({s.cage_angle(), 0.46 * bore, t.green});
+  draw_frames(s, frames);
   draw_land_arrows(s);
   if (s.options.trails) draw_trails(s);
   if (s.options.contacts) draw_all_loads(s);
@@ -145,7 +185,7 @@ void bearing_view(const Scene& s) {
     add_cage_contacts(s, key);
     if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
   }
-  if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
+  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
   if (s.options.contacts && s.animation.contacts) {
     const auto& largest = s.animation.contacts->largest_of_race;
     key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
@@ -153,6 +193,8 @@ void bearing_view(const Scene& s) {
   } else if (s.options.contacts) {
     key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }
+  if (too_low(s.options, s.sketch.area().height()))
+    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
 }
 
@@ -160,7 +202,7 @@ void cage_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const QPointF cage = s.place(s.cage());
-  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_rails(s);
   draw_cage(s);
   std::vector<QPointF> orbit;
   for (std::size_t i = 0; i < s.animation.frames(); ++i) {

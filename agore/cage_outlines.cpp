@@ -25,23 +25,14 @@ QPainterPath cut_outline(const Animation& animation, double pocket_radius, int s
   body.addEllipse(QPointF(0, 0), g.cage_inner_radius, g.cage_inner_radius);
   QPainterPath holes;
   holes.setFillRule(Qt::WindingFill);
-  double first = 0.0, last = 0.0, reference = 0.0;
-  bool any = false;
   for (std::size_t k = 0; k < animation.pocket_angle.size(); ++k) {
     if (animation.pocket_part[k] != segment) continue;
     const double pocket = animation.pocket_angle[k];
     holes.addEllipse(polar(pitch_radius, pocket), pocket_radius, pocket_radius);
-    if (!any) reference = pocket;
-    any = true;
-    const double beside = std::remainder(pocket - reference, 2.0 * std::numbers::pi);
-    first = std::min(first, beside), last = std::max(last, beside);
   }
   if (animation.segments > 1) {
-    // From the middle between two pockets to the next such middle, with a gap that can be seen.
-    constexpr double kGap = 0.012;
-    const double half = std::numbers::pi / animation.file.elements - kGap;
     QPolygonF sector{QPointF(0, 0)};
-    const double begin = reference + first - half, end = reference + last + half;
+    const auto [begin, end] = segment_sector(animation, segment);
     constexpr int kParts = 90;
     for (int i = 0; i <= kParts; ++i)
       sector.append(polar(2.0 * g.cage_outer_radius, begin + (end - begin) * i / kParts));
@@ -74,6 +65,22 @@ double apart(QPointF p, QPointF a, QPointF b) {
 }
 
 }  // namespace
+
+Sector segment_sector(const Animation& animation, int segment) {
+  double first = 0.0, last = 0.0, reference = 0.0;
+  bool any = false;
+  for (std::size_t k = 0; k < animation.pocket_angle.size(); ++k) {
+    if (animation.pocket_part[k] != segment) continue;
+    const double pocket = animation.pocket_angle[k];
+    if (!any) reference = pocket;
+    any = true;
+    const double beside = std::remainder(pocket - reference, 2.0 * std::numbers::pi);
+    first = std::min(first, beside), last = std::max(last, beside);
+  }
+  constexpr double kGap = 0.012;
+  const double half = std::numbers::pi / animation.file.elements - kGap;
+  return {reference + first - half, reference + last + half};
+}
 
 QPolygonF thinned(const QPolygonF& closed, double tolerance) {
   const qsizetype last = closed.size() - 1;

@@ -35,6 +35,13 @@ class CageOutlines {
   std::map<int, std::pair<double, Outline>> thinned_;  ///< and for which size
 };
 
+/// Of a segment of the cage where it stands at angle 0 [rad]: from the middle between two pockets
+/// to the next such middle, with a gap that can be seen.
+struct Sector {
+  double begin = 0.0, end = 0.0;
+};
+[[nodiscard]] Sector segment_sector(const Animation& animation, int segment);
+
 /// A closed line without the points that lie within `tolerance` of the rest (Ramer, Douglas and
 /// Peucker's rule).
 [[nodiscard]] QPolygonF thinned(const QPolygonF& closed, double tolerance);

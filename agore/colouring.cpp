@@ -1,3 +1,4 @@
+#include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -47,6 +48,15 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by) 
                                          : animation.no_contacts);
     return out;
   }
+  if (by == ColourBy::Temperature) {
+    // A temperature that nothing raises is the deck's own.
+    const results::MotionChannel* rise = animation.motion->channel("contact.temperature_rise");
+    if (rise != nullptr &&
+        std::none_of(rise->values.begin(), rise->values.end(), [](double v) { return v > 0.0; })) {
+      out.why_none = "no colours: this run computes no temperature of contacts";
+      return out;
+    }
+  }
   out.unit = channel->unit;
   for (const double value : channel->values)
     if (std::isfinite(value)) out.largest = std::max(out.largest, value);
@@ -72,8 +82,10 @@ QColor scale_colour(double part) {
           mix(kStops[i].blue, kStops[i + 1].blue)};
 }
 
-void draw_scale(const Sketch& sketch, const Colouring& colours) {
+void draw_scale(const Scene& s, const Colouring& colours) {
+  const Sketch& sketch = s.sketch;
   QPainter& p = sketch.painter();
+  if (s.options.one_of_several && too_low(s.options, sketch.area().height())) return;
   const QRectF& area = sketch.area();
   p.setFont(desktop::ui_font(12));
   const QFontMetricsF metrics(p.font());
@@ -98,6 +110,17 @@ void draw_scale(const Sketch& sketch, const Colouring& colours) {
   const QString most =
       QString::fromStdString(desktop::pretty_quantity(colours.largest, colours.unit, 3));
   p.drawText(QPointF(left + width - metrics.horizontalAdvance(most), top + 22.0), most);
+}
+
+std::vector<KeyEntry> scale_entries(const Scene& s) {
+  if (s.options.colour == ColourBy::None || !s.options.one_of_several) return {};
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
+  if (colours.value.empty() || !(colours.largest > 0.0)) return {};
+  const QString title = QString::fromStdString(colours.title);
+  return {{scale_colour(0.0), title + ": 0"},
+          {scale_colour(1.0),
+           title + ": " +
+               QString::fromStdString(desktop::pretty_quantity(colours.largest, colours.unit, 3))}};
 }
 
 }  // namespace adore::agore

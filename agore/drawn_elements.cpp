@@ -99,7 +99,7 @@ void draw_elements(const Scene& s) {
         k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k])
             ? scale_colour(colours.value[k] / colours.largest)
             : QColor());
-  if (s.options.colour != ColourBy::None) draw_scale(s.sketch, colours);
+  if (s.options.colour != ColourBy::None) draw_scale(s, colours);
 }
 
 void draw_contact_marks(const Scene& s) {

@@ -1,6 +1,6 @@
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
-#include "desktop/axis_scale.hpp"
+#include "desktop/even_digits.hpp"
 
 #include <fmt/format.h>
 
@@ -39,8 +39,8 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
          QString::fromStdString(
              contact.load[j] > 0.0
                  ? fmt::format("{}: load {}{}, slip {}", names[j],
-                               desktop::pretty_quantity(contact.load[j], all.load_unit, 4), remark,
-                               desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
+                               desktop::even_quantity(contact.load[j], all.load_unit, 4), remark,
+                               desktop::even_quantity(contact.slip[j], all.slip_unit, 3))
                  : fmt::format("{}: no contact", names[j]))});
   }
 }
@@ -83,7 +83,7 @@ void element_view(const Scene& s) {
   const double aside = s.animation.contacts ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);
-  std::vector<KeyEntry> key{{t.blue, "inner race frame"}, {trail_colour(s), "way of the element"}};
+  std::vector<KeyEntry> key{{t.blue, "inner race frame"}, {trail_colour(s), "path of the element"}};
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_contacts);
   if (s.animation.contacts) {
     draw_contact_loads(s, k, centre, key);

@@ -1,4 +1,5 @@
 #include "agore/roller_outline.hpp"
+#include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -9,8 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-/// A roller between the flanges of one race, seen from outside: +x to the right. Gaps are
-/// magnified, and the factor stated.
+/// A roller between the flanges of one race, seen from outside: +x to the right, up against
+/// increasing azimuth, so that it is turned by Phi of SOL1. Gaps are magnified, and the factor
+/// stated; a flange that is touched stands at the roller's end, however far that is pressed in.
 namespace adore::agore {
 double flange_picture_radius(const Animation& animation) {
   return 0.95 * std::max(2.0 * roller_profile(animation).half,
@@ -31,14 +33,14 @@ void flange_view(const Scene& s) {
   const auto place = [&](std::size_t side) { return 4 * k + 2 * race + side; };
   for (std::size_t i = 0; gaps != nullptr && forces != nullptr && i < s.animation.frames(); ++i)
     for (std::size_t side = 0; side < 2; ++side) {
-      widest = std::max(widest, std::abs(gaps->at(i, place(side))));
+      widest = std::max(widest, gaps->at(i, place(side)));
       largest = std::max(largest, forces->at(i, place(side)));
     }
   const double factor = widest > 0.0 ? 0.1 * length / widest : 1.0;
   const Vec3 axis = rotation(s.frame.elements.at(k).angles).col(0);
   const double azimuth = s.frame.elements.at(k).theta;
   const double skew =
-      std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), std::abs(axis.x()));
+      std::atan2(axis.y() * std::cos(azimuth) + axis.z() * std::sin(azimuth), std::abs(axis.x()));
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
   QTransform turned = to_picture;
@@ -57,7 +59,7 @@ void flange_view(const Scene& s) {
     const double gap = s.animation.value("flange.gap", s.index, place(side)),
                  force = s.animation.value("flange.force", s.index, place(side));
     const bool near = std::isfinite(gap) && gap != 0.0;
-    const double face = way * (0.5 * length + (near ? gap * factor : 0.14 * length));
+    const double face = way * (0.5 * length + (near ? std::max(gap, 0.0) * factor : 0.14 * length));
     const double wall = 0.12 * length;
     QPainterPath flange;
     flange.addRect(QRectF(std::min(face, face + way * wall), -1.25 * radius, wall, 2.5 * radius));
@@ -75,18 +77,21 @@ void flange_view(const Scene& s) {
                    QString::fromStdString(fmt::format(
                        "flange at {}x: {}", side == 0 ? "−" : "+",
                        !near ? std::string("the roller's end is nowhere near")
-                             : fmt::format("{}, gap {}",
+                             : fmt::format("{}, {} {}",
                                            force > 0.0 ? desktop::pretty_quantity(
                                                              force, s.animation.file.units[2], 3)
                                                        : std::string("no contact"),
-                                           desktop::pretty_quantity(gap, unit, 3))))});
+                                           gap < 0.0 ? "pressed in by" : "gap",
+                                           desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
   draw_key(s, key,
-           QString::fromStdString(fmt::format(
-               "roller {} at the {} race  ·  gaps × {}  ·  skew {}°, to scale  ·  seen from "
-               "outside, +x to the right",
-               k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
-               desktop::tick_text(skew * 180.0 / kPi, 3))));
+           QString::fromStdString(
+               fmt::format("roller {} at the {} race  ·  gaps × {}  ·  skew (Phi) {}°, to scale{}",
+                           k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
+                           desktop::tick_text(skew * 180.0 / kPi, 3),
+                           too_low(s.options, s.sketch.area().height())
+                               ? ""
+                               : "  ·  seen from outside, +x to the right")));
 }
 
 }  // namespace adore::agore

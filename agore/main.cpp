@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
                        {"none", "load", "slip", "heat", "temperature"});
   cli.add_flag("--contacts", request.options.view.contacts,
                "arrows of the race loads on all elements");
-  cli.add_flag("--trails", request.options.view.trails, "the way of every element so far");
+  cli.add_flag("--trails", request.options.view.trails, "the path of every element so far");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   // A window that is there takes files alone.
   for (const char* of_first : {"--render", "--view", "--beside", "--race", "--element",

@@ -111,7 +111,7 @@ QRectF pictures_area(const QRectF& area) {
 QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   if (views <= 1) return {};
   const QRectF tile = tiles_of(pictures_area(area), views).front();
-  if (tile.height() - kTileTop - kTileFoot >= kTooLow) return {};
+  if (tile.height() - kTileTop - kTileFoot >= kTooLowBeside) return {};
   const double height = SharedKey::height();
   return {area.left() + kMargin, area.bottom() - kBarSpace - height, area.width() - 2.0 * kMargin,
           height};

@@ -51,7 +51,7 @@ int key_columns(std::size_t entries, QSizeF size) {
 }
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
-  const bool low = s.sketch.area().height() < kTooLow;
+  const bool low = too_low(s.options, s.sketch.area().height());
   s.key.leaveOut(low ? all : std::vector<KeyEntry>{});
   s.key.draw(s.sketch, low ? std::vector<KeyEntry>{} : all, remark);
 }

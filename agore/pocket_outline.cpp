@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace adore::agore {
@@ -12,7 +14,51 @@ double wall(const PocketOutline& p, std::size_t end) {
   return 0.5 * (p.roller_length + p.clearance_1) + p.leaning.at(end);
 }
 
+/// How far a roller reaches to one side (-1 left, 1 right) of the middle of its pocket, where its
+/// walls were as wide as at its middle.
+double reach(const QPolygonF& roller, double taper, double side) {
+  double out = -std::numeric_limits<double>::infinity();
+  for (const QPointF& p : roller) out = std::max(out, side * p.x() - taper * p.y());
+  return out;
+}
+
 }  // namespace
+
+QPolygonF upright(const QPainterPath& silhouette, double skew) {
+  const double sine = std::sin(skew), cosine = std::cos(skew);
+  QPolygonF out = silhouette.toFillPolygon();
+  for (QPointF& p : out) p = {p.x() * sine - p.y() * cosine, p.x() * cosine + p.y() * sine};
+  return out;
+}
+
+PocketPlay play_in(const PocketOutline& pocket, const QPolygonF& roller) {
+  const double half = pocket.radius + 0.5 * pocket.clearance_1;
+  const QRectF box = roller.boundingRect();
+  return {{half - reach(roller, pocket.taper, -1.0), half - reach(roller, pocket.taper, 1.0)},
+          {wall(pocket, 0) + box.top(), wall(pocket, 1) - box.bottom()}};
+}
+
+double drawn_skew(const QPainterPath& silhouette, double taper, double skew, double factor) {
+  const auto wide = [&](double angle) {
+    const QPolygonF roller = upright(silhouette, angle);
+    return reach(roller, taper, -1.0) + reach(roller, taper, 1.0);
+  };
+  const double straight = wide(0.0), wanted = factor * (wide(skew) - straight);
+  constexpr int kHalvings = 40;
+  double low = 0.0, high = std::numbers::pi / 3.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (wide(std::copysign(middle, skew)) - straight < wanted ? low : high) = middle;
+  }
+  return std::copysign(low, skew);
+}
+
+double moved(const std::array<double, 2>& play, std::array<double, 2> gaps) {
+  for (double& gap : gaps) gap = std::max(gap, 0.0);
+  const double both = gaps[0] + gaps[1], left = std::max(play[0] + play[1], 0.0);
+  const double share = both > 0.0 ? gaps[1] / both : 0.5;
+  return play[1] - (left > 0.0 ? share * left : 0.5 * (play[0] + play[1]));
+}
 
 QSizeF pocket_half(const PocketOutline& p) {
   const double half = p.radius + 0.5 * p.clearance_1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPainterPath>
+#include <QPolygonF>
 
 #include <array>
 
@@ -16,6 +17,28 @@ struct PocketOutline {
   /// How much farther than half a roller its end walls at -x and +x stand, of one that leans.
   std::array<double, 2> leaning{};
 };
+
+/// A roller seen from outside, about its middle: its silhouette with its axis to the right turned
+/// upright, and then by its skew towards the way round.
+[[nodiscard]] QPolygonF upright(const QPainterPath& silhouette, double skew);
+
+/// What such a roller in the middle of its pocket has left to the walls at its sides, left and
+/// right, and to those at its ends, below and above; negative: it overlaps.
+struct PocketPlay {
+  std::array<double, 2> sides{}, ends{};
+};
+[[nodiscard]] PocketPlay play_in(const PocketOutline& pocket, const QPolygonF& roller);
+
+/// The skew that is drawn where clearances are `factor` times as large: the one that takes `factor`
+/// times as much of the play at the sides. Of a straight roller about `factor` times the skew, of a
+/// barrel, whose arc goes aside with the square of it, about the root of that; so both touch where
+/// they touch, and are jammed where they are. At most a right angle's two thirds.
+[[nodiscard]] double drawn_skew(const QPainterPath& silhouette, double taper, double skew,
+                                double factor);
+
+/// How far a body is moved from the middle, towards the second wall, so that what it has left to
+/// two walls is as the gaps to them are; in the middle where it has nothing left.
+[[nodiscard]] double moved(const std::array<double, 2>& play, std::array<double, 2> gaps);
 
 /// The hole. Lengths in one unit of the caller's. A roller has half of clearance I at its sides and
 /// at its ends, however it leans towards the viewer (decision 213), and its window its taper.

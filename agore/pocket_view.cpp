@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace adore::agore {
 namespace {
@@ -18,10 +20,10 @@ double pocket_factor(const results::Sol8Geometry& g) {
   return g.pocket_clearance_1 > 0.0 ? 0.44 * g.element_radius / g.pocket_clearance_1 : 1.0;
 }
 
-/// As RESULTS.h5 has it; from SOL8 alone round, and rollers as long as wide.
-PocketOutline pocket_of(const Animation& animation) {
+/// As RESULTS.h5 has it; from SOL8 alone round, and rollers as long as wide. Its clearances are
+/// `factor` times as large.
+PocketOutline pocket_of(const Animation& animation, double factor) {
   const auto& g = animation.file.geometry;
-  const double factor = pocket_factor(g);
   PocketOutline pocket{.radius = g.element_radius,
                        .clearance_1 = factor * g.pocket_clearance_1,
                        .clearance_2 = factor * g.pocket_clearance_2};
@@ -56,6 +58,68 @@ AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& ele
           std::atan2(skewed, along)};
 }
 
+/// What lies at the left and right of a roller: gaps in the file's length, forces in its unit.
+struct SideWalls {
+  std::array<double, 2> gap{}, force{}, angle{};
+};
+
+/// How a roller is drawn in its pocket, and what it has left to the walls at its sides.
+struct RollerPose {
+  QPointF centre;
+  double skew = 0.0;  ///< as drawn [rad]
+  SideWalls walls;
+};
+
+/// Of each side the guide surface that carries most, or else is nearest, as the run has them:
+/// surfaces are stored in pairs, first the one that drives. Nothing where they are not in pairs.
+std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t frame,
+                                      std::size_t element, bool to_the_right) {
+  if (!animation.motion) return std::nullopt;
+  const results::MotionChannel* const gap = animation.motion->channel("pocket.gap");
+  const results::MotionChannel* const force = animation.motion->channel("pocket.force");
+  const results::MotionChannel* const angle = animation.motion->channel("pocket.theta");
+  const std::size_t surfaces = animation.motion->pocket_surfaces(), first = element * surfaces;
+  if (surfaces == 0 || surfaces % 2 != 0) return std::nullopt;
+  for (const results::MotionChannel* channel : {gap, force, angle})
+    if (channel == nullptr || first + surfaces > channel->width) return std::nullopt;
+  SideWalls out;
+  for (std::size_t i = 0; i < surfaces; ++i) {
+    const std::size_t side = (i % 2 == 0) == to_the_right ? 0 : 1, at = first + i;
+    const double f = force->at(frame, at), g = gap->at(frame, at);
+    const bool nearer = f > out.force[side] || (f == out.force[side] && g < out.gap[side]);
+    if (i >= 2 && !nearer) continue;
+    out.gap[side] = g, out.force[side] = f, out.angle[side] = angle->at(frame, at);
+  }
+  return out;
+}
+
+/// What is drawn keeps the gaps in proportion: those at the sides as the run has them, so that a
+/// roller touches where it carries, those at the ends from its shape to scale.
+RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAngles& lies,
+                       double factor, bool to_the_right) {
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  const auto& way = s.frame.elements.at(k).pocket_vector;
+  const QPainterPath silhouette = roller_profile(s.animation).outline(lies.lean);
+  const PocketOutline pocket = pocket_of(s.animation, 1.0);
+  RollerPose out;
+  out.skew = drawn_skew(silhouette, pocket.taper, lies.skew, factor);
+  const QPolygonF roller = upright(silhouette, lies.skew), seen = upright(silhouette, out.skew);
+  const PocketPlay ends = play_in(pocket, roller.translated(0.0, way[0]));
+  const double up = moved(play_in(drawn, seen).ends, ends.ends);
+  const PocketPlay sides = play_in(pocket, roller.translated(-way[1], way[0]));
+  const auto& element = s.frame.elements.at(k);
+  if (const auto stored = stored_walls(s.animation, s.index, k, to_the_right)) {
+    out.walls = *stored;
+  } else {  // SOL8 tells the force of one
+    out.walls.gap = sides.sides;
+    const std::size_t side = (std::cos(element.pocket_angle) > 0.0) == to_the_right ? 0 : 1;
+    out.walls.force[side] = element.pocket_force;
+    out.walls.angle[side] = element.pocket_angle;
+  }
+  out.centre = {moved(play_in(drawn, seen.translated(0.0, up)).sides, out.walls.gap), up};
+  return out;
+}
+
 /// "top leans 7.5° towards the viewer": of a lean that can be seen.
 std::string lean_remark(double lean) {
   constexpr double kSeen = 0.5;  // [degrees]
@@ -65,11 +129,31 @@ std::string lean_remark(double lean) {
                      degrees > 0.0 ? "towards the viewer" : "away");
 }
 
+/// "skew 3.6° to the right, drawn as 15.8°", or "skew × 4.4" of a small picture
+std::string skew_remark(double skew, double drawn, bool low) {
+  constexpr double kSeen = 0.05;  // [degrees], as drawn
+  const auto degrees = [](double angle) { return std::abs(angle) * 180.0 / kPi; };
+  if (degrees(drawn) < kSeen) return {};
+  if (low) return fmt::format("  ·  skew × {}", desktop::pretty_number(drawn / skew, 2));
+  return fmt::format("  ·  skew {}° to the {}, drawn as {}°",
+                     desktop::pretty_number(degrees(skew), 2), skew > 0.0 ? "right" : "left",
+                     desktop::tick_text(degrees(drawn), 1));
+}
+
+/// "side walls: left touched, right 38.1 µm away"
+QString gaps_text(const std::array<double, 2>& gaps, const std::string& unit) {
+  const auto text = [&](double gap) {
+    return gap > 0.0 ? desktop::pretty_quantity(gap, unit, 3) + " away" : std::string("touched");
+  };
+  return QString::fromStdString(
+      fmt::format("side walls: left {}, right {}", text(gaps[0]), text(gaps[1])));
+}
+
 }  // namespace
 
 double pocket_picture_radius(const Animation& animation) {
   const auto& g = animation.file.geometry;
-  const QSizeF hole = pocket_half(pocket_of(animation));
+  const QSizeF hole = pocket_half(pocket_of(animation, pocket_factor(g)));
   return std::max({2.6 * g.element_radius, hole.height() + 1.4 * g.element_radius,
                    hole.width() + 1.4 * g.element_radius});
 }
@@ -83,7 +167,7 @@ void pocket_view(const Scene& s) {
   // Seen from outside along the pocket axis: bearing axis up, direction of increasing azimuth to
   // the right.
   const double factor = pocket_factor(g);
-  const PocketOutline pocket = pocket_of(s.animation);
+  const PocketOutline pocket = pocket_of(s.animation, factor);
   const bool rollers = s.animation.file.bearing_type != 1;
   const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};
   const bool shape_known = s.animation.motion != nullptr;
@@ -105,13 +189,19 @@ void pocket_view(const Scene& s) {
     p.setBrush(Qt::NoBrush);
     p.drawPath(to_picture.map(far));
   }
-  const QPointF centre(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
+  const double direction =
+      s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
   const double azimuth = s.pocket_azimuth(k);
   const AxisAngles lies = rollers ? in_pocket(s.animation, element, azimuth) : AxisAngles{};
+  RollerPose pose;
+  if (rollers) pose = roller_pose(s, pocket, lies, factor, direction > 0.0);
+  const QPointF centre =
+      rollers ? pose.centre
+              : QPointF(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
   if (rollers) {
     QTransform turned = to_picture;
     turned.translate(centre.x(), centre.y())
-        .rotateRadians(0.5 * kPi - drawn_skew(roller, lies.skew, factor));  // the axis upright
+        .rotateRadians(0.5 * kPi - pose.skew);  // the axis upright
     QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
                           to_picture.map(centre + QPointF(g.element_radius, 0)));
     shade.setColorAt(0.0, t.steel_dark);
@@ -125,8 +215,6 @@ void pocket_view(const Scene& s) {
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
-  const double direction =
-      s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
   constexpr double kHalfHead = 15.0;  // pixels of the arrow
   const double top = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
@@ -135,33 +223,42 @@ void pocket_view(const Scene& s) {
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
-  if (element.pocket_force > 0.0) {
-    const QPointF u = touched_wall(rollers, centre, element.pocket_angle, direction);
+  // Each contact of the side walls; a ball has the one that the frame tells.
+  SideWalls walls = pose.walls;
+  if (!rollers) walls.force[0] = element.pocket_force, walls.angle[0] = element.pocket_angle;
+  std::string contacts;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(walls.force[i] > 0.0)) continue;
+    const QPointF u = touched_wall(rollers, centre, walls.angle[i], direction);
     s.sketch.arrow(  // from the middle, as the classic tool draws it
         s.sketch.at(centre.x(), centre.y()),
         s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
         t.red, 2.6);
+    contacts +=
+        fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
+                    desktop::pretty_quantity(walls.force[i], s.animation.file.units[2], 3),
+                    desktop::tick_text(std::remainder(walls.angle[i], 2.0 * kPi) * 180.0 / kPi, 0));
   }
-  const std::string force =
-      desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
-  draw_key(
-      s,
-      {{element.pocket_force > 0.0 ? t.red : QColor(),
-        element.pocket_force > 0.0 ? QString::fromStdString(fmt::format(
-                                         "contact in the pocket: {} at {}°", force,
-                                         desktop::tick_text(element.pocket_angle * 180.0 / kPi, 0)))
-        : rollers ? QString("no contact with the side walls; end walls are not stored")
-                  : QString("no contact")}},
-      QString::fromStdString(fmt::format(
-          "pocket {} of {}  ·  {} × {}  ·  seen from outside, axis up{}{}{}", k + 1,
-          s.frame.elements.size(),
-          rollers && !roller.is_barrel() ? "clearance and skew" : "clearance",
-          desktop::pretty_number(factor, 3) + (roller.is_barrel() ? ", skew to scale" : ""),
-          s.sketch.area().height() < kTooLow ? "" : lean_remark(lies.lean),
-          arrow_named || s.sketch.area().height() < kTooLow ? "" : "  ·  arrow: cage rotation",
-          shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
-          : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
-                    : "  ·  drawn round: SOL8 does not hold the pocket's shape")));
+  std::vector<KeyEntry> key{
+      {contacts.empty() ? QColor() : t.red,
+       !contacts.empty() ? QString::fromStdString(contacts)
+       : rollers         ? QString("no contact with the side walls; end walls are not stored")
+                         : QString("no contact")}};
+  if (rollers && shape_known)
+    key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
+  const bool low = too_low(s.options, s.sketch.area().height());
+  std::string remark = fmt::format("{}{} of {}  ·  clearance × {}", low ? "" : "pocket ", k + 1,
+                                   s.frame.elements.size(), desktop::pretty_number(factor, 3));
+  if (rollers) remark += skew_remark(lies.skew, pose.skew, low);
+  if (!low) {
+    remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);
+    if (!arrow_named) remark += "  ·  arrow: cage rotation";
+  }
+  if (!shape_known && rollers)
+    remark += "  ·  as long as wide: SOL8 does not hold the length of rollers";
+  else if (!shape_known && g.pocket_clearance_2 > 0.0)
+    remark += "  ·  drawn round: SOL8 does not hold the pocket's shape";
+  draw_key(s, key, QString::fromStdString(remark));
 }
 
 }  // namespace adore::agore

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <utility>
 
 namespace adore::agore {
 
@@ -143,9 +145,82 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   return out;
 }
 
+/// Where elements leave a ring free, at its -x and +x side.
+std::array<double, 2> beside_elements(const Animation& animation, std::size_t race) {
+  const auto& g = animation.file.geometry;
+  if (animation.file.bearing_type == 1) {
+    const bool outer = race == 0;
+    const double groove = size_length(
+        animation, outer ? "outer_groove_radius" : "inner_groove_radius", 1.04 * g.element_radius);
+    const double shoulder =
+        outer ? size_length(animation, "outer_shoulder_radius", g.outer_race_inner_radius)
+              : size_length(animation, "inner_shoulder_radius", g.inner_race_outer_radius);
+    const double centre_x =
+        size_number(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
+        length_unit(animation);
+    const double from_centre = outer ? shoulder - g.outer_race_inner_radius + groove
+                                     : g.inner_race_outer_radius + groove - shoulder;
+    const double reach = std::sqrt(std::max(groove * groove - from_centre * from_centre, 0.0));
+    return {centre_x - reach, centre_x + reach};
+  }
+  const RollerProfile roller = roller_profile(animation);
+  const double lean = nominal_lean(animation);
+  const double middle = animation.frame(0).elements.at(0).x - roller.mass_centre * std::cos(lean);
+  std::array<double, 2> out{middle, middle};
+  for (const QPointF& p : roller.meridian())
+    for (const double side : {-1.0, 1.0}) {
+      const double x = leaned(middle, 0.0, lean, p.x(), side * p.y()).x();
+      out = {std::min(out[0], x), std::max(out[1], x)};
+    }
+  return out;
+}
+
+/// From the land to the ring's face as high as the land.
+void add_land(std::vector<RingColumn>& profile, const LandPlace& land,
+              const std::array<double, 2>& beside) {
+  const bool plus = land.low + land.high > 0.0;
+  const double edge = plus ? std::max(land.low, beside[1]) : std::min(land.high, beside[0]);
+  const double face = plus ? profile.back().x : profile.front().x;
+  if (plus ? !(edge < face) : !(edge > face)) return;  // no room beside the elements
+  const double far = profile.front().far;
+  const double near = land.race == 0 ? std::min(land.on_race, far) : std::max(land.on_race, far);
+  double before = plus ? profile.front().near : profile.back().near;
+  std::vector<RingColumn> out;
+  for (const RingColumn& column : profile)
+    if (plus ? column.x < edge : column.x > edge) {
+      out.push_back(column);
+      if (plus || out.size() == 1) before = column.near;
+    }
+  const std::vector<RingColumn> step{{edge, before, far}, {edge, near, far}, {face, near, far}};
+  if (plus)
+    out.insert(out.end(), step.begin(), step.end());
+  else
+    out.insert(out.begin(), step.rbegin(), step.rend());
+  profile = std::move(out);
+}
+
 }  // namespace
 
-std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race) {
+std::vector<LandPlace> land_places(const Animation& animation, double clearance) {
+  std::vector<LandPlace> out;
+  for (int i = 1; animation.motion && i <= 2; ++i) {
+    const std::string name = "land" + std::to_string(i) + "_";
+    const auto size = [&](const char* what) {
+      return size_number(animation, (name + what).c_str()) / length_unit(animation);
+    };
+    const double guide = size_number(animation, (name + "guide").c_str());
+    const double width = size("width"), edge = size("edge"), gap = clearance * size("clearance");
+    if (!animation.land[static_cast<std::size_t>(i - 1)] || !(width > 0.0)) continue;
+    if (guide != 1.0 && guide != 2.0) continue;
+    const double inner = edge - std::copysign(width, edge), radius = 0.5 * size("diameter");
+    out.push_back({guide == 1.0 ? 0U : 1U, std::min(edge, inner), std::max(edge, inner), radius,
+                   guide == 1.0 ? radius + gap : radius - gap});
+  }
+  return out;
+}
+
+std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race,
+                                     double clearance) {
   const auto& g = animation.file.geometry;
   const bool balls = animation.file.bearing_type == 1;
   const double far = race == 0
@@ -154,7 +229,11 @@ std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t rac
   const double half =
       0.5 * size_length(animation, race == 0 ? "outer_race_width" : "inner_race_width",
                         balls ? 2.2 * g.element_radius : 2.6 * roller_profile(animation).half);
-  return balls ? ball_ring(animation, race, half, far) : roller_ring(animation, race, half, far);
+  std::vector<RingColumn> out =
+      balls ? ball_ring(animation, race, half, far) : roller_ring(animation, race, half, far);
+  for (const LandPlace& land : land_places(animation, clearance))
+    if (land.race == race) add_land(out, land, beside_elements(animation, race));
+  return out;
 }
 
 std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile) {

@@ -25,8 +25,22 @@ namespace adore::agore {
 struct RingColumn {
   double x = 0.0, near = 0.0, far = 0.0;
 };
-/// Race 0 (outer) or 1 (inner) where it stands without displacement, from -x to +x.
-[[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race);
+/// A guide land of the cage along x, with its radius on the cage and on the race that guides it.
+struct LandPlace {
+  std::size_t race = 0;
+  double low = 0.0, high = 0.0;
+  double on_cage = 0.0, on_race = 0.0;
+};
+/// @param clearance of lands, times what it is
+[[nodiscard]] std::vector<LandPlace> land_places(const Animation& animation,
+                                                 double clearance = 1.0);
+
+/// Race 0 (outer) or 1 (inner) where it stands without displacement, from -x to +x. A race that
+/// guides the cage is as high as that asks from the land to its face [choice: files do not tell its
+/// shape beyond the land].
+/// @param clearance of lands, times what it is
+[[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race,
+                                                   double clearance = 1.0);
 
 /// Its corners (x, r) in turn. The far side is one straight line: where a leaning roller's end
 /// overhangs, columns go back, and the far side would be drawn there three times.

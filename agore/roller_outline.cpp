@@ -151,8 +151,4 @@ RollerProfile roller_profile(const Animation& animation) {
   return out;
 }
 
-double drawn_skew(const RollerProfile& roller, double skew, double factor) {
-  return roller.is_barrel() ? skew : std::atan(factor * std::tan(skew));
-}
-
 }  // namespace adore::agore

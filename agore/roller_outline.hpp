@@ -34,9 +34,4 @@ struct RollerProfile {
 };
 [[nodiscard]] RollerProfile roller_profile(const Animation& animation);
 
-/// The skew that is drawn where ways across are `factor` times as large, so that what touches is
-/// seen to: larger likewise for a roller with a straight part. A barrel's is as it is: its arc is
-/// to scale, and near its middle, where it touches, a skew hardly moves it.
-[[nodiscard]] double drawn_skew(const RollerProfile& roller, double skew, double factor);
-
 }  // namespace adore::agore

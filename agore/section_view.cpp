@@ -1,6 +1,8 @@
 #include "agore/ring_profile.hpp"
+#include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/even_digits.hpp"
 
 #include <QPainterPath>
 #include <fmt/format.h>
@@ -95,6 +97,73 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
   }
 }
 
+/// The lands on the cage, beside the race that guides it: stepped where their diameter is another
+/// than the cage's.
+void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
+  const std::vector<LandPlace> lands = land_places(s.animation);
+  const auto& t = s.sketch.theme();
+  const auto& g = s.geometry();
+  const auto& body = s.animation.cage_of(s.index, k);
+  QColor colour = t.cage;
+  colour.setAlpha(170);
+  for (const LandPlace& land : lands) {
+    const QPointF a = cut.at(land.low + body.position[0], land.on_cage),
+                  b = cut.at(land.high + body.position[0], land.on_cage);
+    const double side = land.race == 0 ? g.cage_outer_radius : g.cage_inner_radius;
+    if ((land.on_cage - side) * (land.race == 0 ? 1.0 : -1.0) > 1e-3 * g.element_radius) {
+      QPainterPath step;
+      step.addRect(QRectF(a, cut.at(land.high + body.position[0], side)).normalized());
+      fill(s, step, colour);
+    }
+    s.sketch.painter().setPen(QPen(t.red, 2.4, Qt::SolidLine, Qt::FlatCap));
+    s.sketch.painter().drawLine(a, b);
+  }
+  if (!lands.empty()) key.push_back({t.red, "guide lands"});
+}
+
+/// Flange forces on the roller, at its ends. Those are small beside race loads: their arrows are
+/// as much longer as leaves them within the longest of those.
+void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
+  const results::MotionChannel* forces =
+      s.animation.motion ? s.animation.motion->channel("flange.force") : nullptr;
+  if (forces == nullptr || !s.animation.contacts || !(s.animation.contacts->largest_load > 0.0))
+    return;
+  const double longest = s.animation.contacts->largest_load;
+  double largest = 0.0;
+  for (const double force : forces->values) largest = std::max(largest, force);
+  if (!(largest > 0.0)) return;
+  double factor = 1.0;
+  for (const double candidate : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+    if (candidate * largest <= longest) factor = candidate;
+  const auto& t = s.sketch.theme();
+  const auto& e = s.frame.elements.at(k);
+  const RollerProfile shape = roller_profile(s.animation);
+  const double lean = axis_angles(e).lean;
+  for (std::size_t race = 0; race < 2; ++race)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double force = s.animation.value("flange.force", s.index, 4 * k + 2 * race + side);
+      if (!has_flange(s.animation, race, side) || !(force > 0.0)) continue;
+      const double height = s.animation.value("flange.height", s.index, 4 * k + 2 * race + side);
+      const double way = side == 0 ? -1.0 : 1.0, up = race == 0 ? 1.0 : -1.0;
+      const double across =
+          up * (shape.line(way * shape.half) - (std::isfinite(height) ? height : 0.0));
+      const double u = way * shape.half - shape.mass_centre;
+      const double length = 0.75 * shape.radius * factor * force / longest;
+      const QPointF tip = leaned(e.x, e.r, lean, u, across),
+                    tail = leaned(e.x, e.r, lean, u + way * length, across);
+      const std::string remark =
+          load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[2], 3.2);
+      key.push_back(
+          {t.curves[2],
+           QString::fromStdString(fmt::format(
+               "{} flange at {}x: {}{}", race == 0 ? "outer" : "inner", side == 0 ? "−" : "+",
+               desktop::even_quantity(force, s.animation.contacts->load_unit, 4),
+               !remark.empty() ? remark
+               : factor > 1.0  ? fmt::format(", arrow × {}", desktop::pretty_number(factor, 3))
+                               : std::string()))});
+    }
+}
+
 }  // namespace
 
 double section_picture_radius(const Animation& animation) {
@@ -140,16 +209,21 @@ void section_view(const Scene& s) {
     s.sketch.painter().drawLine(cut.at(e.x, e.r), cut.at(tip.x(), tip.y()));
     const std::string remark =
         load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
-    key.push_back({t.curves[j], QString::fromStdString(fmt::format(
-                                    "{}: {} at {}°{}", names[j],
-                                    desktop::pretty_quantity(contact.load[j],
-                                                             s.animation.contacts->load_unit, 4),
-                                    desktop::tick_text(angle * 180.0 / kPi, 2), remark))});
+    key.push_back({t.curves[j],
+                   QString::fromStdString(fmt::format(
+                       "{}: {} at {}°{}", names[j],
+                       desktop::even_quantity(contact.load[j], s.animation.contacts->load_unit, 4),
+                       desktop::tick_text(angle * 180.0 / kPi, 2), remark))});
   }
-  draw_key(s, key,
-           QString::fromStdString(fmt::format(
-               "element {} at {}°  ·  to scale  ·  +x to the right, outwards up", k + 1,
-               desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1))));
+  draw_flange_forces(s, cut, k, key);
+  if (s.animation.has_cage) draw_lands(s, cut, k, key);
+  draw_key(
+      s, key,
+      QString::fromStdString(fmt::format(
+          "element {} at {}°  ·  to scale{}", k + 1,
+          desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1),
+          too_low(s.options, s.sketch.area().height()) ? ""
+                                                       : "  ·  +x to the right, outwards up")));
 }
 
 }  // namespace adore::agore

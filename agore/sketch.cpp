@@ -100,6 +100,7 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
 /// On the surface, paler on the far side.
 void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const {
   if (mark == std::array<double, 3>{}) return;
+  if (!std::isfinite(mark[0] + mark[1] + mark[2])) return;  // stars in the file
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
@@ -114,13 +115,31 @@ void Sketch::orientation_mark(QPointF middle, double r, const std::array<double,
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   const auto& g = animation.file.geometry;
-  // One colour: it is drawn in every frame.
-  QColor colour = theme_.cage.lighter(106), rim = theme_.cage.darker(125);
-  colour.setAlpha(110), rim.setAlpha(110);
   const QPointF middle = at(centre.x(), centre.y());
   QPainterPath path;
   for (const double radius : {g.cage_outer_radius, g.cage_inner_radius})
     path.addEllipse(middle, radius * scale_, radius * scale_);
+  pale_cage(path);
+}
+
+void Sketch::cage_rail(QPointF centre, const Animation& animation, double begin, double end) const {
+  const auto& g = animation.file.geometry;
+  constexpr int kParts = 60;
+  QPolygonF rail;
+  for (int i = 0; i <= kParts; ++i)
+    rail.append(around(centre, g.cage_outer_radius, begin + (end - begin) * i / kParts));
+  for (int i = kParts; i >= 0; --i)
+    rail.append(around(centre, g.cage_inner_radius, begin + (end - begin) * i / kParts));
+  QPainterPath path;
+  path.addPolygon(rail);
+  path.closeSubpath();
+  pale_cage(path);
+}
+
+void Sketch::pale_cage(const QPainterPath& path) const {
+  // One colour: it is drawn in every frame.
+  QColor colour = theme_.cage.lighter(106), rim = theme_.cage.darker(125);
+  colour.setAlpha(110), rim.setAlpha(110);
   painter_.setPen(QPen(rim, 1.0));
   painter_.setBrush(colour);
   painter_.drawPath(path);
@@ -148,20 +167,31 @@ void Sketch::cage(QPointF centre, double angle, double outer_radius,
   if (!whole.isEmpty()) painter_.drawPath(whole);
 }
 
-void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour) const {
-  const QPointF origin = at(centre.x(), centre.y());
-  const QPointF z_end = around(centre, length, angle),
-                y_end = around(centre, length, angle - 0.5 * std::numbers::pi);
-  arrow(origin, z_end, colour, 2.4);
-  arrow(origin, y_end, colour, 2.4);
+namespace {
+
+int letters_of(double pixels) { return std::clamp(static_cast<int>(pixels * 0.16), 11, 16); }
+
+}  // namespace
+
+std::vector<QPointF> Sketch::frame_names(QPointF centre, double angle, double length,
+                                         double side) const {
   constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
-  if (length * scale_ < kLeast) return;
-  const int size = std::clamp(static_cast<int>(length * scale_ * 0.16), 11, 16);
+  if (length * scale_ < kLeast) return {};
   // Beside the tips: frames that point the same way lie on one line.
-  const double beside = (0.7 * size + 5.0) / scale_;
-  const double tip = std::hypot(length, beside), turn = std::atan2(beside, length);
-  label(around(centre, tip, angle + turn), "z", colour, size, true);
-  label(around(centre, tip, angle - 0.5 * std::numbers::pi - turn), "y", colour, size, true);
+  const double beside = (0.7 * letters_of(length * scale_) + 5.0) / scale_;
+  const double tip = std::hypot(length, beside), turn = side * std::atan2(beside, length);
+  return {around(centre, tip, angle + turn),
+          around(centre, tip, angle - 0.5 * std::numbers::pi - turn)};
+}
+
+void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour,
+                   double side) const {
+  const QPointF origin = at(centre.x(), centre.y());
+  for (const double axis : {angle, angle - 0.5 * std::numbers::pi})
+    arrow(origin, around(centre, length, axis), colour, 2.4);
+  const std::vector<QPointF> names = frame_names(centre, angle, length, side);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    label(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_), true);
 }
 
 void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width) const {

@@ -48,11 +48,18 @@ class Sketch {
   /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
   /// lie before them.
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
+  /// The same of a segment: from `begin` to `end` [rad], as azimuths.
+  void cage_rail(QPointF centre_yz, const Animation& animation, double begin, double end) const;
   /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
   void cage(QPointF centre_yz, double angle, double outer_radius,
             const CageOutlines::Outline& outline) const;
-  /// Two arms along the body's y and z axes.
-  void frame(QPointF centre_yz, double angle, double length, const QColor& colour) const;
+  /// Two arms along the body's y and z axes; their names stand outside of them (`side` 1) or
+  /// between them (-1).
+  void frame(QPointF centre_yz, double angle, double length, const QColor& colour,
+             double side = 1.0) const;
+  /// Where those names stand in the picture; none of axes that are too short for them.
+  [[nodiscard]] std::vector<QPointF> frame_names(QPointF centre_yz, double angle, double length,
+                                                 double side) const;
   void arrow(QPointF from, QPointF to, const QColor& colour,
              double width) const;                                         ///< picture positions
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
@@ -60,6 +67,7 @@ class Sketch {
              bool bold = false) const;  ///< centred
 
  private:
+  void pale_cage(const QPainterPath& path) const;
   void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const;
   QPainter& painter_;
   QRectF area_;

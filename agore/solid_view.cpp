@@ -1,11 +1,13 @@
 #include "agore/solid_view.hpp"
 
+#include "agore/view_layout.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace adore::agore {
@@ -116,6 +118,20 @@ void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& s
       m.flat(place(profile[j - 1].x, profile[j - 1].near, cut),
              place(profile[j].x, profile[j].near, cut), place(profile[j].x, profile[j].far, cut),
              place(profile[j - 1].x, profile[j - 1].far, cut), shades);
+}
+
+/// What a guide land faces on its race, over the ring's surface by `proud`.
+void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<double, double> arc,
+               const Shades& shades, double proud) {
+  const double way = land.race == 0 ? -1.0 : 1.0, radius = land.on_race + way * proud;
+  constexpr int kParts = 150;
+  const auto at = [&](double x, int i) {
+    const double azimuth = arc.first + (arc.second - arc.first) * i / kParts;
+    return m.at(Vec3(Vec3(x, 0.0, 0.0) + radius * outwards(azimuth) + shift), outwards(azimuth));
+  };
+  for (int i = 0; i < kParts; ++i)
+    m.canvas().quad(at(land.low, i), at(land.high, i), at(land.high, i + 1), at(land.low, i + 1),
+                    shades);
 }
 
 /// Where the sector of one pocket of the cage is, and its hole, as drawn.
@@ -361,8 +377,8 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
     return Vec3(p[0], p[1], p[2]);
   };
   const desktop::Theme& t = s.sketch.theme();
-  Key key{size,       scale, s.options.yaw,  s.options.elevation, middle.x(),
-          middle.y(), {},    s.options.dark, &s.animation};
+  Key key{size,     scale, s.options.yaw,  s.options.elevation, middle.x(), middle.y(),
+          s.factor, {},    s.options.dark, &s.animation};
   constexpr double kFar = 1e6;
   for (std::size_t race = 0; race < 2; ++race)
     for (int c = 0; c < 3; ++c)
@@ -373,9 +389,13 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
     Modeller m(races_, eye, scale, middle);
     const Shades steel = shades_of(t.steel_dark);
     const double towards = viewers_azimuth(eye);
-    add_ring(m, ring_profile(s.animation, 0), shift(0), towards + kOpen,
-             towards + 2.0 * kPi - kOpen, steel);
-    add_ring(m, ring_profile(s.animation, 1), shift(1), 0.0, 2.0 * kPi, steel);
+    const std::array<std::pair<double, double>, 2> arcs{
+        {{towards + kOpen, towards + 2.0 * kPi - kOpen}, {0.0, 2.0 * kPi}}};
+    for (const std::size_t race : {0U, 1U})
+      add_ring(m, ring_profile(s.animation, race, s.factor), shift(race), arcs[race].first,
+               arcs[race].second, steel);
+    for (const LandPlace& land : land_places(s.animation, s.factor))
+      add_strip(m, land, shift(land.race), arcs[land.race], shades_of(t.red), 2.0 / scale);
     key_ = key;
   }
   canvas_ = races_;
@@ -385,7 +405,7 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
   // Spots on the races' faces show their turning.
   const std::array<QColor, 2> spots{t.light_blue, t.blue};
   for (std::size_t race = outer_spot_shown(s, eye) ? 0 : 1; race < 2; ++race) {
-    const auto profile = ring_profile(s.animation, race);
+    const auto profile = ring_profile(s.animation, race, s.factor);
     const double size_of = 0.16 * s.geometry().element_radius;
     for (const RingColumn& face : {profile.front(), profile.back()})
       m.sphere(Vec3(face.x, 0.0, 0.0) +
@@ -424,7 +444,8 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   std::vector<KeyEntry> key;
   if (outer_spot_shown(s, eye)) key.push_back({t.light_blue, "spot of the outer race"});
   key.push_back({t.blue, "spot of the inner race"});
-  if (s.options.trails) key.push_back({trail_colour(s), "ways of the elements"});
+  if (!land_places(s.animation).empty()) key.push_back({t.red, "guide lands on the race"});
+  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
   if (s.options.contacts && s.animation.contacts && s.animation.contacts->largest_load > 0.0) {
     const auto& contacts = s.animation.contacts->frames.at(s.index);
     const double radius = s.geometry().element_radius;
@@ -444,7 +465,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
     key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   }
   if (s.options.colour != ColourBy::None)
-    draw_scale(s.sketch, colouring(s.animation, s.index, s.options.colour));
+    draw_scale(s, colouring(s.animation, s.index, s.options.colour));
   // The bearing's axes, in the upper left corner.
   const double high = s.sketch.area().height();
   const double arm = high < 200.0 ? 10.0 : high < 420.0 ? 18.0 : 30.0;
@@ -466,6 +487,8 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
+  if (too_low(s.options, s.sketch.area().height()))
+    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
   draw_key(s, key, QString::fromStdString(remark));
 }
 

@@ -33,7 +33,7 @@ class SolidLayer {
   /// What the races' picture depends on.
   struct Key {
     QSize size;
-    double scale = 0.0, yaw = 0.0, elevation = 0.0, x = 0.0, y = 0.0;
+    double scale = 0.0, yaw = 0.0, elevation = 0.0, x = 0.0, y = 0.0, factor = 0.0;
     std::array<int, 6> shift{};  ///< of both races, in half pixels
     bool dark = false;
     const Animation* animation = nullptr;

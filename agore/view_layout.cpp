@@ -96,11 +96,11 @@ double key_width(const Animation& animation, const ViewOptions& options, QSizeF 
 
 double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
   constexpr double kWide = 520.0;
-  const bool low = size.height() < kTooLow;
+  const bool low = too_low(options, size.height());
   const bool round =
       options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
   double lines = key_lines(animation, options, size) + (size.width() < kWide ? 1 : 0);
-  if (low) lines = options.view == View::Bearing ? 1.0 : round || size.width() > 260.0 ? 2.0 : 3.0;
+  if (low) lines = options.view == View::Bearing ? 1.0 : 2.0;
   const double height = std::min(lines * key_line() + 4.0, 0.45 * size.height());
   if (!round || (low && options.view == View::Solid)) return height;
   const double beside = std::max(0.0, 0.5 * size.width() - key_width(animation, options, size));

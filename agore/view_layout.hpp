@@ -7,8 +7,12 @@
 /// How much of a picture's area belongs to the bodies and how much to the key below them.
 namespace adore::agore {
 
-inline constexpr double kTooLow =
-    200.0;  ///< height that is too little for a key of several lines [pixels]
+/// Height that is too little for a key of several lines [pixels]: of a picture alone, and of one
+/// beside others, whose key stands below all of them.
+inline constexpr double kTooLow = 200.0, kTooLowBeside = 330.0;
+[[nodiscard]] inline bool too_low(const ViewOptions& options, double height) {
+  return height < (options.one_of_several ? kTooLowBeside : kTooLow);
+}
 
 /// Height of a line of the key [pixels].
 double key_line();

@@ -38,6 +38,7 @@ std::vector<SideView> views_beside(const std::string& names, const std::string& 
 
 ViewOptions ViewOptions::tile(std::size_t number) const {
   ViewOptions out = *this;
+  out.one_of_several = !beside.empty();
   out.beside.clear();
   if (number == 0) return out;
   const SideView& side = beside.at(number - 1);

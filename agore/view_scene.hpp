@@ -124,7 +124,10 @@ struct Colouring {
 [[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by);
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);
-/// Bar with its ends, in the upper right corner of the picture.
-void draw_scale(const Sketch& sketch, const Colouring& colouring);
+/// Bar with its ends, in the upper right corner of the picture. One of several small pictures has
+/// no room for it: the key below them names its ends.
+void draw_scale(const Scene& scene, const Colouring& colouring);
+/// Those names.
+[[nodiscard]] std::vector<KeyEntry> scale_entries(const Scene& scene);
 
 }  // namespace adore::agore

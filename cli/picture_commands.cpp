@@ -138,7 +138,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
   command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
-  command->add_flag("--trails", request->trails, "the way of every element so far");
+  command->add_flag("--trails", request->trails, "the path of every element so far");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(

@@ -231,6 +231,34 @@ Stretches stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t fro
   return out;
 }
 
+/// The same of very many values: a look at some thousand of them finds where they differ, and only
+/// what lies between two of those and is `long_enough` is looked at whole. No stretch that is
+/// `long_enough` is missed, for every value of it agrees.
+template <class Same, class Long>
+Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t from,
+                            std::size_t to, Same same, Long long_enough) {
+  constexpr std::size_t kLooks = 4096;
+  to = std::min({to, a.y.size(), b.y.size()});
+  const std::size_t step = to > from ? (to - from) / kLooks : 0;
+  if (step < 2) return stretches_of(a, b, from, to, same);
+  Stretches out;
+  const auto look_between = [&](std::size_t first, std::size_t end) {
+    if (!(first < end) || !long_enough(first, end - 1)) return;
+    const Stretches found = stretches_of(a, b, first, end, same);
+    out.differ = out.differ || found.differ;
+    out.places.insert(out.places.end(), found.places.begin(), found.places.end());
+  };
+  std::size_t begun = from;
+  for (std::size_t i = from; i < to; i += step) {
+    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i]) || same(a.y[i], b.y[i])) continue;
+    out.differ = true;
+    look_between(begun, i);
+    begun = i + 1;
+  }
+  look_between(begun, to);
+  return out;
+}
+
 /// The part of a line between two places across; it goes to the right.
 QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
   QPolygonF out;
@@ -304,16 +332,20 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   const double seen = kSame * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
   const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
   const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
-  const Stretches found = stretches_of(
-      one, other, from, to, [seen](double p, double q) { return std::abs(p - q) <= seen; });
   const auto place = [&](std::size_t i) {
     return area.left() +
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
   };
+  const auto long_enough = [&](std::size_t first, std::size_t last) {
+    return place(last) - place(first) >= kLeast;
+  };
+  const Stretches found = long_stretches_of(
+      one, other, from, to, [seen](double p, double q) { return std::abs(p - q) <= seen; },
+      long_enough);
   bool equal = true;
   std::vector<std::pair<qreal, qreal>> over;
   for (const auto& [first, last] : found.places) {
-    if (place(last) - place(first) < kLeast) continue;
+    if (!long_enough(first, last)) continue;
     over.emplace_back(place(first), place(last));
     for (std::size_t i = first; equal && i <= last; ++i)
       equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||

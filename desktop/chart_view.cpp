@@ -155,8 +155,13 @@ QString ChartView::cursorReport() const {
   lines << head;
   for (const ChartPanel& panel : page.panels)
     for (const ChartCurve& curve : panel.curves) {
-      if (curve.hidden || curve.y.empty()) continue;
+      const bool any =
+          std::any_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
+      if (curve.hidden || !any) continue;
+      // A chart of one's own names its curves by their quantity.
+      const bool named = curve.name.starts_with(panel.title);
       QString line = QString::fromStdString(curve.name.empty() ? panel.title
+                                            : named            ? curve.name
                                                                : panel.title + ", " + curve.name) +
                      ":";
       const auto value = [&](double x) {

@@ -644,8 +644,9 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
       remark =
           "forces on the inner race, displacements [N, m]: those of the example, by the "
           "capacity of this size; put in your own" +
-          std::string(bearing.type == BearingType::Spherical ? ", of one row: half of the bearing's"
-                                                             : "");
+          std::string(bearing.type == BearingType::Spherical
+                          ? ", of one row: half of the bearing's radial load"
+                          : "");
     else if (id == "9.1.2")
       remark =
           "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: put in your own";

@@ -11,6 +11,7 @@
 #include "facade/film_precision.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/pilot.hpp"
+#include "facade/run_span.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "facade/user_session.hpp"
@@ -510,7 +511,8 @@ std::string stability_text(const Prepared& prepared) {
 /// What ends a run of this deck, in turns: its time, or its steps before that.
 std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
-  if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0)) return "by fTime or maxStps";
+  if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0) || speeds_vary(prepared))
+    return "by fTime or maxStps, whichever comes first";
   const double by_time = prepared.control.end_time * make_system(prepared).scales().time * speed /
                          (2.0 * std::numbers::pi);
   const double by_steps = static_cast<double>(prepared.control.max_steps) *

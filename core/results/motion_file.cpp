@@ -173,7 +173,7 @@ void MotionFile::read_frames(std::size_t most_frames) {
   const std::size_t parts = cages == nullptr ? 0 : cages->size() / 3;
   const auto* pocket = reader_->find("pocket.force");
   const std::size_t surfaces =
-      pocket == nullptr || n == 0 ? 0 : pocket->size() / std::max<std::size_t>(1, n);
+      pocket == nullptr || pocket->size() < n * pocket_surfaces() ? 0 : pocket_surfaces();
   const auto* land = reader_->find("land.force");
   const std::size_t lands = land == nullptr || parts == 0 ? 0 : land->size() / parts;
 
@@ -248,6 +248,11 @@ void MotionFile::read_frames(std::size_t most_frames) {
   fill("race.orientation", 8, [&](std::size_t i, const double* v) {
     for (std::size_t r = 0; r < 2; ++r) file_.frames[i].races[r].angles = angles_of(v + 4 * r);
   });
+}
+
+std::size_t MotionFile::pocket_surfaces() const {
+  const H5Reader::ChannelInfo* pocket = reader_->find("pocket.force");
+  return pocket == nullptr || pocket->dimensions.size() != 2 ? 0 : pocket->dimensions[1];
 }
 
 const MotionChannel* MotionFile::channel(const std::string& id) const {

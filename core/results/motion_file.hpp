@@ -53,6 +53,8 @@ class MotionFile {
   [[nodiscard]] bool has(std::string_view id) const noexcept {
     return reader_->find(id) != nullptr;
   }
+  /// Guide surfaces of a pocket; 0 without a cage.
+  [[nodiscard]] std::size_t pocket_surfaces() const;
   /// At the frames; nullptr when the run has no such channel. Read once, then kept.
   [[nodiscard]] const MotionChannel* channel(const std::string& id) const;
 

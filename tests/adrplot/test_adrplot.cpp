@@ -339,24 +339,57 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
 }
 
 TEST_CASE("plot_document: a file too long to be held is read for a few pages at a time", "[gui]") {
-  QTemporaryDir folder;
-  const std::filesystem::path path = folder.path().toStdString() + "/SOL1";
-  test::write_text(path, test::sol_text(test::synthetic_sol(SolKind::Element)));
-  const PlotDocument whole = open_document(path), pieces = open_document(path, {}, 1000);
-  REQUIRE(pieces.pages.size() == whole.pages.size());
-  const auto same = [&](int number) {
-    const desktop::ChartPage a = whole.build(number, {}), b = pieces.build(number, {});
-    INFO("page " << number);
-    CHECK(a.x == b.x);
-    CHECK(a.note == b.note);
-    REQUIRE(a.panels.size() == b.panels.size());
-    for (std::size_t p = 0; p < a.panels.size(); ++p) {
-      REQUIRE(a.panels[p].curves.size() == b.panels[p].curves.size());
-      CHECK(a.panels[p].unit == b.panels[p].unit);
-      for (std::size_t c = 0; c < a.panels[p].curves.size(); ++c)
-        CHECK(a.panels[p].curves[c].y == b.panels[p].curves[c].y);
+  // As it is; without any contact, land or motion; and open at every third step.
+  const auto nothing = [](std::size_t) { return true; };
+  const auto third = [](std::size_t step) { return step % 3 == 0; };
+  const auto never = [](std::size_t) { return false; };
+  const auto check = [](SolKind kind, auto zero) {
+    QTemporaryDir folder;
+    results::SolFile file = test::synthetic_sol(kind);
+    const std::filesystem::path path = folder.path().toStdString() + "/" + file.path.string();
+    for (std::size_t i = 0; i < file.steps.size(); ++i)
+      if (zero(i)) std::fill(file.steps[i].values.begin(), file.steps[i].values.end(), 0.0);
+    test::write_text(path, test::sol_text(file));
+    const PlotDocument whole = open_document(path);
+    const auto same = [&](int number, PageOptions options) {
+      // Each page by itself: no other one's columns are there.
+      const PlotDocument pieces = open_document(path, {}, 1000);
+      REQUIRE(pieces.pages.size() == whole.pages.size());
+      const desktop::ChartPage a = whole.build(number, options), b = pieces.build(number, options);
+      CAPTURE(file.path, number);
+      CHECK(a.x == b.x);
+      CHECK(a.note == b.note);
+      CHECK(a.x_title == b.x_title);
+      CHECK(a.guide_radius == b.guide_radius);
+      REQUIRE(a.panels.size() == b.panels.size());
+      const auto equal = [](const std::vector<double>& p, const std::vector<double>& q) {
+        return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](double v, double w) {
+          return v == w || (std::isnan(v) && std::isnan(w));
+        });
+      };
+      for (std::size_t p = 0; p < a.panels.size(); ++p) {
+        REQUIRE(a.panels[p].curves.size() == b.panels[p].curves.size());
+        CHECK(a.panels[p].title == b.panels[p].title);
+        CHECK(a.panels[p].unit == b.panels[p].unit);
+        CHECK(a.panels[p].message == b.panels[p].message);
+        for (std::size_t c = 0; c < a.panels[p].curves.size(); ++c)
+          CHECK(equal(a.panels[p].curves[c].y, b.panels[p].curves[c].y));
+      }
+    };
+    for (int number = 1; number <= static_cast<int>(whole.pages.size()); ++number) {
+      same(number, {});
+      if (whole.pages[static_cast<std::size_t>(number - 1)].kind == PageKind::Orbit)
+        same(number, {.orbit = {0, 1}});
     }
+    // From one page to another and back.
+    const PlotDocument pieces = open_document(path, {}, 1000);
+    const int last = static_cast<int>(whole.pages.size());
+    for (const int number : {1, last, 1})
+      CHECK(pieces.build(number, {}).note == whole.build(number, {}).note);
   };
-  for (int number = 1; number <= static_cast<int>(whole.pages.size()); ++number) same(number);
-  same(1);
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    check(kind, never);
+    check(kind, nothing);
+    check(kind, third);
+  }
 }

@@ -304,7 +304,7 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
   made.steps = 1001;
   const results::SolFile file = test::synthetic_sol(SolKind::Element, made);
   const double every = 1000.0 / (1001.0 * made.end_time());  // of 1001 samples [Hz]
-  const std::string apart = "ines every " + desktop::pretty_quantity(every, "Hz", 3);
+  const std::string apart = "a line every " + desktop::pretty_quantity(every, "Hz", 3);
   PageOptions options;
   options.domain = Domain::Spectrum;
   for (const SpectrumScale scale :

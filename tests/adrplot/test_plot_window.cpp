@@ -19,6 +19,7 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -83,7 +84,7 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
   window.addFile(test::synthetic_sol(SolKind::Element));
   CHECK(window.currentPage() == 1);
   press(window, "Prev Plot");
-  CHECK(take_message(window) == "This is the first plot.");
+  CHECK(window.statusBar()->currentMessage() == "This is the first plot.");
   CHECK(window.currentPage() == 1);
   for (int page = 2; page <= 8; ++page) {
     press(window, "Next Plot");
@@ -94,7 +95,7 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
       CHECK(window.view().chartScene().linesOf(i) > 0);
   }
   press(window, "Next Plot");
-  CHECK(take_message(window) == "This is the last plot.");
+  CHECK(window.statusBar()->currentMessage() == "This is the last plot.");
   CHECK(window.currentPage() == 8);
   CHECK(window.windowTitle().contains("page 8 of 8"));
 }

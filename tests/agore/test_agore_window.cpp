@@ -127,6 +127,33 @@ TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
   CHECK(window.currentFrame() == 100);
 }
 
+TEST_CASE("agore_window: opening offers all that can be held, whatever was asked before", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  for (int time = 0; time < 2; ++time) {
+    window.askForFile();
+    auto* question = window.findChild<QInputDialog*>("number");
+    REQUIRE(question);
+    CHECK(question->intValue() == static_cast<int>(results::MotionFile::kMostFrames));
+    question->setIntValue(5);
+    question->reject();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+TEST_CASE("agore_window: a place that was zoomed into is left with its view", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
+  menu_action(window, "Zoom In")->trigger();
+  REQUIRE(window.options().zoom > 1.0);
+  menu_action(window, "Bearing Motion")->trigger();  // the same one
+  CHECK(window.options().zoom > 1.0);
+  menu_action(window, "Cage Motion")->trigger();
+  CHECK(window.options().zoom == 1.0);
+  CHECK(window.options().pan == QPointF(0.0, 0.0));
+}
+
 TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gui]") {
   test::use_qt();
   AgoreWindow window;

@@ -124,3 +124,29 @@ TEST_CASE("depth_canvas: a closed body looks the same without what is turned awa
   CHECK(all.image(1) == front.image(1));
   CHECK(all.image(1) != back.image(1));
 }
+
+TEST_CASE("cage outlines: segments leave no part of the ring but their gaps", "[unit][agore]") {
+  for (const int count : {2, 3, 4, 6}) {
+    Animation animation = prepare(test::synthetic_sol8());
+    const auto n = animation.pocket_angle.size();
+    animation.segments = count;
+    for (std::size_t k = 0; k < n; ++k)
+      animation.pocket_part[k] = static_cast<int>(k) * count / static_cast<int>(n);
+    double all = 0.0;
+    for (int part = 0; part < count; ++part) {
+      const auto [begin, end] = segment_sector(animation, part);
+      const auto next = segment_sector(animation, (part + 1) % count);
+      all += end - begin;
+      const double gap = std::remainder(next.begin - end, 2.0 * std::numbers::pi);
+      CAPTURE(count, part);
+      CHECK(gap > 0.0);
+      CHECK(gap < 0.03);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double from =
+            std::remainder(animation.pocket_angle[k] - 0.5 * (begin + end), 2.0 * std::numbers::pi);
+        CHECK((std::abs(from) < 0.5 * (end - begin)) == (animation.pocket_part[k] == part));
+      }
+    }
+    CHECK(all == Approx(2.0 * std::numbers::pi).epsilon(0.03));
+  }
+}

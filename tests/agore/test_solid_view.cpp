@@ -97,10 +97,63 @@ TEST_CASE("ring_profile: a groove has its bottom and its shoulders where the fil
   // 40 columns: between two of them a groove of radius R dips by R (w/80R)^2/2, below 1e-4 of R.
   CHECK(lowest(outer, 1.0) == Approx(g.outer_race_inner_radius).epsilon(1e-3));
   CHECK(lowest(inner, -1.0) == Approx(g.inner_race_outer_radius).epsilon(1e-3));
-  CHECK(outer.front().near == Approx(size_length(a, "outer_shoulder_radius")));
+  // It guides the cage: its shoulders are what its lands run on.
+  REQUIRE(land_places(a).size() == 2);
+  CHECK(outer.front().near == Approx(0.0373));
+  CHECK(outer.back().near == Approx(0.0371));
+  CHECK(ring_profile(a, 0, 4.0).back().near == Approx(0.0374));  // its clearance magnified
+  CHECK(inner.front().near == Approx(size_length(a, "inner_shoulder_radius")));
   CHECK(outer.back().x - outer.front().x == Approx(size_length(a, "outer_race_width")));
   for (const RingColumn& c : outer) CHECK(c.near <= c.far);
   for (const RingColumn& c : inner) CHECK(c.near >= c.far);
+}
+
+TEST_CASE("land_places: lands are where the deck has them, and their race reaches to them",
+          "[unit][agore]") {
+  using namespace adore::testing;
+  for (const auto guide : {bearing::GuideLand::Guide::Outer, bearing::GuideLand::Guide::Inner})
+    for (const bool rollers : {false, true}) {
+      const TemporaryFolder folder;
+      bearing::Bearing bearing = make_bearing(8);
+      for (auto& land : bearing.cage->lands) {
+        land.guide = guide;
+        if (guide == bearing::GuideLand::Guide::Inner) land.diameter = 0.068;
+      }
+      bearing.cage->lands[1].edge = 0.008;
+      results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+      results::H5Writer h5 =
+          results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+      for (long step = 0; step <= 2; ++step)
+        h5.write(recorder.record(make_snapshot(bearing, step)));
+      h5.close();
+      Animation a = open_motion(folder / "RESULTS.h5");
+      if (rollers) a.file.bearing_type = 2;  // as long as wide
+      const bool outer = guide == bearing::GuideLand::Guide::Outer;
+      const auto lands = land_places(a);
+      REQUIRE(lands.size() == 2);
+      CHECK(lands[0].low == Approx(-0.007));
+      CHECK(lands[0].high == Approx(-0.005));
+      CHECK(lands[1].low == Approx(0.006));
+      CHECK(lands[1].high == Approx(0.008));
+      const double on_cage = outer ? 0.037 : 0.034, way = outer ? 1.0 : -1.0;
+      CHECK(lands[0].on_cage == Approx(on_cage));
+      CHECK(lands[0].on_race == Approx(on_cage + way * 0.0003));
+      CHECK(lands[1].on_race == Approx(on_cage + way * 0.0001));
+      for (const std::size_t race : {0U, 1U}) {
+        const auto ring = ring_profile(a, race);
+        for (std::size_t i = 1; i < ring.size(); ++i) CHECK(ring[i].x >= ring[i - 1].x - 1e-12);
+        const bool guides = (race == 0) == outer;
+        CHECK((ring.back().near == Approx(lands[1].on_race)) == guides);
+        CHECK((ring.front().near == Approx(lands[0].on_race)) == guides);
+        // The element's place in the middle is as it was.
+        const auto& g = a.file.geometry;
+        double deepest = race == 0 ? -1.0 : 1.0;
+        for (const RingColumn& c : ring)
+          deepest = race == 0 ? std::max(deepest, c.near) : std::min(deepest, c.near);
+        CHECK(deepest == Approx(race == 0 ? g.outer_race_inner_radius : g.inner_race_outer_radius)
+                             .epsilon(1e-3));
+      }
+    }
 }
 
 TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui][agore]") {
@@ -147,10 +200,11 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
   MotionPicture picture = picture_of_run(folder);
   ViewOptions options;
   options.beside = {{View::Solid}, {View::Element}, {View::Pocket}};
-  const QRectF low(0, 0, 700, 450), high(0, 0, 1280, 800);
+  const QRectF low(0, 0, 700, 450), high(0, 0, 1920, 1200);
   const QRectF key = MotionPicture::sharedKeyArea(low, 4);
   REQUIRE_FALSE(key.isEmpty());
   CHECK(MotionPicture::sharedKeyArea(high, 4).isEmpty());
+  CHECK_FALSE(MotionPicture::sharedKeyArea({0, 0, 1280, 800}, 4).isEmpty());
   CHECK(MotionPicture::sharedKeyArea(low, 1).isEmpty());
   for (const QRectF& tile : MotionPicture::pictureAreas(low, 4)) CHECK_FALSE(tile.intersects(key));
   CHECK_FALSE(MotionPicture::dataArea(low, 4).intersects(key));

@@ -360,18 +360,114 @@ TEST_CASE("a roller is drawn with its cone, its arc, its corners and its domes",
         }
 }
 
-TEST_CASE("a skew is drawn as large as ways across, of a barrel as it is",
+TEST_CASE("a skew takes as much more of the play as clearances are larger",
           "[unit][agore][pocket]") {
-  agore::RollerProfile roller;
-  roller.half = 7.0;
-  roller.radius = 5.0;
-  CHECK(std::tan(agore::drawn_skew(roller, 0.01, 10.0)) == Approx(10.0 * std::tan(0.01)));
-  roller.crown = 5000.0;  // crowned beside a straight part
-  roller.central = 6.0;
-  CHECK(agore::drawn_skew(roller, -0.01, 10.0) < -0.09);
-  roller.crown = 40.0;
-  roller.central = 0.0;
-  CHECK(agore::drawn_skew(roller, 0.01, 10.0) == 0.01);
+  using agore::drawn_skew;
+  agore::RollerProfile roller{.half = 7.0, .radius = 5.0};
+  // Straight: its ends go aside in proportion.
+  CHECK(drawn_skew(roller.outline(), 0.0, 0.01, 10.0) == Approx(0.1).epsilon(0.05));
+  CHECK(drawn_skew(roller.outline(), 0.0, -0.01, 10.0) < -0.09);
+  CHECK(drawn_skew(roller.outline(), 0.0, 0.0, 10.0) == Approx(0.0).margin(1e-9));
+  CHECK(drawn_skew(roller.outline(), 0.0, 0.03, 1.0) == Approx(0.03));
+  CHECK(drawn_skew(roller.outline(), 0.0, 0.5, 1e3) <= agore::kPi / 3.0 + 1e-12);
+  // A barrel: its arc goes aside by (R - r)(1 - cos skew), up to the arc's end at 0.19 rad.
+  roller.crown = 36.0;
+  const double drawn = drawn_skew(roller.outline(), 0.0, 0.06, 9.0);
+  CHECK(std::sin(0.5 * drawn) == Approx(3.0 * std::sin(0.03)).epsilon(0.02));
+}
+
+TEST_CASE("what is drawn of a roller and its pocket keeps the gaps in proportion",
+          "[unit][agore][pocket]") {
+  using agore::moved, agore::play_in;
+  // At the second wall, at the first, in the middle, one part of four; jammed, and overlapping.
+  CHECK(moved({1.0, 1.0}, {3e-6, 0.0}) == Approx(1.0));
+  CHECK(moved({1.0, 1.0}, {-1e-9, 3e-6}) == Approx(-1.0));
+  CHECK(moved({1.0, 1.0}, {2e-6, 2e-6}) == Approx(0.0));
+  CHECK(moved({3.0, 1.0}, {1e-6, 3e-6}) == Approx(-2.0));
+  CHECK(moved({1.0, 1.0}, {0.0, -1e-9}) == Approx(0.0));
+  CHECK(moved({-1.0, 0.5}, {0.0, 1e-6}) == Approx(0.75));
+  for (const double crown : {0.0, 36.0})
+    for (const double taper : {0.0, -0.1})
+      for (const double skew : {0.0, 0.2, -0.1}) {
+        CAPTURE(crown, taper, skew);
+        const agore::RollerProfile shape{
+            .half = 7.0, .radius = 5.0, .slope = taper, .crown = crown};
+        const agore::PocketOutline pocket{
+            .radius = 5.0, .roller_length = 14.0, .taper = taper, .clearance_1 = 3.0};
+        const QPolygonF roller = agore::upright(shape.outline(), skew);
+        const auto [sides, ends] = play_in(pocket, roller);
+        // Moved by its play it just touches: a little less stays in the hole, a little more does
+        // not.
+        const QPainterPath hole = agore::pocket_hole(pocket);
+        const auto inside = [&](QPointF way) {
+          const QPolygonF there = roller.translated(way);
+          return std::all_of(there.begin(), there.end(),
+                             [&](const QPointF& p) { return hole.contains(p); });
+        };
+        if (ends[0] > 0.0 && ends[1] > 0.0) {
+          CHECK(inside({0.99 * sides[1], 0.0}));
+          CHECK(inside({-0.99 * sides[0], 0.0}));
+        }
+        CHECK_FALSE(inside({1.01 * sides[1] + 0.01, 0.0}));
+        CHECK_FALSE(inside({-1.01 * sides[0] - 0.01, 0.0}));
+        CHECK_FALSE(inside({0.0, 1.01 * ends[1] + 0.01}));
+        CHECK_FALSE(inside({0.0, -1.01 * ends[0] - 0.01}));
+      }
+}
+
+TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tells both gaps",
+          "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  for (const bool first : {true, false}) {
+    const TemporaryFolder folder;
+    bearing::Bearing bearing = make_bearing(8);
+    bearing.cage->pocket = bearing::PocketShape::Rectangular;  // surfaces in pairs, as rollers'
+    results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+    results::H5Writer h5 =
+        results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+    for (long step = 0; step <= 3; ++step) {
+      scene::Snapshot snapshot = make_snapshot(bearing, step);
+      for (auto& element : snapshot.elements) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          const bool touched = (i % 2 == 0) == first;
+          element.pocket[i].force = touched ? 5.0 : 0.0;
+          element.pocket[i].gap = touched ? -1e-8 : 3.8e-4;
+          element.pocket[i].theta = first ? 0.0 : agore::kPi;
+        }
+      }
+      h5.write(recorder.record(snapshot));
+    }
+    h5.close();
+    write_sizes(folder / "RESULTS.h5",
+                {{"bearing_type", 3.0}, {"roller_length", 0.013}, {"roller_crown_radius", 0.04}});
+    MotionPicture picture = open_animation(folder / "RESULTS.h5");
+    ViewOptions options;
+    options.view = View::Pocket;
+    options.element = 2;
+    // The cage turns to the right: the wall behind the roller drives it.
+    CHECK(picture.svg({1280, 800}, 2, options)
+              .contains(first ? "side walls: left touched, right 380 µm away"
+                              : "side walls: left 380 µm away, right touched"));
+    // Between roller and wall there is paper on the one side only.
+    const QImage image = picture.image({1280, 800}, 2, options);
+    const QColor paper = theme_of(options).surface, cage = theme_of(options).cage;
+    const int row =
+        static_cast<int>(MotionPicture::pictureAreas({0, 0, 1280, 800}, 1).at(0).center().y()) - 60;
+    const auto is = [&](int x, const QColor& of) {
+      const QColor c = image.pixelColor(x, row);
+      return std::abs(c.red() - of.red()) + std::abs(c.green() - of.green()) +
+                 std::abs(c.blue() - of.blue()) <
+             30;
+    };
+    int from = 0, to = 779;
+    while (from < to && !is(from, cage)) ++from;
+    while (from < to && !is(to, cage)) --to;
+    std::array<int, 2> free{};
+    for (int x = from; x < to; ++x) free[x < (from + to) / 2 ? 0 : 1] += is(x, paper);
+    CHECK(free[first ? 0 : 1] <= 1);
+    CHECK(free[first ? 1 : 0] > 20);
+  }
 }
 
 TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",
@@ -532,8 +628,8 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   };
   const QByteArray front = words(View::Bearing), solid = words(View::Solid),
                    element = words(View::Element), cage = words(View::Cage);
-  for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("ways of the elements"));
-  CHECK(element.contains("way of the element"));
+  for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("paths of the elements"));
+  CHECK(element.contains("path of the element"));
   CHECK(front.contains("race loads ≤ " + load(contacts.largest_load)));
   for (const std::size_t race : {0U, 1U})
     CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads ≤ ") +

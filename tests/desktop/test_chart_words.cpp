@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -260,6 +261,44 @@ TEST_CASE("chart_scene: curves that would hide another say so and leave it half 
   CHECK(words(scene).contains("b (= a)"));
   CHECK(words(scene).contains("c (= a)"));
   for (const int curve : {0, 1, 2}) CHECK(inked(scene, three, curve) > 1000);
+}
+
+TEST_CASE("chart_scene: stretches of long curves are found as those of short ones", "[gui]") {
+  test::use_qt();
+  ChartScene scene;
+  scene.setTheme(theme(ThemeKind::Light));
+  scene.setPageSize({1280, 800});
+  const auto said = [&](int steps, double from, double to, double gap) {
+    ChartPage page;
+    std::vector<double> one, other;
+    for (int i = 0; i < steps; ++i) {
+      const double x = static_cast<double>(i) / (steps - 1);
+      page.x.push_back(x);
+      one.push_back(std::sin(5.0 * x));
+      const bool same = x >= from && x <= to && !(std::abs(x - gap) < 0.002);
+      other.push_back(one.back() + (same ? 0.0 : 0.5));
+    }
+    page.panels = {{"Load", "N", {{"first", one, {}}, {"second", other, {}}}}};
+    scene.setPage(page);
+    QString out;
+    for (const QString& text : words(scene))
+      if (text.startsWith("second")) out = text;
+    return out.toStdString();
+  };
+  // Over a part, from the start, to the end, everywhere, in two parts, nowhere, too short to see.
+  const std::array<std::array<double, 3>, 7> cases{{{0.3, 0.6, 2.0},
+                                                    {0.0, 0.4, 2.0},
+                                                    {0.7, 1.0, 2.0},
+                                                    {0.0, 1.0, 2.0},
+                                                    {0.2, 0.8, 0.5},
+                                                    {2.0, 3.0, 2.0},
+                                                    {0.5, 0.51, 2.0}}};
+  for (const auto& [from, to, gap] : cases) {
+    CAPTURE(from, to, gap);
+    const std::string few = said(2'000, from, to, gap);
+    CHECK(said(200'000, from, to, gap) == few);
+    CHECK((few == "second") == !(std::min(to, 1.0) - from > 0.03));
+  }
 }
 
 TEST_CASE("chart_scene: what is said of a curve over another is true of their values, and cheap",

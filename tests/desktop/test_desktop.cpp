@@ -1,5 +1,6 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/chart_scene.hpp"
+#include "desktop/even_digits.hpp"
 #include "support/qt_app.hpp"
 
 #include <QChart>
@@ -36,6 +37,27 @@ ChartPage wave_page(int points, int panels) {
 }
 
 }  // namespace
+
+TEST_CASE("even_quantity: numbers of a list have one count of digits", "[unit]") {
+  using desktop::even_quantity;
+  CHECK(even_quantity(312.2, "N", 4) == "312.2 N");
+  CHECK(even_quantity(272.0, "N", 4) == "272.0 N");
+  CHECK(even_quantity(272.0, "N", 3) == "272 N");
+  CHECK(even_quantity(0.052, "s", 3) == "52.0 ms");
+  CHECK(even_quantity(0.0879, "s", 3) == "87.9 ms");
+  CHECK(even_quantity(0.5, "", 3) == "0.500");
+  CHECK(even_quantity(-2.5, "N", 3).ends_with("2.50 N"));
+  CHECK(even_quantity(0.0, "N", 3) == desktop::pretty_quantity(0.0, "N", 3));
+  // Never another number, and never more digits than asked for.
+  for (double value = 1.234e-9; value < 1e9; value *= 7.3)
+    for (const int digits : {2, 3, 4}) {
+      const std::string plain = desktop::pretty_quantity(value, "N", digits),
+                        even = even_quantity(value, "N", digits);
+      CAPTURE(plain, even);
+      CHECK(std::stod(even) == std::stod(plain));
+      CHECK(even.size() >= plain.size());
+    }
+}
 
 TEST_CASE("axis_scale: ticks are 1, 2 or 5 times a power of ten and hold the data", "[unit]") {
   for (const double span : {1.0, 3.7, 0.021, 8.8e5, 4e-9}) {
