@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <memory>
 #include <utility>
 
 namespace adore::adrinput {
@@ -218,8 +217,10 @@ void Document::edit(const Cell& cell, std::string_view typed) {
 void Document::edit_all(const std::vector<std::pair<Cell, std::string>>& typed) {
   end_step();
   {
-    const auto apart = [this](void*) { together_ = false; };
-    const std::unique_ptr<void, decltype(apart)> guard(this, apart);  // edit() may throw
+    struct Apart {  // edit() may throw
+      bool& together;
+      ~Apart() { together = false; }
+    } const apart{together_};
     together_ = true;
     for (const auto& [cell, text] : typed) edit(cell, text);
   }
