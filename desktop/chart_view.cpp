@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::desktop {
 namespace {
@@ -14,8 +15,26 @@ namespace {
 constexpr std::size_t kMostViews = 100;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-QString quantity(double value, const std::string& unit) {
-  return QString::fromStdString(pretty_quantity(value, unit, 5));
+constexpr int kDigits = 5;
+
+QString quantity(double value, const std::string& unit, int digits = kDigits) {
+  return QString::fromStdString(pretty_quantity(value, unit, digits));
+}
+
+/// So many digits that what a curve varies by has as many as its values else have: 30.005 mm tells
+/// nothing of a motion of 1 µm about it.
+int digits_of(const ChartCurve& curve) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : curve.y)
+    if (std::isfinite(v)) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (!(high > low) || !std::isfinite(largest)) return kDigits;
+  constexpr int kMost = 12;
+  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
+  return std::clamp(kDigits + more, kDigits, kMost);
 }
 
 /// The same for a page that is read again.
@@ -168,8 +187,9 @@ QString ChartView::cursorReport() const {
         const std::size_t i = nearest_index(page.x, x);
         return i < curve.y.size() ? curve.value(i) : kNone;
       };
-      if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit));
-      if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit));
+      const int digits = digits_of(curve);
+      if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit, digits));
+      if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit, digits));
       if (a && b) {
         std::vector<double> lowered;
         if (curve.lift != 0.0) {
@@ -180,9 +200,11 @@ QString ChartView::cursorReport() const {
                                                      cursors_[0], cursors_[1]);
         line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
         if (s.count > 0)
-          line += tr("  min %1  max %2  mean %3  RMS %4")
-                      .arg(quantity(s.lowest, panel.unit), quantity(s.highest, panel.unit),
-                           quantity(s.mean, panel.unit), quantity(s.rms, panel.unit));
+          line +=
+              tr("  min %1  max %2  mean %3  RMS %4")
+                  .arg(quantity(s.lowest, panel.unit, digits),
+                       quantity(s.highest, panel.unit, digits),
+                       quantity(s.mean, panel.unit, digits), quantity(s.rms, panel.unit, digits));
       }
       lines << line;
     }

@@ -94,6 +94,26 @@ TEST_CASE("chart_view: cursors stand on stored values and tell what lies between
   CHECK(std::isnan(view.cursorAt(0)));
 }
 
+TEST_CASE("chart_view: cursors tell a small motion about a large value", "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  ChartPage page = lines_page();
+  page.panels.resize(1);
+  page.panels[0].unit = "m";
+  page.panels[0].curves.resize(1);
+  ChartCurve& curve = page.panels[0].curves[0];
+  for (std::size_t i = 0; i < curve.y.size(); ++i)
+    curve.y[i] = 0.030005 + 7e-7 * std::sin(0.3 * static_cast<double>(i));
+  curve.y[20] = 0.0300051234;
+  view.showPage(page);
+  const QRectF area = view.chartScene().plotAreas()[0];
+  click(view, {view.chartScene().positionOf(page.x[20]), area.center().y()}, Qt::ControlModifier);
+  INFO(view.cursorReport().toStdString());
+  CHECK(view.cursorReport().contains("30.0051234 mm"));
+}
+
 TEST_CASE("chart_view: a box zooms both ways, views come back, and outlive a change of page",
           "[gui]") {
   test::use_qt();
