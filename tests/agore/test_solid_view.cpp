@@ -234,6 +234,7 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
 }
 
 TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {
+  test::use_qt();
   const QRectF area(0, 0, 1280, 800);
   CHECK(MotionPicture::pictureAreas(area, 1).size() == 1);
   for (const std::size_t views : {2U, 3U, 4U, 6U}) {
