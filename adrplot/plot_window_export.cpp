@@ -40,9 +40,11 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages) {
       show(shown);
       scene.setZoom(view_->chartScene().zoom());
       desktop::save_page(scene, path.toStdString(), size);
+      desktop::tell_in_foot(this, tr("Saved %1.").arg(path));
     } else if (QFileInfo(path).suffix().toLower() == "pdf") {
       desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,
                         [&](std::size_t i) { show(static_cast<int>(i) + 1); });
+      desktop::tell_in_foot(this, tr("Saved %1 pages in %2.").arg(pageCount()).arg(path));
     } else {
       const QFileInfo info(path);
       for (int page = 1; page <= pageCount(); ++page) {
@@ -56,6 +58,9 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages) {
                                .toStdString(),
                            size);
       }
+      desktop::tell_in_foot(this, tr("Saved %1 pages, each with its number, in %2.")
+                                      .arg(pageCount())
+                                      .arg(info.absolutePath()));
     }
     return true;
   } catch (const std::exception& error) {
@@ -92,6 +97,7 @@ void PlotWindow::exportAll() { askForExport(true); }
 void PlotWindow::copyPicture() {
   if (!document()) return;
   QGuiApplication::clipboard()->setImage(view_->chartScene().image(view_->viewport()->size()));
+  desktop::tell_in_foot(this, tr("The picture is in the clipboard."));
 }
 
 void PlotWindow::print() {

@@ -40,7 +40,7 @@ void flange_view(const Scene& s) {
   const Vec3 axis = rotation(s.frame.elements.at(k).angles).col(0);
   const double azimuth = s.frame.elements.at(k).theta;
   const double skew =
-      std::atan2(axis.y() * std::cos(azimuth) + axis.z() * std::sin(azimuth), std::abs(axis.x()));
+      std::asin(std::clamp(axis.y() * std::cos(azimuth) + axis.z() * std::sin(azimuth), -1.0, 1.0));
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
   QTransform turned = to_picture;

@@ -88,9 +88,21 @@ void ChartScene::resetView() {
   rebuild();
 }
 
+void ChartScene::showAll() {
+  panel_views_.assign(page_.panels.size(), std::nullopt);
+  std::tie(low_, high_) = wholeRange();
+  rebuild();
+}
+
+bool ChartScene::panelsWhole() const {
+  return std::none_of(panel_views_.begin(), panel_views_.end(),
+                      [](const auto& range) { return range.has_value(); });
+}
+
+bool ChartScene::whole() const { return panelsWhole() && std::pair(low_, high_) == wholeRange(); }
+
 bool ChartScene::zoomed() const {
-  const bool chosen = std::any_of(panel_views_.begin(), panel_views_.end(),
-                                  [](const auto& range) { return range.has_value(); });
+  const bool chosen = !panelsWhole();
   const auto [first, last] =
       page_.view_high > page_.view_low ? std::pair(page_.view_low, page_.view_high) : wholeRange();
   return chosen || low_ != first || high_ != last;

@@ -52,6 +52,9 @@ class ChartScene : public QGraphicsScene {
 
   /// Visible part of the abscissa, in the page's units; limited to the data. Vertical axes follow.
   void setView(double low, double high);
+  /// All of the abscissa and of each panel, beyond the part that the page begins with.
+  void showAll();
+  [[nodiscard]] bool whole() const;
   void resetView();
   [[nodiscard]] ChartZoom zoom() const { return {low_, high_, panel_views_}; }
   /// Ranges of panels that this page does not have are left out.
@@ -141,6 +144,7 @@ class ChartScene : public QGraphicsScene {
   /// Names stand above the panel, as near to their lines as they have room; a step between the two
   /// leads from a name to a line that is not below it.
   void addMarks(const QRectF& area, bool label, const Metrics& m);
+  [[nodiscard]] bool panelsWhole() const;
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,

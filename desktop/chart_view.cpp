@@ -136,10 +136,14 @@ void ChartView::zoomBack() { travel(back_, forward_); }
 
 void ChartView::zoomForward() { travel(forward_, back_); }
 
+/// Everything; again, where a page begins with a part: that part.
 void ChartView::zoomAll() {
-  if (!scene_->zoomed()) return;
+  if (scene_->whole() && !scene_->zoomed()) return;
   remember();
-  scene_->resetView();
+  if (scene_->whole())
+    scene_->resetView();
+  else
+    scene_->showAll();
 }
 
 void ChartView::setCursor(int which, double abscissa) {

@@ -6,11 +6,13 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QInputDialog>
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QSettings>
+#include <QStatusBar>
 
 #include <exception>
 #include <memory>
@@ -107,6 +109,13 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
   dialog->open();
 }
 
+void tell_in_foot(QWidget* window, const QString& text) {
+  constexpr int kTold = 6000;  // [ms]
+  auto* main = qobject_cast<QMainWindow*>(window);
+  if (main != nullptr && main->findChild<QStatusBar*>() != nullptr)
+    main->statusBar()->showMessage(text, kTold);
+}
+
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                   std::function<QImage()> picture, std::function<QByteArray()> svg) {
   auto* dialog = new QFileDialog(parent, QObject::tr("Save picture"), QString(),
@@ -126,6 +135,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
           else
             save_image(picture(), name.toStdString(), Replace::Anything);
           remember_image_name(app, name);
+          tell_in_foot(parent, QObject::tr("Saved %1.").arg(name));
         } catch (const std::exception& error) {
           show_message(parent, error.what(), true);
         }

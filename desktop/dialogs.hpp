@@ -31,6 +31,9 @@ void ask_file(QWidget* parent, const QString& app, const QString& title, const Q
 void ask_files(QWidget* parent, const QString& app, const QString& title, const QString& names,
                std::function<void(QStringList)> answer);
 
+/// Says for some seconds in the foot of a window, where it has one, what was done.
+void tell_in_foot(QWidget* window, const QString& text);
+
 /// Where to save a picture: the remembered name with a running number, free to edit; then saves it
 /// and reports failure by message. With `svg`, a document (desktop/svg_writer.hpp), also as that.
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,

@@ -27,7 +27,7 @@ enum class FilmsOf : unsigned char {
 /// Sentences to warn of; empty: nothing to doubt. Where no oil reaches the contacts (meniscus 0)
 /// there is none.
 /// @throws DeckFault (kTrac) where the oil is a glass, or a film no film (but for thermal steps):
-/// nothing that hangs on it could be trusted. In a glass not even the energy of a motion closes.
+/// nothing that hangs on it could be trusted. Laws of liquids say nothing of a glass.
 [[nodiscard]] std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use);
 
 /// The same of oil that only flows, such as that between cage and elements; empty: nothing.

@@ -17,6 +17,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -354,6 +355,7 @@ TEST_CASE("plot_window: pages are exported in every format, one or all", "[gui]"
   for (const char* suffix : {"png", "svg", "pdf", "csv"}) {
     const QString path = folder.filePath(QString("one.%1").arg(suffix));
     CHECK(window.exportTo(path, false));
+    CHECK(window.statusBar()->currentMessage().contains(path));
     CHECK(QFile(path).size() > 1000);
   }
   CHECK(window.exportTo(folder.filePath("all.pdf"), true));

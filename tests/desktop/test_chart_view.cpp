@@ -149,6 +149,30 @@ TEST_CASE("chart_view: a box zooms both ways, views come back, and outlive a cha
   CHECK_FALSE(scene.zoomed());
 }
 
+TEST_CASE("chart_view: everything is more than the part that a page begins with", "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  ChartPage page = lines_page();
+  page.view_low = 1.0;
+  page.view_high = 3.0;
+  view.showPage(page);
+  const ChartScene& scene = view.chartScene();
+  CHECK_FALSE(scene.whole());
+  CHECK(scene.viewHigh() == 3.0);
+  view.zoomAll();
+  CHECK(scene.whole());
+  CHECK(scene.viewLow() == page.x.front());
+  CHECK(scene.viewHigh() == page.x.back());
+  view.zoomAll();  // and back to the part
+  CHECK(scene.viewLow() == 1.0);
+  CHECK(scene.viewHigh() == 3.0);
+  view.zoomAll();
+  view.zoomBack();
+  CHECK(scene.viewHigh() == 3.0);
+}
+
 TEST_CASE("chart_view: a click in the legend hides a curve, and the axis follows the others",
           "[gui]") {
   test::use_qt();
