@@ -47,8 +47,12 @@ std::vector<double> find_pockets(const Animation& animation) {
     double sine = 0.0, cosine = 0.0;
     for (std::size_t i = 0; i < animation.frames(); ++i) {
       const auto& element = animation.frame(i).elements[k];
+      // Seen from the cage's centre, which may be far from the axis.
+      const auto& centre = animation.part(i, animation.pocket_part[k]).position;
+      const double y = -element.r * std::sin(element.theta) - centre[1],
+                   z = element.r * std::cos(element.theta) - centre[2];
       // The pocket's y axis points against the azimuth.
-      const double angle = element.theta + element.pocket_vector[1] / pitch_radius -
+      const double angle = std::atan2(-y, z) + element.pocket_vector[1] / pitch_radius -
                            animation.part_angle(i, animation.pocket_part[k]);
       sine += std::sin(angle);
       cosine += std::cos(angle);

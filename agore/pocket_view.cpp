@@ -42,13 +42,14 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
   return pocket;
 }
 
-/// A roller's axis about its pocket [rad]: across it towards increasing azimuth, and towards who
-/// looks from outside along the pocket's axis, which leans as a conical cage does. A file without
-/// the cage's cone does not tell the latter.
+/// A roller's axis about its pocket [rad], in the cage's frame, tilted as it is: across the pocket
+/// towards increasing azimuth, and towards who looks from outside along the pocket's axis, which
+/// leans as a conical cage does. A file without the cage's cone does not tell the latter.
+/// @param pocket_angle azimuth of the pocket in its cage [rad]
 AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& element,
-                     double azimuth) {
-  const Vec3 axis = rotation(element.angles).col(0);
-  const double sine = std::sin(azimuth), cosine = std::cos(azimuth);
+                     const results::Sol8Body& cage, double pocket_angle) {
+  const Vec3 axis = rotation(cage.angles).transpose() * rotation(element.angles).col(0);
+  const double sine = std::sin(pocket_angle), cosine = std::cos(pocket_angle);
   const double skewed = -axis.y() * cosine - axis.z() * sine;
   if (!animation.motion) return {0.0, std::atan2(skewed, axis.x())};
   const double cone = cage_profile(animation).lean;
@@ -192,7 +193,9 @@ void pocket_view(const Scene& s) {
   const double direction =
       s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
   const double azimuth = s.pocket_azimuth(k);
-  const AxisAngles lies = rollers ? in_pocket(s.animation, element, azimuth) : AxisAngles{};
+  const AxisAngles lies = rollers ? in_pocket(s.animation, element, s.animation.cage_of(s.index, k),
+                                              s.animation.pocket_angle.at(k))
+                                  : AxisAngles{};
   RollerPose pose;
   if (rollers) pose = roller_pose(s, pocket, lies, factor, direction > 0.0);
   const QPointF centre =

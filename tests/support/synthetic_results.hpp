@@ -254,7 +254,8 @@ inline results::Sol8File synthetic_sol8(const SyntheticRun& run = {}) {
       const double lead = 0.5 * run.pocket_clearance * std::sin(pocket + 0.3) * 0.999;
       results::Sol8Element e;
       e.x = 2e-5;
-      e.theta = limited(pocket + lead / run.pitch_radius);
+      // The pocket goes with the cage's centre.
+      e.theta = limited(pocket + (lead + radius * std::sin(whirl - pocket)) / run.pitch_radius);
       e.r = run.pitch_radius;
       e.angles = {limited(-3.1 * w * t + k), 0.3, 0.0};
       e.pocket_vector = {2e-5, -lead, -radius * std::cos(pocket - whirl)};
