@@ -393,3 +393,22 @@ TEST_CASE("the load carried on the mean stands beside the one that the deck asks
   INFO(light.out);
   CHECK(contains(light.out, "% off"));
 }
+
+TEST_CASE("a run that maxStps ends before fTime says so, and the plan says what will end it",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  const auto out = [&](const std::string& name) { return " --out " + (folder / name).string(); };
+  const Result cut = run_adore("run " + deck + " --set maxStps=20" + out("cut"));
+  INFO(cut.out);
+  CHECK(cut.code == 0);
+  CHECK(contains(cut.out, "ended by maxStps, before fTime"));
+  const Result whole = run_adore("run " + deck + " --set fTime=20.0" + out("whole"));
+  CHECK(whole.code == 0);
+  CHECK_FALSE(contains(whole.out, "ended by maxStps"));
+  const Result asked = run_adore("run " + deck + " --until 0.02rev" + out("asked"));
+  CHECK_FALSE(contains(asked.out, "ended by maxStps"));
+  CHECK(contains(run_adore("plan " + deck).out, "revolutions, by fTime"));
+  CHECK(contains(run_adore("plan " + deck + " --set maxStps=20").out, "revolutions, by maxStps"));
+}
