@@ -205,25 +205,35 @@ bool has_dots(const ChartPage& chart) {
   return false;
 }
 
-/// The life that was predicted once is one value, not a history.
+/// A life that is predicted at the first and the last step only (kLifeFreq = 0) is held in between:
+/// what is drawn are the values where it was predicted, of a continued run one at each end.
 void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
     if (page.panels[p].curves.front().column != "power.life") continue;
-    ChartCurve& curve = chart.panels[p].curves.front();
-    const auto first =
-        std::find_if(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
-    if (first == curve.y.end() || facts.life_every.value_or(0) != 0 ||
-        !never_changes(curve.y, 2e-7 * std::abs(*first)))
+    std::vector<double>& y = chart.panels[p].curves.front().y;
+    const auto first = std::find_if(y.begin(), y.end(), [](double v) { return std::isfinite(v); });
+    if (first == y.end() || facts.life_every.value_or(0) != 0) continue;
+    const bool once = never_changes(y, 2e-7 * std::abs(*first));
+    if (!once && !facts.life_every) continue;
+    const bool start = file.steps[static_cast<std::size_t>(first - y.begin())].step == 0;
+    double held = *first;
+    for (auto value = first + 1; value < y.end(); ++value)
+      if (once || *value == held)
+        *value = kNone;
+      else
+        held = *value;
+    if (!once) {
+      add_note(chart,
+               "Fatigue life is predicted at the first and the last step of a run only (kLifeFreq "
+               "= 0).");
       continue;
-    std::fill(first + 1, curve.y.end(), std::numeric_limits<double>::quiet_NaN());
-    const long step = file.steps[static_cast<std::size_t>(first - curve.y.begin())].step;
-    const bool start = step == 0;
+    }
     const std::string life = desktop::pretty_quantity(*first, chart.panels[p].unit, 5);
     add_note(chart,
              facts.life_every
                  ? fmt::format("Fatigue life is the one value {}, predicted {} (kLifeFreq = 0): it "
-                               "does not follow the loads of later steps. PRINT.txt has that of "
-                               "the last step.",
+                               "does not follow the loads of later steps.",
                                life, start ? "at step 0" : "before the first step shown")
                  : fmt::format("Fatigue life is the one value {} in all of this file: predicted "
                                "once, it does not follow the loads of later steps.",

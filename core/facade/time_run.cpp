@@ -164,7 +164,9 @@ void TimeRun::after_counted_step() {
   if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
   const RunPoint now = point();
-  if (outputs.wants(step_)) output([&] { outputs.store(system(), now, false); });
+  // The last step has all that a run tells at its end (kLifeFreq 0), where files store it anyway.
+  const bool last = t >= span_.end || step_ >= last_;
+  if (outputs.wants(step_)) output([&] { outputs.store(system(), now, last); });
   outputs.follow(now);
   if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });
   if (outputs.checkpoint_due()) checkpoint();

@@ -57,7 +57,8 @@ int texts_with(const desktop::ChartPage& page, const QString& part) {
 
 }  // namespace
 
-TEST_CASE("pages: a life that was predicted once is one value, not a history", "[unit][adrplot]") {
+TEST_CASE("pages: a life that was predicted once is one value, twice two, not a history",
+          "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Power);
   set(file, "power.life", 20503.0);
   RunFacts facts;
@@ -78,6 +79,14 @@ TEST_CASE("pages: a life that was predicted once is one value, not a history", "
     if (columns[c].id == "power.life") file.steps.back().values[c] = 24699.0;
   CHECK(drawn(page(file, 1).panels[2].curves[0].y) == file.steps.size());
   CHECK_THAT(page(file, 1).note, !Contains("one value"));
+  // At the last step too, as a run with kLifeFreq = 0 does: nothing is known in between.
+  facts.life_every = 0;
+  const desktop::ChartPage twice = page(file, 1, facts);
+  const std::vector<double>& life = twice.panels[2].curves[0].y;
+  CHECK(drawn(life) == 2);
+  CHECK(life.front() == 20503.0);
+  CHECK(life.back() == 24699.0);
+  CHECK_THAT(twice.note, Contains("first and the last step of a run only"));
 }
 
 TEST_CASE("pages: temperatures that nothing computes are called given", "[unit][adrplot]") {

@@ -229,6 +229,17 @@ TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked fo
     CHECK(contains(listing, part));
   CHECK_FALSE(contains(listing, "no life model is active"));
 
+  // Of the first and the last step only: held in between, whether plots store the last step anyway
+  // or not.
+  for (const char* stored_every : {"kPltFreq=1", "kPltFreq=7"}) {
+    const std::vector<double> ends =
+        sol7_lives(stored_every, std::string("--set kLifeFreq=0 --set ") + stored_every);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) CHECK(ends[i] == ends.front());
+    CHECK(ends.front() == stored.front());
+    CHECK(ends.back() == Approx(stored.back()).epsilon(1e-6));
+    CHECK(ends.back() != Approx(ends.front()).epsilon(1e-3));
+  }
+
   // A model of the program only when chosen; elements at their actual spin, not the formula's.
   const double chosen = page("Gupta-Zaretsky type", "STLE");
   CHECK(sol7_lives("gz", "--opt sol7Life=gz-stle").front() == Approx(chosen).epsilon(0.02));
