@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrinput/deck_window.hpp"
+#include "support/bytes.hpp"
 
 #include <QCoreApplication>
 #include <QLineEdit>
@@ -47,9 +48,6 @@ inline void replace_text(QLineEdit* line, const QString& text) {
   QTest::keyClick(line, Qt::Key_Return);
 }
 
-inline std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using test::bytes_of;
 
 }  // namespace adore::adrinput

@@ -5,6 +5,7 @@
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <QTemporaryDir>
@@ -27,10 +28,7 @@ Cell cell(const std::string& name, int instance = 1, std::size_t element = 0) {
   return {std::string(refs[0].record->id), instance, refs[0].position, element};
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using test::bytes_of;
 
 void write(const fs::path& path, std::string_view text) {
   std::ofstream(path, std::ios::binary) << text;

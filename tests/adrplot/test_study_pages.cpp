@@ -10,6 +10,7 @@
 #include "studies/campaign.hpp"
 #include "studies/report.hpp"
 #include "studies/study_table_read.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -147,8 +148,7 @@ TEST_CASE("a click on a point of a study shows its run", "[gui][adrplot][studies
 
 TEST_CASE("a damaged STUDY.h5 is read or refused in a sentence, and nothing of it harms the reader",
           "[adrplot][studies][h5]") {
-  std::ifstream stream(study_folder() / "STUDY.h5", std::ios::binary);
-  const std::string good{std::istreambuf_iterator<char>(stream), {}};
+  const std::string good = test::bytes_of(study_folder() / "STUDY.h5");
   REQUIRE(good.size() > 2000);
   const QTemporaryDir folder;
   const fs::path file = fs::path(folder.path().toStdString()) / "STUDY.h5";

@@ -1,3 +1,4 @@
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,10 +18,7 @@ namespace {
 
 using Rule = std::map<std::string, std::set<std::string>>;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+std::string text_of(const fs::path& file) { return adore::test::bytes_of(file); }
 
 /// The dependency rule: core/CMakeLists.txt says which folder may include which.
 Rule dependency_rule() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -90,12 +91,7 @@ inline void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-inline std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream out;
-  out << file.rdbuf();
-  return out.str();
-}
+inline std::string read(const fs::path& path) { return test::bytes_of(path); }
 
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -166,12 +162,7 @@ class EndlessRun {
     child_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
-  [[nodiscard]] std::string said() const {
-    std::ifstream file(said_, std::ios::binary);
-    std::stringstream out;
-    out << file.rdbuf();
-    return out.str();
-  }
+  [[nodiscard]] std::string said() const { return test::bytes_of(said_); }
 
  private:
   static constexpr std::uint64_t kInterrupts =

@@ -99,8 +99,7 @@ TEST_CASE("adore user new writes an example of every routine in every language",
       INFO(made.out);
       CHECK(made.code == 0);
       const std::string ending = lang == "fortran" ? "f90" : lang == "python" ? "py" : lang;
-      std::ifstream in(out / (name + "." + ending));
-      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      const std::string text = read(out / (name + "." + ending));
       CHECK(contains(text, "ADRX" + std::to_string(hook)));
       if (lang != "python") CHECK(contains(text, name + "("));
       CHECK_FALSE(contains(text, "THE_BODIES"));
@@ -240,9 +239,7 @@ TEST_CASE("adore calc tells what it takes, with units, and refuses what it does 
 }
 
 TEST_CASE("the deck reference of the docs is what the schema says now", "[cli]") {
-  const fs::path page = source_dir() / "resources/docs/deck-reference.md";
-  std::ifstream stream(page);
-  const std::string written{std::istreambuf_iterator<char>(stream), {}};
+  const std::string written = read(source_dir() / "resources/docs/deck-reference.md");
   INFO("make it anew: adore schema --format md > resources/docs/deck-reference.md");
   CHECK((run_as_given("schema --format md").out == written));
 }

@@ -6,6 +6,7 @@
 #include "desktop/log_chart.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -50,8 +51,7 @@ TEST_CASE("every app has an icon and an entry in the desktop's menu", "[gui]") {
     const QImage icon(QString::fromStdString(":/adore/icons/" + app + ".png"));
     CHECK(icon.size() == QSize(128, 128));
     CHECK(fs::exists(resources / "icons" / (app + ".svg")));
-    std::ifstream file(resources / "applications" / (app + ".desktop"));
-    const std::string entry{std::istreambuf_iterator<char>(file), {}};
+    const std::string entry = test::bytes_of(resources / "applications" / (app + ".desktop"));
     CHECK(entry.find("\nExec=" + app + " %") != std::string::npos);
     CHECK(entry.find("\nIcon=" + app + "\n") != std::string::npos);
   }

@@ -1,6 +1,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/kept_copy.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,10 +27,7 @@ struct Folder {
   }
 };
 
-std::string content_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string content_of(const fs::path& path) { return adore::test::bytes_of(path); }
 
 std::size_t count_files(const fs::path& folder) {
   return static_cast<std::size_t>(

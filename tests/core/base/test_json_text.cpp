@@ -1,4 +1,5 @@
 #include "base/json_text.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -66,8 +67,7 @@ TEST_CASE("foreign JSON is parsed in one place", "[unit][json]") {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".cpp" && extension != ".hpp") continue;
-      std::ifstream stream(entry.path());
-      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      const std::string text = adore::test::bytes_of(entry.path());
       const std::string name = fs::relative(entry.path(), root).generic_string();
       if (own.count(name) > 0) continue;
       CAPTURE(name);

@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "calculators/calculator_inputs.hpp"
 #include "calculators/calculators.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -97,8 +98,7 @@ TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
          std::filesystem::directory_iterator(adore::test::source_dir() / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       ++seen;
-      std::ifstream stream(entry.path());
-      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      const std::string text = adore::test::bytes_of(entry.path());
       CAPTURE(entry.path().string());
       for (const char* way :
            {"get<int>", "get<long", "get<unsigned", "get<std::size_t>", "get<std::int"})

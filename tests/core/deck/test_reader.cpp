@@ -2,6 +2,7 @@
 #include "core/deck/deck_variants.hpp"
 #include "deck/deck.hpp"
 #include "deck/templates.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -184,9 +185,8 @@ const BadDeck kBadDecks[] = {
 const fs::path kFolder = adore::test::source_dir() / "tests/decks/bad";
 
 std::string content_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  REQUIRE(in);
-  return {std::istreambuf_iterator<char>(in), {}};
+  REQUIRE(fs::exists(path));
+  return adore::test::bytes_of(path);
 }
 
 bool matches(const Issue& issue, const BadDeck& bad) {

@@ -1,4 +1,5 @@
 #include "deck/unit_text.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,8 +56,7 @@ TEST_CASE("every SI unit that a message writes behind a number is known in Engli
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(adore::test::source_dir() / folder)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-      std::ifstream file(entry.path());
-      const std::string text{std::istreambuf_iterator<char>(file), {}};
+      const std::string text = adore::test::bytes_of(entry.path());
       for (std::sregex_iterator at(text.begin(), text.end(), written), end; at != end; ++at)
         units.insert((*at)[1]);
     }

@@ -4,6 +4,7 @@
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 #include "results/restart.hpp"
+#include "support/bytes.hpp"
 #include "tribology/traction_curve.hpp"
 #include "user/plug_in.hpp"
 
@@ -33,10 +34,7 @@ inline fs::path fresh_folder(const std::string& name) {
   return out;
 }
 
-inline std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+inline std::string text_of(const fs::path& file) { return test::bytes_of(file); }
 
 struct Ran {
   facade::RunOutcome outcome;

@@ -5,6 +5,7 @@
 #include "results/channels.hpp"
 #include "scene/ledger_terms.hpp"
 #include "scene/snapshot.hpp"
+#include "support/bytes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -232,10 +233,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-inline std::string read_bytes(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+inline std::string read_bytes(const std::filesystem::path& path) { return test::bytes_of(path); }
 inline void write_bytes(const std::filesystem::path& path, std::string_view bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
