@@ -77,7 +77,7 @@ void draw_trails(const Scene& s) {
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     QPolygonF line;
     for (const TrailPoint& point : element_trail(s, k))
-      line.append(s.sketch.at(point.centre.x(), point.centre.y()));
+      append_seen(line, s.sketch.at(point.centre.x(), point.centre.y()));
     p.drawPolyline(line);
   }
 }

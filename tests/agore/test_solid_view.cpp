@@ -191,6 +191,13 @@ TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui
     options.contacts = options.trails = true;
     options.moving = false;
     CHECK(picture.image({700, 500}, 4, options) != turned);
+    // What is kept from frame to frame is not seen.
+    for (const bool moving : {true, false}) {
+      options.moving = moving;
+      (void)picture.image({700, 500}, 9, options);
+      CHECK(picture.image({700, 500}, 2, options) ==
+            picture_of_run(folder, with_cage).image({700, 500}, 2, options));
+    }
   }
 }
 
