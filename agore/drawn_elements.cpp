@@ -92,13 +92,8 @@ void draw_element(const Scene& s, std::size_t k, const QColor& tint) {
 }
 
 void draw_elements(const Scene& s) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
-    draw_element(
-        s, k,
-        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k])
-            ? scale_colour(colours.value[k] / colours.largest)
-            : QColor());
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) draw_element(s, k, colours.of(k));
   if (s.options.colour != ColourBy::None) draw_scale(s, colours);
 }
 

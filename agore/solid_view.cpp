@@ -311,7 +311,7 @@ Vec3 roller_axis(const results::Sol8Element& e, double nominal, double factor) {
 QColor mark_colour() { return QColor("#7a3fa0"); }
 
 void add_elements(Modeller& m, const Scene& s, double roller_factor) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   const desktop::Theme& t = s.sketch.theme();
   const bool balls = s.animation.file.bearing_type == 1;
   const Shades steel = shades_of(t.steel_light), paint = shades_of(mark_colour());
@@ -319,10 +319,8 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
   const RollerProfile roller = roller_profile(s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const auto& e = s.frame.elements[k];
-    const bool tinted =
-        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k]);
-    const Shades shades =
-        tinted ? shades_of(scale_colour(colours.value[k] / colours.largest)) : steel;
+    const QColor tint = colours.of(k);
+    const Shades shades = tint.isValid() ? shades_of(tint) : steel;
     const bool followed = e.angles != std::array<double, 3>{};
     const Mat3 attitude = rotation(e.angles);
     const Vec3 centre = element_place(s, k);
@@ -502,7 +500,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
     key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   }
   if (s.options.colour != ColourBy::None)
-    draw_scale(s, colouring(s.animation, s.index, s.options.colour));
+    draw_scale(s, colouring(s.animation, s.index, s.options.colour, s.options.scale));
   // The bearing's axes, in the upper left corner.
   const double high = s.sketch.area().height();
   const double arm = high < 200.0 ? 10.0 : high < 420.0 ? 18.0 : 30.0;

@@ -565,7 +565,36 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gu
   const Colouring load = colouring(a, 5, ColourBy::Load);
   REQUIRE(load.value.size() == 8);
   CHECK(load.value[2] == Approx(1300.0));  // the larger of both contacts: 100 (3 + 10)
-  CHECK(load.largest == Approx(1800.0));
+  CHECK(load.high == Approx(1800.0));
+  CHECK(load.high_end() == "1.8 kN");
+  CHECK(load.of(2) == scale_colour(1300.0 / 1800.0));
+  results::MotionChannel made;  // 1, 2 ... 100, the larger of both contacts, and nothing
+  made.width = 2;
+  for (int i = 1; i <= 100; ++i) made.values.insert(made.values.end(), {0.5 * i, 1.0 * i});
+  made.values.insert(made.values.end(), {0.0, 0.0, std::nan(""), std::nan("")});
+  CHECK(run_range(made).usual == 95.0);
+  CHECK(run_range(made).largest == 100.0);
+  CHECK(run_range(made).lowest == 0.0);
+  // A short peak of the run, ten times what is usual, takes no differences away, and is told.
+  Animation peak = a;
+  peak.run_ranges["contact.load"] = {0.0, 18000.0, 1500.0};
+  const auto scaled = [&](const std::string& scale) {
+    return colouring(peak, 5, ColourBy::Load, scale_named(scale));
+  };
+  CHECK(scaled("usual").high == Approx(1500.0));
+  CHECK(scaled("usual").high_end() == "≥ 1.5 kN");
+  CHECK(scaled("usual").scale == "19 of 20 values of the run, run to 18 kN");
+  CHECK(scaled("run").high == Approx(18000.0));
+  CHECK_FALSE(scaled("run").above);
+  CHECK(scaled("moment").high == Approx(1800.0));
+  CHECK(scaled("moment").scale == "of this moment, run to 18 kN");
+  CHECK(scaled("1000:1600").of(2) == scale_colour(0.5));
+  CHECK(scaled("1000:1600").of(7) == scale_colour(1.0));
+  CHECK(scaled("1000:1600").low_end() == "≤ 1 kN");
+  for (const char* name : {"largest", "3:1", "1:1", "0:inf", "0:2 N", "0;2"})
+    CHECK_THROWS_WITH(scale_named(name), Catch::Contains(name) && Catch::Contains("0:0.02"));
+  for (const char* name : {"usual", "run", "moment", "-0.5:0.25"})
+    CHECK(scale_name(scale_named(name)) == name);
   CHECK(scale_colour(0.0) == QColor(68, 1, 84));
   CHECK(scale_colour(1.0) == QColor(253, 231, 37));
   ViewOptions options;
