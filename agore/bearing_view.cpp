@@ -5,6 +5,7 @@
 #include <QLineF>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -58,11 +59,23 @@ void draw_land_arrows(const Scene& s) {
   }
 }
 
-/// Arrows of lands are as long as the cage's radius, whatever the force.
+/// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
+/// have is named so, in the same place.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const QColor& red = s.sketch.theme().red;
-  key.push_back({red, "contact in the pocket", KeyMark::Star});
-  if (s.animation.guide != Guide::None) key.push_back({red, "direction of land contact"});
+  const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
+    key.push_back({red, now ? there : none, mark, now ? none : there});
+  };
+  const auto& elements = s.frame.elements;
+  entry(std::any_of(elements.begin(), elements.end(),
+                    [](const auto& element) { return element.pocket_force > 0.0; }),
+        "contact in the pocket", "no contact in a pocket now", KeyMark::Star);
+  if (s.animation.guide == Guide::None) return;
+  bool touches = false;
+  for (int part = 0; part < s.animation.segments; ++part)
+    for (const std::size_t land : {0U, 1U})
+      touches = touches || s.animation.land_touch(s.index, part, land).force > 0.0;
+  entry(touches, "direction of land contact", "no land contact now", KeyMark::Line);
 }
 
 QString frame_name(const Scene& s) {

@@ -29,6 +29,12 @@ void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
   p.drawLine(at, at + QPointF(length, 0.0));
 }
 
+/// Of the mark and its words, or of those that stand there in other frames.
+double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
+  return kKeyIndent +
+         std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
+}
+
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width) {
   const QFontMetricsF metrics(desktop::ui_font(12));
@@ -99,8 +105,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const auto all = static_cast<double>(entries.size()) + static_cast<double>(remarks.size());
   const auto longest = [&](std::size_t from, std::size_t to) {
     double out = 0.0;
-    for (std::size_t i = from; i < to; ++i)
-      out = std::max(out, metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+    for (std::size_t i = from; i < to; ++i) out = std::max(out, width_of(entries[i], metrics));
     return out;
   };
   const std::size_t half = (entries.size() + 1) / 2;
@@ -110,8 +115,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const std::size_t rows = (entries.size() + columns - 1) / columns;
   std::array<double, 2> column{};
   for (std::size_t i = 0; i < entries.size(); ++i)
-    column[i / rows] =
-        std::max(column[i / rows], metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+    column[i / rows] = std::max(column[i / rows], width_of(entries[i], metrics));
   width = std::max(width, column[0] + (columns == 2 ? kGap + column[1] : 0.0));
   width = std::min(width, area.width() - 8);
   const double height = line * (static_cast<double>(rows) + static_cast<double>(remarks.size()));
@@ -182,7 +186,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   int row = 1;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const KeyEntry& entry = entries[i];
-    const double width = kKeyIndent + metrics.horizontalAdvance(entry.text);
+    const double width = width_of(entry, metrics);
     const bool last = i + 1 == entries.size();
     if (x > place.left() && row < kLines && x + width > place.right())
       x = place.left(), y += line, ++row;

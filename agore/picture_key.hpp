@@ -23,6 +23,7 @@ struct KeyEntry {
   QColor colour;  ///< invalid: words about what is not drawn
   QString text;
   KeyMark mark = KeyMark::Line;
+  QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
   bool operator==(const KeyEntry&) const = default;
 };
 
