@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -134,14 +135,23 @@ struct TurningFrame {
 };
 
 /// Frames about the bearing's axis, the names of each on that side of its arms where they stand
-/// farther from those before.
+/// farther from those before, and from the heads of all the other arms.
 void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
+  const auto heads_of = [&](const TurningFrame& frame) {
+    return std::array<QPointF, 2>{s.sketch.around({0, 0}, frame.length, frame.angle),
+                                  s.sketch.around({0, 0}, frame.length, frame.angle - 0.5 * kPi)};
+  };
   for (const TurningFrame& frame : frames) {
     const auto room = [&](double side) {
       double least = std::numeric_limits<double>::infinity();
-      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
+      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side)) {
         for (const QPointF& other : taken) least = std::min(least, QLineF(name, other).length());
+        for (const TurningFrame& other : frames)
+          if (&other != &frame)
+            for (const QPointF& head : heads_of(other))
+              least = std::min(least, QLineF(name, head).length());
+      }
       return least;
     };
     const double side = room(-1.0) > room(1.0) ? -1.0 : 1.0;

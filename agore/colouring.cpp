@@ -169,9 +169,13 @@ void draw_scale(const Scene& s, const Colouring& colours) {
   p.drawText(QPointF(left, top + 22.0), QString::fromStdString(colours.low_end()));
   const QString most = QString::fromStdString(colours.high_end());
   p.drawText(QPointF(left + width - metrics.horizontalAdvance(most), top + 22.0), most);
-  const QString which =
-      metrics.elidedText(QString::fromStdString(colours.scale), Qt::ElideRight, 0.6 * area.width());
-  p.drawText(QPointF(area.right() - 6.0 - metrics.horizontalAdvance(which), top + 37.0), which);
+  // Beside a bearing there is room for the width of the bar and a half.
+  QStringList lines{QString::fromStdString(colours.scale)};
+  if (metrics.horizontalAdvance(lines.front()) > 1.5 * width) lines = lines.front().split(", ");
+  for (qsizetype i = 0; i < lines.size(); ++i)
+    p.drawText(QPointF(area.right() - 6.0 - metrics.horizontalAdvance(lines[i]),
+                       top + 37.0 + 14.0 * static_cast<double>(i)),
+               lines[i]);
 }
 
 std::vector<KeyEntry> scale_entries(const Scene& s) {

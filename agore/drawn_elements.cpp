@@ -99,9 +99,10 @@ void draw_elements(const Scene& s) {
 
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
-  const double outside = s.options.view == View::Cage
-                             ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
-                             : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
+  const double outside =
+      s.options.view == View::Cage
+          ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+          : outer_rim(s.geometry()) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   // Numbers of a small picture are as small as leaves them apart.
   const double apart = 2.0 * kPi * outside * s.sketch.scale() /
                        static_cast<double>(std::max<std::size_t>(1, s.frame.elements.size()));

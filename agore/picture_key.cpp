@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QPaintDevice>
 #include <QPaintEngine>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -125,7 +126,23 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   p.setPen(Qt::NoPen);
   p.setBrush(paper);
   const QRectF box(x - 4, area.bottom() - height - 2, width + 10, height + 2);
-  p.drawRoundedRect(box, 4, 4);
+  // Each line has its own as wide as it is: a box about all of them bites into what is beside.
+  QPainterPath behind;
+  behind.setFillRule(Qt::WindingFill);
+  const auto line_behind = [&](std::size_t row, double long_as) {
+    behind.addRoundedRect(QRectF(box.left(), box.top() + line * static_cast<double>(row),
+                                 std::min(long_as + 10.0, box.width()), line + 4.0),
+                          4, 4);
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    double long_as = width_of(entries[row], metrics);
+    if (columns == 2 && row + rows < entries.size())
+      long_as = column[0] + kGap + width_of(entries[row + rows], metrics);
+    line_behind(row, long_as);
+  }
+  for (qsizetype i = 0; i < remarks.size(); ++i)
+    line_behind(rows + static_cast<std::size_t>(i), metrics.horizontalAdvance(remarks[i]));
+  p.drawPath(behind);
   double y = area.bottom() - 6;
   const auto write = [&](const QString& text, double left) {
     p.setPen(theme.muted);

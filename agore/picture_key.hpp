@@ -56,7 +56,7 @@ class KeyPicture {
 /// in lines of one height. What has no line of its own is counted.
 class SharedKey {
  public:
-  static constexpr int kLines = 3;
+  static constexpr int kLines = 9;
   /// Height of its lines [pixels].
   [[nodiscard]] static double height();
   void draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,

@@ -50,7 +50,8 @@ Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const deskt
       theme_(theme),
       centre_(area.center() - QPointF(0.0, 0.5 * foot) +
               QPointF(pan.x() * area.width(), pan.y() * area.height())),
-      scale_(0.5 * std::min(area.width(), area.height() - foot) / radius),
+      half_(0.5 * std::min(area.width(), area.height() - foot)),
+      scale_(half_ / radius),
       stamps_(stamps) {}
 
 void Sketch::stamp(QPointF middle, double reach, const Stamps::Look& look,

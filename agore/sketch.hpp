@@ -33,6 +33,8 @@ class Sketch {
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
   [[nodiscard]] const QRectF& area() const { return area_; }
   [[nodiscard]] double scale() const { return scale_; }
+  /// Half of what the picture has each way [pixels].
+  [[nodiscard]] double half() const { return half_; }
   /// Picture position of a point (y, z), and of a point at azimuth `angle` and `radius` about (y,
   /// z).
   [[nodiscard]] QPointF at(double y, double z) const { return centre_ + QPointF(y, -z) * scale_; }
@@ -81,6 +83,7 @@ class Sketch {
   QRectF area_;
   const desktop::Theme& theme_;
   QPointF centre_;
+  double half_;
   double scale_;
   Stamps* stamps_;
 };

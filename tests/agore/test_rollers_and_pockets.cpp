@@ -343,6 +343,15 @@ TEST_CASE("the section's cage leaves its pocket as open as it is", "[unit][agore
   CHECK(cage.hole_at(0.0, 1) == Approx(5.5));
 }
 
+TEST_CASE("the section's guide land ends where its bar does", "[unit][agore]") {
+  agore::CageProfile cage{.half_width = 9.0, .low = -3.0, .high = 3.0, .hole = 5.5};
+  using Part = std::pair<double, double>;
+  CHECK(agore::on_bar(cage, 30.0, {0, 5.0, 8.0, 33.0, 33.1}) == Part{5.5, 8.0});
+  CHECK(agore::on_bar(cage, 30.0, {1, -8.0, -5.0, 27.0, 26.9}) == Part{-8.0, -5.5});
+  CHECK(agore::on_bar(cage, 30.0, {1, 6.0, 8.0, 27.0, 26.9}) == Part{6.0, 8.0});
+  CHECK(agore::on_bar(cage, 30.0, {0, -8.0, 8.0, 33.0, 33.1}) == Part{-8.0, 8.0});
+}
+
 TEST_CASE("flange view: a roller is turned as Phi of SOL1 says, its +x end up", "[gui][h5]") {
   test::use_qt();
   const testing::TemporaryFolder folder;

@@ -184,6 +184,20 @@ TEST_CASE("views: a cage that no race guides is drawn clear of the races that it
   CHECK(used_exaggeration(animation, {}) == 2.0);
 }
 
+TEST_CASE("views: the speed of a run has its sign", "[gui][agore]") {
+  test::use_qt();
+  for (const double way : {1.0, -1.0}) {
+    Animation animation = prepare(test::synthetic_sol8());
+    auto& frames = animation.file.frames;
+    frames.front().revolutions = 0.0;
+    frames.back().revolutions = way * 100.0 * (frames.back().time - frames.front().time);
+    MotionPicture picture(std::move(animation));
+    const QString svg = QString::fromUtf8(picture.svg({1280, 800}, 3, {}));
+    CHECK(svg.contains("runs at 6000 rpm") == (way > 0.0));
+    CHECK(svg.contains(QString("runs at \u22126000 rpm")) == (way < 0.0));
+  }
+}
+
 TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agore]") {
   test::use_qt();
   Animation animation = prepare(test::synthetic_sol8());

@@ -227,6 +227,17 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
     CHECK(count(high, words) >= 1);
   }
   CHECK(count(low, "inner race frame") == 1);  // once for all views
+  // The bearing has most of its picture: the width of its ring.
+  {
+    const QImage image = picture.image({700, 450}, 8, options);
+    const QRect tile = MotionPicture::pictureAreas(low, 4).front().toRect().adjusted(3, 20, -3, -3);
+    int from = tile.right(), to = tile.left();
+    for (int x = tile.left(); x <= tile.right(); ++x)
+      if (test::pixels_of(image, QRect(x, tile.top() + 10, 1, tile.height() - 40),
+                          theme_of(options).steel_dark) > 2)
+        from = std::min(from, x), to = std::max(to, x);
+    CHECK(to - from > 85);
+  }
   // A load and its slip are told whole.
   options.beside.clear();
   options.view = View::Element;
