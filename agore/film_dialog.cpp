@@ -34,9 +34,9 @@ FilmDialog::FilmDialog(std::vector<double> time, Tell tell, QWidget* parent)
     form->addRow(text, line);
   };
   from_ = makeEnd("filmFrom", 0);
-  row(tr("&From frame"), from_);
+  row(tr("From frame"), from_);
   to_ = makeEnd("filmTo", time_.size() - 1);
-  row(tr("&To frame"), to_);
+  row(tr("To frame"), to_);
   length_ = new QLabel(this);
   length_->setObjectName("filmLength");
   length_->setWordWrap(true);
