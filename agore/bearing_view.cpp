@@ -216,8 +216,10 @@ void bearing_view(const Scene& s) {
   } else if (s.options.contacts) {
     key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }
-  if (too_low(s.options, s.sketch.area().height()))
-    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
+  if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
+    const std::vector<KeyEntry> ends = scale_entries(s);
+    key.insert(key.begin(), ends.begin(), ends.end());
+  }
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
 }
 

@@ -47,7 +47,7 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       constexpr double kHides = 2.0;
       if (run.largest - out.low > kHides * (run.usual - out.low) && run.usual > out.low)
         out.high = run.usual;
-      out.scale = out.high < run.largest ? "19 of 20 values of the run" : "of the run";
+      out.scale = out.high < run.largest ? "usual in the run" : "of the run";
       break;
     }
     case ColourScale::Run:

@@ -36,6 +36,19 @@ double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
          std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
 }
 
+/// Words in lines that fit, broken between words.
+QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
+  QStringList out;
+  for (const QString& word : text.split(' ')) {
+    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
+    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      out.back() = longer;
+    else
+      out << word;
+  }
+  return out;
+}
+
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width) {
   const QFontMetricsF metrics(desktop::ui_font(12));
@@ -205,17 +218,26 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
     const KeyEntry& entry = entries[i];
     const double width = width_of(entry, metrics);
     const bool last = i + 1 == entries.size();
+    // One that is longer than a line goes on in the next ones.
+    const QStringList lines = width > place.width()
+                                  ? in_lines(entry.text, place.width() - kKeyIndent, metrics)
+                                  : QStringList{entry.text};
     if (x > place.left() && row < kLines && x + width > place.right())
       x = place.left(), y += line, ++row;
-    if (row == kLines && x + width > place.right() - (last ? 0.0 : kept)) {
+    const auto lowest = row + static_cast<int>(lines.size()) - 1;
+    const double end = lines.size() > 1 ? place.left() : x + width;
+    if (lowest > kLines || (lowest == kLines && end > place.right() - (last ? 0.0 : kept))) {
       p.setPen(theme.muted);
       p.drawText(QPointF(x, y), more(entries.size() - i));
       return;
     }
     draw_mark(p, entry.mark, entry.colour, {x, y - 4.0});
     p.setPen(theme.muted);
-    p.drawText(QPointF(x + kKeyIndent, y), entry.text);
-    x += width + kGap;
+    for (qsizetype k = 0; k < lines.size(); ++k) {
+      if (k > 0) y += line, ++row;
+      p.drawText(QPointF(x + kKeyIndent, y), lines[k]);
+    }
+    x = lines.size() > 1 ? place.right() : x + width + kGap;
   }
 }
 

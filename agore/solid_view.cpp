@@ -522,8 +522,10 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  if (too_low(s.options, s.sketch.area().height()))
-    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
+  if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
+    const std::vector<KeyEntry> ends = scale_entries(s);
+    key.insert(key.begin(), ends.begin(), ends.end());
+  }
   draw_key(s, key, QString::fromStdString(remark));
 }
 

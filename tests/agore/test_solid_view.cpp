@@ -4,6 +4,7 @@
 #include "agore/short_run.hpp"
 #include "agore/solid_view.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/svg_writer.hpp"
 #include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
@@ -249,6 +250,22 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
   // The star is drawn where it is named.
   const QImage image = picture.image({700, 450}, 8, options);
   CHECK(test::pixels_of(image, key.toRect(), theme_of(options).red) > 20);
+}
+
+TEST_CASE("shared key: words longer than its lines go on in the next one", "[gui][agore]") {
+  test::use_qt();
+  const desktop::Theme& t = desktop::theme(desktop::ThemeKind::Light);
+  SharedKey key;
+  const QByteArray svg = desktop::svg_of({400, 200}, [&](QPainter& p) {
+    key.draw(p, QRectF(0, 0, 230, 180), t,
+             {{t.red, "contact in the pocket: 530 mN at 0°, 275 mN at 180°"},
+              {t.blue, "inner race frame"}});
+  });
+  CHECK_FALSE(svg.contains("530 mN at 0°, 275 mN at 180°"));
+  CHECK(svg.contains("contact in the pocket: 530 mN"));
+  CHECK(svg.contains("180°"));
+  CHECK(svg.contains("inner race frame"));
+  CHECK_FALSE(svg.contains("more"));
 }
 
 TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {
