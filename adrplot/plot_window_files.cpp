@@ -139,7 +139,9 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
         this, tr("%1 holds no plot file: neither SOL1 to SOL7 nor RUN.json, SWEEP.csv or "
                  "ACCURACY.json.")
                   .arg(folder));
-  for (const QString& name : names) openFile(name.toStdString(), range);
+  desktop::remember_as_folder(kApp, folder, [&] {
+    for (const QString& name : names) openFile(name.toStdString(), range);
+  });
 }
 
 void PlotWindow::openSeveral(const QStringList& paths) {

@@ -60,7 +60,7 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &PlotWindow::askForFile);
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
-  desktop::add_recent_menu(*file, kApp, [this](const QString& name) { askForRange(name); });
+  desktop::add_recent_menu(*file, kApp, [this](const QString& name) { openSeveral({name}); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &PlotWindow::reload);

@@ -1,6 +1,9 @@
 #include "agore/agore_window.hpp"
 
+#include "agore/film_dialog.hpp"
 #include "agore/render.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
@@ -11,16 +14,20 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImage>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QSettings>
+#include <QStatusBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -32,6 +39,7 @@
 namespace adore::agore {
 namespace {
 const QString kApp = "agore";
+constexpr const char* kScale = "colours/scale";
 constexpr int kTick = 16;  // [ms] between pictures: 60 a second
 }  // namespace
 
@@ -81,6 +89,17 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
     options_.elevation = elevation;
     showFrame();
   });
+  try {
+    options_.scale =
+        scale_named(QSettings("Adore", kApp).value(kScale, "usual").toString().toStdString());
+  } catch (const std::exception&) {
+    options_.scale = {};  // settings of another program version
+  }
+  // The foot is there while it says something: its room is the picture's.
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->hide();
+  connect(statusBar(), &QStatusBar::messageChanged, this,
+          [this](const QString& text) { statusBar()->setVisible(!text.isEmpty()); });
   refresh();
 }
 
@@ -179,7 +198,7 @@ void AgoreWindow::makeMenus() {
        {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
        {tr("V"), tr("four views side by side, and one again")},
        {tr("L, T"), tr("race loads and paths of all elements")},
-       {tr("C"), tr("the next colouring of the elements")},
+       {tr("C, Shift+C"), tr("the next colouring of the elements, its next scale")},
        {tr("+ or =, -, 0"), tr("zooms the first picture, shows all of it")},
        {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
@@ -287,23 +306,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addSeparator();
   addZoomKeys(menu);
   menu->addSeparator();
-  auto* colours = menu->addMenu(tr("C&olour Elements by"));
-  auto* colour_group = new QActionGroup(this);
-  for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
-                                 {ColourBy::Load, "Contact &Load"},
-                                 {ColourBy::Slip, "Largest &Slip"},
-                                 {ColourBy::Heat, "Contact &Heat"},
-                                 {ColourBy::Temperature, "Contact &Temperature"}}) {
-    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
-    action->setCheckable(true);
-    action->setChecked(by == ColourBy::None);
-    colour_group->addAction(action);
-  }
-  colours->addSeparator();
-  colours->addAction(tr("The Ne&xt of These"), Qt::Key_C, this, [colour_group] {
-    const auto all = colour_group->actions();
-    all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
-  });
+  makeColourMenus(menu);
   auto* contacts = menu->addAction(tr("Race Loads on All &Elements"));
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
@@ -326,6 +329,85 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     group->addAction(action);
   }
   menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
+}
+
+void AgoreWindow::makeColourMenus(QMenu* menu) {
+  auto* colours = menu->addMenu(tr("C&olour Elements by"));
+  auto* colour_group = new QActionGroup(this);
+  for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
+                                 {ColourBy::Load, "Contact &Load"},
+                                 {ColourBy::Slip, "Largest &Slip"},
+                                 {ColourBy::Heat, "Contact &Heat"},
+                                 {ColourBy::Temperature, "Contact &Temperature"}}) {
+    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
+    action->setCheckable(true);
+    action->setChecked(by == ColourBy::None);
+    colour_group->addAction(action);
+  }
+  colours->addSeparator();
+  colours->addAction(tr("The Ne&xt of These"), Qt::Key_C, this, [colour_group] {
+    const auto all = colour_group->actions();
+    all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
+  });
+  auto* scales = menu->addMenu(tr("Scale of the Colo&urs"));
+  scales->setObjectName("scaleMenu");
+  auto* scale_group = new QActionGroup(this);
+  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "&Usual Values of the Run"},
+                                   {ColourScale::Run, "Largest of the &Run"},
+                                   {ColourScale::Moment, "Largest of This &Moment"}}) {
+    auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
+      setScale({kind, 0.0, 0.0});
+    });
+    action->setCheckable(true);
+    action->setData(static_cast<int>(kind));
+    scale_group->addAction(action);
+  }
+  auto* limits = scales->addAction(tr("&Limits..."), this, &AgoreWindow::askForLimits);
+  limits->setCheckable(true);
+  limits->setData(static_cast<int>(ColourScale::Typed));
+  scale_group->addAction(limits);
+  scales->addSeparator();
+  scales->addAction(tr("The Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
+    constexpr int kWithoutAsking = 3;
+    setScale(
+        {static_cast<ColourScale>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
+         0.0, 0.0});
+  });
+}
+
+/// In the unit that the file has the values in, which the question names.
+void AgoreWindow::askForLimits() {
+  refresh();  // the check mark belongs to what is shown
+  if (!picture_) return askForFile();
+  const Colouring now = colouring(picture_->animation(), frame_, options_.colour);
+  if (!now.any())
+    return desktop::show_message(this, tr("Choose first what colours the elements (C)."));
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName("limits");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Scale of the Colours"));
+  const QString unit = now.unit.empty() ? QString() : " [" + QString::fromStdString(now.unit) + "]";
+  dialog->setLabelText(tr("Limits of %1%2, low:high").arg(QString::fromStdString(now.title), unit));
+  const auto shown = options_.scale.kind == ColourScale::Typed
+                         ? options_.scale
+                         : ScaleChoice{ColourScale::Typed, now.low, now.high};
+  dialog->setTextValue(QString::fromStdString(scale_name(shown)));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+    try {
+      setScale(scale_named(text.simplified().toStdString()));
+    } catch (const std::exception& error) {
+      desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    }
+  });
+  dialog->open();
+}
+
+/// Typed limits are of one quantity, so they are not remembered.
+void AgoreWindow::setScale(const ScaleChoice& scale) {
+  options_.scale = scale;
+  if (scale.kind != ColourScale::Typed)
+    QSettings("Adore", kApp).setValue(kScale, QString::fromStdString(scale_name(scale)));
+  refresh();
 }
 
 void AgoreWindow::makeBesideMenu(QMenu* menu) {
@@ -433,6 +515,8 @@ void AgoreWindow::setExaggeration(double factor) {
 }
 
 void AgoreWindow::setColour(ColourBy colour) {
+  if (colour != options_.colour && options_.scale.kind == ColourScale::Typed)
+    options_.scale = {};  // limits of another quantity
   options_.colour = colour;
   refresh();
 }
@@ -560,16 +644,73 @@ void AgoreWindow::savePicture() {
   if (!picture_) return askForFile();
   pause();
   desktop::save_picture(
-      this, kApp, besideFile("bearing.jpg"),
+      this, kApp, besideFile(proposedName("jpg")),
       [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); },
       [this] { return picture_->svg(canvas_->size(), frame_, stillOptions()); });
+}
+
+QString AgoreWindow::proposedName(const QString& suffix) const {
+  QString run = QFileInfo(desktop::folder_of(picture_->animation().file.path)).fileName();
+  if (run.isEmpty()) run = "bearing";
+  const QString what =
+      options_.beside.empty() ? QString::fromStdString(view_name(options_.view)) : QString("views");
+  return run + "-" + what + (suffix.isEmpty() ? QString() : "." + suffix);
+}
+
+int AgoreWindow::filmRate() const {
+  constexpr int kSlowRate = 25;
+  return slow_ > 0.0 ? kSlowRate : std::clamp(speed_->currentData().toInt(), 1, 50);
+}
+
+RenderOptions AgoreWindow::filmOptions() const {
+  RenderOptions render;
+  render.view = stillOptions();
+  // As seen, but not larger than a film needs to be.
+  const QSize size = canvas_->size().boundedTo({1280, 800});
+  render.width = size.width() & ~1;
+  render.height = size.height() & ~1;
+  render.replace = true;
+  render.slow = slow_;  // a film plays as the window does
+  return render;
 }
 
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
   pause();
+  // One picture tells how long all will take; setting it in a file takes 30 ms (picture-speed.md).
+  constexpr double kInFile = 0.03;  // [s]
+  const RenderOptions render = filmOptions();
+  QElapsedTimer clock;
+  clock.start();
+  (void)picture_->image({render.width, render.height}, frame_, render.view);
+  const double each = 1e-9 * static_cast<double>(clock.nsecsElapsed()) + kInFile;
+  const auto tell = [this, render, each](std::size_t first, std::size_t last) {
+    RenderOptions part = render;
+    part.first = static_cast<int>(first) + 1, part.last = static_cast<int>(last) + 1;
+    try {
+      const auto pictures = static_cast<double>(film_frames(*picture_, 1, filmRate(), part).size());
+      const auto seconds = [](double value) {
+        return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
+      };
+      return std::pair{tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
+                           .arg(pictures)
+                           .arg(filmRate())
+                           .arg(seconds(pictures / filmRate()), seconds(each * pictures)),
+                       true};
+    } catch (const std::exception& error) {
+      return std::pair{QString::fromUtf8(error.what()), false};
+    }
+  };
+  auto* dialog = new FilmDialog(picture_->animation().time, tell, this);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    askForFilmName(static_cast<int>(dialog->first()) + 1, static_cast<int>(dialog->last()) + 1);
+  });
+  dialog->open();
+}
+
+void AgoreWindow::askForFilmName(int first, int last) {
   const QString missing = tr(" after ffmpeg is installed");
-  auto* dialog = new QFileDialog(this, tr("Save film"), "bearing.gif",
+  auto* dialog = new QFileDialog(this, tr("Save Film"), proposedName("gif"),
                                  tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
                                     "folder (*)")
                                      .arg(desktop::ffmpeg_found() ? QString() : missing));
@@ -577,45 +718,51 @@ void AgoreWindow::saveFilm() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
-  const auto name_as = [dialog](const QString& filter) {
+  const auto name_as = [this, dialog](const QString& filter) {
     const QString suffix = QRegularExpression("\\*\\.(\\w+)").match(filter).captured(1);
-    const QString base = QFileInfo(dialog->selectedFiles().value(0, "bearing")).completeBaseName();
+    const QString base =
+        QFileInfo(dialog->selectedFiles().value(0, proposedName({}))).completeBaseName();
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
   };
-  dialog->selectFile(besideFile("bearing.gif"));
+  dialog->selectFile(besideFile(proposedName("gif")));
   name_as(dialog->selectedNameFilter());
   connect(dialog, &QFileDialog::filterSelected, this, name_as);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& name) {
-    dialog->hide();  // writing takes its time
-    writeFilm(name);
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, dialog, first, last](const QString& name) {
+            dialog->hide();  // writing takes its time
+            writeFilm(name, first, last);
+          });
   dialog->open();
 }
 
-bool AgoreWindow::writeFilm(const QString& path) {
-  RenderOptions render;
-  render.view = options_;
-  render.view.moving = false;
-  // As seen, but not larger than a film needs to be.
-  const QSize size = canvas_->size().boundedTo({1280, 800});
-  render.width = size.width() & ~1;
-  render.height = size.height() & ~1;
-  render.replace = true;
+bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
+  RenderOptions render = filmOptions();
+  render.first = first, render.last = last;
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
                            static_cast<int>(frameCount()), this);
+  progress.setWindowTitle(tr("Save Film"));
   progress.setWindowModality(Qt::WindowModal);
   progress.setMinimumDuration(500);
-  render.progress = [&progress](long done, long total) {
+  long pictures = 0;
+  render.progress = [&progress, &pictures](long done, long total) {
+    pictures = done;
     progress.setMaximum(static_cast<int>(total));
     progress.setValue(static_cast<int>(done));
   };
-  render.stop = [&progress] { return progress.wasCanceled(); };
-  render.slow = slow_;  // a film plays as the window does
+  bool stopped = false;
+  render.stop = [&progress, &stopped] { return stopped = progress.wasCanceled(); };
   try {
-    constexpr int kSlowRate = 25;
-    const int rate = slow_ > 0.0 ? kSlowRate : std::clamp(speed_->currentData().toInt(), 1, 50);
-    render_movie(*picture_, 1, rate, path.toStdString(), render);
+    render_movie(*picture_, 1, filmRate(), path.toStdString(), render);
+    const bool folder = QFileInfo(path).isDir();
+    if (stopped)
+      desktop::tell_in_foot(this,
+                            folder ? tr("Stopped: %1 pictures are in %2.").arg(pictures).arg(path)
+                                   : tr("Stopped: no film was saved."));
+    else
+      desktop::tell_in_foot(this,
+                            folder ? tr("Saved %1 numbered pictures in %2.").arg(pictures).arg(path)
+                                   : tr("Saved %1: %2 pictures.").arg(path).arg(pictures));
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -651,10 +798,17 @@ void AgoreWindow::refresh() {
       }
   for (const char* name : {"play", "playBack", "frame", "frameBack", "pause", "print", "save"})
     findChild<QPushButton*>(name)->setEnabled(picture_ != nullptr);
-  if (picture_)
-    setWindowTitle(QString::fromStdString(picture_->animation().file.path.filename().string() +
-                                          " — " + view_title(options_.view)) +
+  if (auto* scales = findChild<QMenu*>("scaleMenu"))
+    for (QAction* action : scales->actions())
+      if (action->isCheckable())
+        action->setChecked(action->data().toInt() == static_cast<int>(options_.scale.kind));
+  if (picture_) {
+    // Runs are told apart by their folders, as in AdrInput.
+    const std::filesystem::path& file = picture_->animation().file.path;
+    const auto named = std::filesystem::absolute(file).parent_path().filename() / file.filename();
+    setWindowTitle(QString::fromStdString(named.string() + " — " + view_title(options_.view)) +
                    " — AGORE");
+  }
 }
 
 }  // namespace adore::agore

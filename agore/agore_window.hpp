@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agore/motion_picture.hpp"
+#include "agore/render.hpp"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -74,6 +75,7 @@ class AgoreWindow : public QMainWindow {
   void setView(View view, int element = 0);  ///< element 0: the one shown last
   void setExaggeration(double factor);
   void setColour(ColourBy colour);
+  void setScale(const ScaleChoice& scale);
   void setContacts(bool shown);
   void setTrails(bool shown);
   /// A further view beside the first, or none of that kind.
@@ -81,8 +83,11 @@ class AgoreWindow : public QMainWindow {
   void setLoop(bool loop) { loop_ = loop; }
   /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
   void setSlowMotion(double rate);
-  /// Writes a film of all frames; false, after a message with the reason, when it cannot.
-  bool writeFilm(const QString& path);
+  /// Writes a film from a frame to another, counted from 1 (0: the last of all), and says so in the
+  /// foot; false, after a message with the reason, when it cannot.
+  bool writeFilm(const QString& path, int first = 1, int last = 0);
+  /// "ball-3d.gif" of a run in the folder "ball".
+  [[nodiscard]] QString proposedName(const QString& suffix) const;
 
  public slots:
   void saveFilm();
@@ -105,7 +110,12 @@ class AgoreWindow : public QMainWindow {
   void addZoomKeys(QMenu* menu);
   void makeViewMenu(QMenu* menu);
   void makeBesideMenu(QMenu* menu);
+  void makeColourMenus(QMenu* menu);
+  void askForLimits();
+  void askForFilmName(int first, int last);
   QWidget* makeButtons();
+  [[nodiscard]] RenderOptions filmOptions() const;
+  [[nodiscard]] int filmRate() const;
   void askForElement(View view);
   void play(int direction);
   void advance();

@@ -204,6 +204,9 @@ Animation finish(Animation animation) {
   if (animation.has_cage) find_guide(animation);
   if (animation.motion) {
     animation.contacts = contacts_of(animation);
+    for (const char* name : {"contact.load", "contact.slip", "contact.heat", "contact.temperature"})
+      if (const auto* channel = animation.motion->channel(name))
+        animation.run_ranges[name] = run_range(*channel);
     animation.source =
         animation.motion->every() > 1
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
@@ -273,6 +276,28 @@ Animation open_motion(const std::filesystem::path& path, long most_frames) {
       path, results::UnitSystem::SI,
       static_cast<std::size_t>(
           std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)))));
+}
+
+RunRange run_range(const results::MotionChannel& channel) {
+  constexpr std::size_t kMost = 400'000;  // values looked at for the usual ones
+  RunRange out;
+  out.lowest = std::numeric_limits<double>::infinity();
+  std::vector<double> above;
+  const std::size_t pairs = channel.values.size() / 2, every = pairs / kMost + 1;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const double value = std::max(channel.values[2 * i], channel.values[2 * i + 1]);
+    if (!std::isfinite(value)) continue;
+    out.largest = std::max(out.largest, value);
+    out.lowest = std::min(out.lowest, value);
+    if (value > 0.0 && i % every == 0) above.push_back(value);
+  }
+  if (!std::isfinite(out.lowest)) out.lowest = 0.0;
+  out.usual = out.largest;
+  if (above.empty()) return out;
+  const auto at = above.begin() + static_cast<std::ptrdiff_t>((above.size() - 1) * 19 / 20);
+  std::nth_element(above.begin(), at, above.end());
+  out.usual = *at;
+  return out;
 }
 
 const results::Sol8Body& Animation::part(std::size_t i, int segment) const {

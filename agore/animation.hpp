@@ -5,6 +5,7 @@
 #include "results/sol_file.hpp"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,13 @@ struct ContactFrame {
   std::array<double, 2> slip{};  ///< largest slip speed in the contact, in `slip_unit`
 };
 
+/// What a quantity of the contacts is in a whole run, by the larger of both contacts of an element.
+struct RunRange {
+  double lowest = 0.0, largest = 0.0;
+  double usual = 0.0;  ///< that 19 of 20 values above 0 stay below
+};
+[[nodiscard]] RunRange run_range(const results::MotionChannel& channel);
+
 /// Contacts of all elements at the frames of a SOL8 file.
 struct ContactFrames {
   std::string load_unit, slip_unit;
@@ -64,6 +72,7 @@ struct Animation {
   std::array<std::vector<double>, 2> race_angle;  ///< outer, inner [rad]
   std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 beside the file
   std::string no_contacts;                        ///< why there are none
+  std::map<std::string, RunRange> run_ranges;     ///< of quantities that colour, by channel
   std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }

@@ -5,6 +5,8 @@
 #include <QLineF>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -58,11 +60,23 @@ void draw_land_arrows(const Scene& s) {
   }
 }
 
-/// Arrows of lands are as long as the cage's radius, whatever the force.
+/// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
+/// have is named so, in the same place.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const QColor& red = s.sketch.theme().red;
-  key.push_back({red, "contact in the pocket", KeyMark::Star});
-  if (s.animation.guide != Guide::None) key.push_back({red, "direction of land contact"});
+  const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
+    key.push_back({red, now ? there : none, mark, now ? none : there});
+  };
+  const auto& elements = s.frame.elements;
+  entry(std::any_of(elements.begin(), elements.end(),
+                    [](const auto& element) { return element.pocket_force > 0.0; }),
+        "contact in the pocket", "no contact in a pocket now", KeyMark::Star);
+  if (s.animation.guide == Guide::None) return;
+  bool touches = false;
+  for (int part = 0; part < s.animation.segments; ++part)
+    for (const std::size_t land : {0U, 1U})
+      touches = touches || s.animation.land_touch(s.index, part, land).force > 0.0;
+  entry(touches, "direction of land contact", "no land contact now", KeyMark::Line);
 }
 
 QString frame_name(const Scene& s) {
@@ -77,7 +91,7 @@ void draw_trails(const Scene& s) {
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     QPolygonF line;
     for (const TrailPoint& point : element_trail(s, k))
-      line.append(s.sketch.at(point.centre.x(), point.centre.y()));
+      append_seen(line, s.sketch.at(point.centre.x(), point.centre.y()));
     p.drawPolyline(line);
   }
 }
@@ -121,14 +135,23 @@ struct TurningFrame {
 };
 
 /// Frames about the bearing's axis, the names of each on that side of its arms where they stand
-/// farther from those before.
+/// farther from those before, and from the heads of all the other arms.
 void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
+  const auto heads_of = [&](const TurningFrame& frame) {
+    return std::array<QPointF, 2>{s.sketch.around({0, 0}, frame.length, frame.angle),
+                                  s.sketch.around({0, 0}, frame.length, frame.angle - 0.5 * kPi)};
+  };
   for (const TurningFrame& frame : frames) {
     const auto room = [&](double side) {
       double least = std::numeric_limits<double>::infinity();
-      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
+      for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side)) {
         for (const QPointF& other : taken) least = std::min(least, QLineF(name, other).length());
+        for (const TurningFrame& other : frames)
+          if (&other != &frame)
+            for (const QPointF& head : heads_of(other))
+              least = std::min(least, QLineF(name, head).length());
+      }
       return least;
     };
     const double side = room(-1.0) > room(1.0) ? -1.0 : 1.0;
@@ -193,8 +216,10 @@ void bearing_view(const Scene& s) {
   } else if (s.options.contacts) {
     key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }
-  if (too_low(s.options, s.sketch.area().height()))
-    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
+  if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
+    const std::vector<KeyEntry> ends = scale_entries(s);
+    key.insert(key.begin(), ends.begin(), ends.end());
+  }
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
 }
 

@@ -32,9 +32,56 @@ Quantity quantity_of(ColourBy by) {
   return {"contact.load", "contact load"};
 }
 
+/// `from_lowest`: zero says nothing of a temperature.
+void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const ScaleChoice& choice) {
+  if (!(run.largest > 0.0)) {
+    out.why_none = "no colours: it is zero in the whole run";
+    return;
+  }
+  const auto words = [&](double value) { return desktop::pretty_quantity(value, out.unit, 3); };
+  out.low = from_lowest ? run.lowest : 0.0;
+  out.high = run.largest;
+  switch (choice.kind) {
+    case ColourScale::Usual: {
+      // A peak that is no more than twice the usual hides nothing.
+      constexpr double kHides = 2.0;
+      if (run.largest - out.low > kHides * (run.usual - out.low) && run.usual > out.low)
+        out.high = run.usual;
+      out.scale = out.high < run.largest ? "usual in the run" : "of the run";
+      break;
+    }
+    case ColourScale::Run:
+      out.scale = "of the run";
+      break;
+    case ColourScale::Moment: {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const double value : out.value)
+        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+      if (from_lowest && std::isfinite(low)) out.low = low;
+      out.high = high;
+      out.scale = "of this moment";
+      if (!(out.high > out.low)) {
+        out.why_none = from_lowest ? "no colours: all are alike at this moment"
+                                   : "no colours: it is zero at this moment";
+        return;
+      }
+      break;
+    }
+    case ColourScale::Typed:
+      out.low = choice.low, out.high = choice.high;
+      out.scale = "as typed";
+      break;
+  }
+  out.above = run.largest > out.high;
+  out.below = run.lowest < out.low;
+  if (out.above) out.scale += ", run to " + words(run.largest);
+  if (out.below) out.scale += ", from " + words(run.lowest);
+}
+
 }  // namespace
 
-Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by) {
+Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
+                    const ScaleChoice& scale) {
   Colouring out;
   if (by == ColourBy::None) return out;
   const Quantity quantity = quantity_of(by);
@@ -58,12 +105,25 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by) 
     }
   }
   out.unit = channel->unit;
-  for (const double value : channel->values)
-    if (std::isfinite(value)) out.largest = std::max(out.largest, value);
   for (std::size_t k = 0; k < n; ++k)
     out.value.push_back(std::max(channel->at(frame, 2 * k), channel->at(frame, 2 * k + 1)));
-  if (!(out.largest > 0.0)) out.why_none = "no colours: it is zero in the whole run";
+  const auto known = animation.run_ranges.find(quantity.channel);
+  set_scale(out, known != animation.run_ranges.end() ? known->second : run_range(*channel),
+            by == ColourBy::Temperature, scale);
   return out;
+}
+
+QColor Colouring::of(std::size_t element) const {
+  if (!any() || element >= value.size() || !std::isfinite(value[element])) return {};
+  return scale_colour((value[element] - low) / (high - low));
+}
+
+std::string Colouring::low_end() const {
+  return (below ? "≤ " : "") + (low == 0.0 ? "0" : desktop::pretty_quantity(low, unit, 3));
+}
+
+std::string Colouring::high_end() const {
+  return (above ? "≥ " : "") + desktop::pretty_quantity(high, unit, 3);
 }
 
 QColor scale_colour(double part) {
@@ -92,7 +152,7 @@ void draw_scale(const Scene& s, const Colouring& colours) {
   const qreal width = area.width() < 480.0 ? 104.0 : 150.0, left = area.right() - width - 6.0,
               top = area.top() + 20.0;
   p.setPen(sketch.theme().muted);
-  if (colours.value.empty() || !(colours.largest > 0.0)) {
+  if (!colours.any()) {
     const QString why = QString::fromStdString(colours.why_none);
     p.drawText(QPointF(area.right() - metrics.horizontalAdvance(why) - 6.0, area.top() + 14.0),
                why);
@@ -106,21 +166,27 @@ void draw_scale(const Scene& s, const Colouring& colours) {
   p.setBrush(shade);
   p.drawRect(QRectF(left, top, width, 9.0));
   p.drawText(QPointF(left, top - 5.0), QString::fromStdString(colours.title));
-  p.drawText(QPointF(left, top + 22.0), "0");
-  const QString most =
-      QString::fromStdString(desktop::pretty_quantity(colours.largest, colours.unit, 3));
+  p.drawText(QPointF(left, top + 22.0), QString::fromStdString(colours.low_end()));
+  const QString most = QString::fromStdString(colours.high_end());
   p.drawText(QPointF(left + width - metrics.horizontalAdvance(most), top + 22.0), most);
+  // Beside a bearing there is room for the width of the bar and a half.
+  QStringList lines{QString::fromStdString(colours.scale)};
+  if (metrics.horizontalAdvance(lines.front()) > 1.5 * width) lines = lines.front().split(", ");
+  for (qsizetype i = 0; i < lines.size(); ++i)
+    p.drawText(QPointF(area.right() - 6.0 - metrics.horizontalAdvance(lines[i]),
+                       top + 37.0 + 14.0 * static_cast<double>(i)),
+               lines[i]);
 }
 
 std::vector<KeyEntry> scale_entries(const Scene& s) {
   if (s.options.colour == ColourBy::None || !s.options.one_of_several) return {};
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
-  if (colours.value.empty() || !(colours.largest > 0.0)) return {};
-  const QString title = QString::fromStdString(colours.title);
-  return {{scale_colour(0.0), title + ": 0"},
-          {scale_colour(1.0),
-           title + ": " +
-               QString::fromStdString(desktop::pretty_quantity(colours.largest, colours.unit, 3))}};
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  if (!colours.any()) return {};
+  const auto entry = [&](double part, const std::string& end) {
+    return KeyEntry{scale_colour(part), QString::fromStdString(colours.title + ": " + end)};
+  };
+  return {entry(0.0, colours.low_end()),
+          entry(1.0, colours.high_end() + " (" + colours.scale + ")")};
 }
 
 }  // namespace adore::agore

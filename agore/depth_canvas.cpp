@@ -48,28 +48,66 @@ void DepthCanvas::reset(QSize size, QRgb paper) {
   const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   colour_.assign(pixels, paper);
   depth_.assign(pixels, -std::numeric_limits<float>::infinity());
+  drawn_ = since_restored_ = QRect();
+}
+
+void DepthCanvas::restore(const DepthCanvas& other) {
+  if (size() != other.size()) {
+    *this = other;
+    since_restored_ = QRect();
+    return;
+  }
+  for (int row = since_restored_.top(); row <= since_restored_.bottom(); ++row) {
+    const auto from = static_cast<std::ptrdiff_t>(row) * width_ + since_restored_.left();
+    const auto to = from + since_restored_.width();
+    std::copy(other.colour_.begin() + from, other.colour_.begin() + to, colour_.begin() + from);
+    std::copy(other.depth_.begin() + from, other.depth_.begin() + to, depth_.begin() + from);
+  }
+  drawn_ = other.drawn_;
+  since_restored_ = QRect();
+}
+
+void DepthCanvas::touch(int left, int top, int right, int bottom) {
+  const QRect box = QRect(QPoint(left, top), QPoint(right, bottom)) & QRect(0, 0, width_, height_);
+  drawn_ |= box;
+  since_restored_ |= box;
 }
 
 void DepthCanvas::triangle(const Point& a, const Point& b, const Point& c, const Shades& shades) {
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (!(std::abs(area) > 1e-6F) || !drawable(a) || !drawable(b) || !drawable(c)) return;
+  const float lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
+  const int top = std::max(0, static_cast<int>(std::ceil(lowest - 0.5F)));
+  const int bottom = std::min(height_ - 1, static_cast<int>(std::floor(highest - 0.5F)));
+  if (top > bottom) return;
+  const float leftmost = std::min({a.x, b.x, c.x}), rightmost = std::max({a.x, b.x, c.x});
+  const int first_column = std::max(0, static_cast<int>(std::ceil(leftmost - 0.5F)));
+  const int last_column = std::min(width_ - 1, static_cast<int>(std::ceil(rightmost - 0.5F)) - 1);
+  if (first_column > last_column) return;
+  touch(first_column, top, last_column, bottom);
   // depth and light are linear over the picture
+  const float part = 1.0F / area;
   const auto slopes = [&](float va, float vb, float vc) {
-    return std::array<float, 2>{((vb - va) * (c.y - a.y) - (vc - va) * (b.y - a.y)) / area,
-                                ((vc - va) * (b.x - a.x) - (vb - va) * (c.x - a.x)) / area};
+    return std::array<float, 2>{((vb - va) * (c.y - a.y) - (vc - va) * (b.y - a.y)) * part,
+                                ((vc - va) * (b.x - a.x) - (vb - va) * (c.x - a.x)) * part};
   };
   const auto deep = slopes(a.depth, b.depth, c.depth), lit = slopes(a.light, b.light, c.light);
-  const int top = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}) - 0.5F)));
-  const int bottom =
-      std::min(height_ - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}) - 0.5F)));
-  const Point* const corner[] = {&a, &b, &c};
+  struct Edge {
+    float low, high, x, y, slope;
+    Edge(const Point& p, const Point& q)
+        : low(std::min(p.y, q.y)),
+          high(std::max(p.y, q.y)),
+          x(p.x),
+          y(p.y),
+          slope((q.x - p.x) / (q.y - p.y)) {}
+  };
+  const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
   for (int row = top; row <= bottom; ++row) {
     const float y = static_cast<float>(row) + 0.5F;
     float left = std::numeric_limits<float>::infinity(), right = -left;
-    for (int i = 0; i < 3; ++i) {
-      const Point &p = *corner[i], &q = *corner[(i + 1) % 3];
-      if ((p.y > y) == (q.y > y)) continue;
-      const float x = p.x + (y - p.y) * (q.x - p.x) / (q.y - p.y);
+    for (const Edge& edge : edges) {
+      if (y < edge.low || y >= edge.high) continue;
+      const float x = edge.x + (y - edge.y) * edge.slope;
       left = std::min(left, x), right = std::max(right, x);
     }
     if (!(left <= right)) continue;
@@ -79,11 +117,12 @@ void DepthCanvas::triangle(const Point& a, const Point& b, const Point& c, const
     float depth = a.depth + (x - a.x) * deep[0] + (y - a.y) * deep[1];
     float light = a.light + (x - a.x) * lit[0] + (y - a.y) * lit[1];
     const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
+    float* const depths = depth_.data() + line;
+    QRgb* const colours = colour_.data() + line;
     for (int i = first; i <= last; ++i, depth += deep[0], light += lit[0]) {
-      const std::size_t at = line + static_cast<std::size_t>(i);
-      if (depth <= depth_[at]) continue;
-      depth_[at] = depth;
-      colour_[at] = shades[static_cast<std::size_t>(std::clamp(light, 0.0F, 255.0F))];
+      if (depth <= depths[i]) continue;
+      depths[i] = depth;
+      colours[i] = shades[static_cast<std::size_t>(std::clamp(light, 0.0F, 255.0F))];
     }
   }
 }
@@ -95,6 +134,8 @@ void DepthCanvas::sphere(const Point& centre, float radius, const Pole& pole, co
   const bool marked = pole.x != 0 || pole.y != 0 || pole.z != 0;
   const int top = std::max(0, static_cast<int>(std::floor(centre.y - radius)));
   const int bottom = std::min(height_ - 1, static_cast<int>(std::ceil(centre.y + radius)));
+  touch(static_cast<int>(std::floor(centre.x - radius)), top,
+        static_cast<int>(std::ceil(centre.x + radius)), bottom);
   for (int row = top; row <= bottom; ++row) {
     const float v = (centre.y - static_cast<float>(row) - 0.5F) / radius;
     if (std::abs(v) >= 1.0F) continue;
@@ -116,19 +157,19 @@ void DepthCanvas::sphere(const Point& centre, float radius, const Pole& pole, co
   }
 }
 
-QImage DepthCanvas::image(int shrink) const {
-  const int width = width_ / shrink, height = height_ / shrink;
-  QImage out(width, height, QImage::Format_RGB32);
-  for (int row = 0; row < height; ++row) {
+QImage DepthCanvas::image(int shrink, const QRect& box) const {
+  const auto start = [&](int row) {
+    return colour_.data() + static_cast<std::ptrdiff_t>(box.top() + row) * shrink * width_ +
+           static_cast<std::ptrdiff_t>(box.left()) * shrink;
+  };
+  if (shrink == 1)
+    return {reinterpret_cast<const uchar*>(start(0)), box.width(), box.height(),
+            static_cast<qsizetype>(width_) * 4, QImage::Format_RGB32};
+  QImage out(box.size(), QImage::Format_RGB32);
+  for (int row = 0; row < box.height(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(out.scanLine(row));
-    const QRgb* from = colour_.data() + static_cast<std::size_t>(row) *
-                                            static_cast<std::size_t>(shrink) *
-                                            static_cast<std::size_t>(width_);
-    if (shrink == 1) {
-      std::copy(from, from + width, line);
-      continue;
-    }
-    for (int i = 0; i < width; ++i) {
+    const QRgb* from = start(row);
+    for (int i = 0; i < box.width(); ++i) {
       unsigned red = 0, green = 0, blue = 0;
       for (int y = 0; y < shrink; ++y)
         for (int x = 0; x < shrink; ++x) {

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QImage>
+#include <QRect>
 
 #include <array>
 #include <vector>
@@ -31,6 +32,8 @@ class DepthCanvas {
   };
 
   void reset(QSize size, QRgb paper);
+  /// Is as `other` again: copies only where something was drawn since it was.
+  void restore(const DepthCanvas& other);
   [[nodiscard]] QSize size() const { return {width_, height_}; }
   void triangle(const Point& a, const Point& b, const Point& c, const Shades& shades);
   void quad(const Point& a, const Point& b, const Point& c, const Point& d, const Shades& shades) {
@@ -49,14 +52,23 @@ class DepthCanvas {
   }
   void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades,
               const Shades& mark);
-  /// Every pixel the mean of `shrink` by `shrink` of them.
-  [[nodiscard]] QImage image(int shrink) const;
+  /// Every pixel the mean of `shrink` by `shrink` of them, in `box`. Of single pixels it is no
+  /// copy: it holds as long as the canvas does and nothing more is drawn.
+  [[nodiscard]] QImage image(int shrink, const QRect& box) const;
+  [[nodiscard]] QImage image(int shrink) const {
+    return image(shrink, QRect(0, 0, width_ / shrink, height_ / shrink));
+  }
+  /// Everything drawn since reset() lies in it.
+  [[nodiscard]] QRect drawn() const { return drawn_; }
 
  private:
   [[nodiscard]] static bool clockwise(const Point& a, const Point& b, const Point& c) {
     return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
   }
+  /// Notes that the pixels from `left` to `right` of these rows are drawn on.
+  void touch(int left, int top, int right, int bottom);
   int width_ = 0, height_ = 0;
+  QRect drawn_, since_restored_;
   std::vector<QRgb> colour_;
   std::vector<float> depth_;
 };

@@ -92,21 +92,17 @@ void draw_element(const Scene& s, std::size_t k, const QColor& tint) {
 }
 
 void draw_elements(const Scene& s) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
-    draw_element(
-        s, k,
-        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k])
-            ? scale_colour(colours.value[k] / colours.largest)
-            : QColor());
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) draw_element(s, k, colours.of(k));
   if (s.options.colour != ColourBy::None) draw_scale(s, colours);
 }
 
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
-  const double outside = s.options.view == View::Cage
-                             ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
-                             : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
+  const double outside =
+      s.options.view == View::Cage
+          ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+          : outer_rim(s.geometry()) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   // Numbers of a small picture are as small as leaves them apart.
   const double apart = 2.0 * kPi * outside * s.sketch.scale() /
                        static_cast<double>(std::max<std::size_t>(1, s.frame.elements.size()));

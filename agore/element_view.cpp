@@ -79,7 +79,7 @@ void element_view(const Scene& s) {
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
                  t.blue);
   // Beside the arrow of the outer race, where there is one.
-  const double rim = outer_rim(g) + 14.0 / s.sketch.scale();
+  const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   const double aside = s.animation.contacts ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);

@@ -10,6 +10,7 @@ namespace adore::agore {
 struct Kept {
   SolidLayer solid;
   CageOutlines cages;
+  Stamps stamps;
   KeyPicture key;
 };
 

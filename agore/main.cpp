@@ -16,6 +16,7 @@
 #include <fmt/core.h>
 
 #include <optional>
+#include <tuple>
 
 using namespace adore;
 
@@ -26,7 +27,8 @@ const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
 
 struct Request {
   std::filesystem::path file, folder;
-  std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none";
+  std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none",
+              scale = "usual";
   std::string beside, project;
   int frame = 0, every = 0, rate = 25;
   agore::RenderOptions options;
@@ -161,6 +163,10 @@ int main(int argc, char** argv) {
       1e-12)
       ->needs(movie)
       ->excludes(every);
+  for (const auto& [name, number, what] :
+       {std::tuple{"--from", &request.options.first, "first frame of a film or of --every, from 1"},
+        std::tuple{"--to", &request.options.last, "its last frame (the last of all unless given)"}})
+    command_line::at_least(cli.add_option(name, *number, what), 1)->needs(folder)->excludes(frame);
   cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")
@@ -169,13 +175,18 @@ int main(int argc, char** argv) {
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
+  cli.add_option("--scale", request.scale,
+                 "scale of the colours: usual (what 19 of 20 values of the run stay below), run "
+                 "(its largest), moment, or limits such as 0:0.02 in the file's unit")
+      ->capture_default_str()
+      ->type_name("SCALE");
   cli.add_flag("--contacts", request.options.view.contacts,
                "arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails, "the path of every element so far");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   // A window that is there takes files alone.
   for (const char* of_first : {"--render", "--view", "--beside", "--race", "--element",
-                               "--exaggerate", "--colour", "--contacts", "--trails"})
+                               "--exaggerate", "--colour", "--scale", "--contacts", "--trails"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
@@ -183,6 +194,10 @@ int main(int argc, char** argv) {
     request.options.view.beside = agore::views_beside(request.beside, request.race);
     request.options.view.flange_race = request.race == "outer" ? 0 : 1;
     request.options.view.colour = agore::colour_named(request.colour);
+    request.options.view.scale = agore::scale_named(request.scale);
+    if ((cli.count("--from") > 0 || cli.count("--to") > 0) && request.film.empty() &&
+        request.every == 0)
+      throw InputError("--from and --to are the ends of several pictures; give --movie or --every");
     const auto pixels = desktop::parse_size(request.size);
     request.options.width = pixels.width;
     request.options.height = pixels.height;

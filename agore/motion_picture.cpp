@@ -16,8 +16,15 @@ namespace adore::agore {
 namespace {
 
 constexpr int kSmall = 11;  // letters of two lines where else one is
-constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
-constexpr double kTileTop = 28, kTileFoot = 2;  // of one of several views: its title, its frame
+constexpr double kHeading = 58, kMargin = 22;
+constexpr double kTileFoot = 2;  // of one of several views: its frame
+
+/// Of one of several views, for its title.
+double tile_top(const QRectF& tile) { return tile.height() < 200.0 ? 20.0 : 28.0; }
+
+/// Low pictures have a low time bar.
+bool low(const QRectF& area) { return area.height() < 520.0; }
+double bar_space(const QRectF& area) { return low(area) ? 44.0 : 58.0; }
 
 /// Value of each curve nearest to a time, as text under the data area's title: one line or, where
 /// that is too narrow, two; the values alone in the order of the legends where these are as well.
@@ -58,8 +65,8 @@ QStringList present_values(const desktop::ChartPage& page, double time, double w
 /// The run's own speed: the name of a deck may say that of another one.
 std::string speed_text(const Animation& animation) {
   constexpr double kRpm = 30.0 / std::numbers::pi;
-  const double speed = kRpm * std::abs(shaft_speed(animation));
-  if (!(speed > 0.0)) return {};
+  const double speed = kRpm * shaft_speed(animation);
+  if (!(std::abs(speed) > 0.0)) return {};
   return "   ·   runs at " + desktop::pretty_number(speed, 3) + " rpm";
 }
 
@@ -103,7 +110,7 @@ double data_width(const QRectF& area) { return std::clamp(0.36 * area.width(), 2
 QRectF pictures_area(const QRectF& area) {
   return {area.left() + kMargin, area.top() + kHeading,
           area.width() - 2.0 * kMargin - data_width(area) - 10.0,
-          area.height() - kHeading - kBarSpace};
+          area.height() - kHeading - bar_space(area)};
 }
 
 }  // namespace
@@ -111,15 +118,15 @@ QRectF pictures_area(const QRectF& area) {
 QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   if (views <= 1) return {};
   const QRectF tile = tiles_of(pictures_area(area), views).front();
-  if (tile.height() - kTileTop - kTileFoot >= kTooLowBeside) return {};
-  const double height = SharedKey::height();
-  return {area.left() + kMargin, area.bottom() - kBarSpace - height, area.width() - 2.0 * kMargin,
-          height};
+  if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
+  // Below the curves: what is left beside the pictures is theirs.
+  const double height = SharedKey::height(), width = data_width(area);
+  return {area.right() - kMargin - width, area.bottom() - bar_space(area) - height, width, height};
 }
 
 QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views) {
   const double width = data_width(area);
-  const double bottom = area.bottom() - kBarSpace - sharedKeyArea(area, views).height();
+  const double bottom = area.bottom() - bar_space(area) - sharedKeyArea(area, views).height();
   return {area.right() - kMargin - width, area.top() + kHeading, width,
           std::min(bottom - area.top() - kHeading, 1.25 * width)};
 }
@@ -127,7 +134,6 @@ QRectF MotionPicture::dataArea(const QRectF& area, std::size_t views) {
 std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views) {
   QRectF all = pictures_area(area);
   if (views <= 1) return {all};
-  all.setHeight(all.height() - sharedKeyArea(area, views).height());
   return tiles_of(all, views);
 }
 
@@ -143,7 +149,8 @@ std::size_t MotionPicture::frameAt(double time) const {
 }
 
 QRectF MotionPicture::timeBar(const QRectF& area) {
-  return {area.left() + kMargin, area.bottom() - 26, area.width() - 2 * kMargin, 10};
+  return {area.left() + kMargin, area.bottom() - (low(area) ? 17 : 26), area.width() - 2 * kMargin,
+          10};
 }
 
 void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
@@ -181,7 +188,7 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
 std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t views) {
   std::vector<QRectF> tiles = pictureAreas(area, views);
   if (tiles.size() > 1)
-    for (QRectF& tile : tiles) tile.adjust(4.0, kTileTop, -4.0, -kTileFoot);
+    for (QRectF& tile : tiles) tile.adjust(4.0, tile_top(tile), -4.0, -kTileFoot);
   return tiles;
 }
 
@@ -252,9 +259,11 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
     painter.setPen(QPen(t.grid, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(tiles[i]);
-    painter.setFont(desktop::ui_font(12, true));
+    const bool small = tile_top(tiles[i]) < 24.0;
+    painter.setFont(desktop::ui_font(small ? kSmall : 12, true));
     painter.setPen(t.text);
-    painter.drawText(tiles[i].adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+    painter.drawText(tiles[i].adjusted(8.0, small ? 2.0 : 4.0, -8.0, 0.0),
+                     Qt::AlignLeft | Qt::AlignTop,
                      QString::fromStdString(view_title(options.tile(i).view)));
   }
   const QRectF data = dataArea(area, tiles.size());

@@ -29,13 +29,10 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
   const auto place = [&](const QPointF& p) {
     return s.sketch.at(p.x() * enlargement, p.y() * enlargement);
   };
-  // What lies within half a pixel of the last point adds nothing to the line.
   const auto path = [&](std::size_t first, std::size_t last) {
     QPolygonF line{place(orbit[first])};
-    for (std::size_t i = first + 1; i <= last; ++i) {
-      const QPointF next = place(orbit[i]), way = next - line.back();
-      if (std::abs(way.x()) + std::abs(way.y()) > 0.5 || i == last) line.append(next);
-    }
+    for (std::size_t i = first + 1; i < last; ++i) append_seen(line, place(orbit[i]));
+    if (last > first) line.append(place(orbit[last]));
     return line;
   };
   const QPolygonF line = path(0, s.index), rest = path(s.index, orbit.size() - 1);

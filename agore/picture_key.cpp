@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QPaintDevice>
 #include <QPaintEngine>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,25 @@ void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
   if (mark == KeyMark::Dashed) pen.setDashPattern({4.0, 2.0});
   p.setPen(pen);
   p.drawLine(at, at + QPointF(length, 0.0));
+}
+
+/// Of the mark and its words, or of those that stand there in other frames.
+double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
+  return kKeyIndent +
+         std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
+}
+
+/// Words in lines that fit, broken between words.
+QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
+  QStringList out;
+  for (const QString& word : text.split(' ')) {
+    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
+    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      out.back() = longer;
+    else
+      out << word;
+  }
+  return out;
 }
 
 /// A remark in lines that fit, broken between its parts.
@@ -99,8 +119,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const auto all = static_cast<double>(entries.size()) + static_cast<double>(remarks.size());
   const auto longest = [&](std::size_t from, std::size_t to) {
     double out = 0.0;
-    for (std::size_t i = from; i < to; ++i)
-      out = std::max(out, metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+    for (std::size_t i = from; i < to; ++i) out = std::max(out, width_of(entries[i], metrics));
     return out;
   };
   const std::size_t half = (entries.size() + 1) / 2;
@@ -110,8 +129,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const std::size_t rows = (entries.size() + columns - 1) / columns;
   std::array<double, 2> column{};
   for (std::size_t i = 0; i < entries.size(); ++i)
-    column[i / rows] =
-        std::max(column[i / rows], metrics.horizontalAdvance(entries[i].text) + kKeyIndent);
+    column[i / rows] = std::max(column[i / rows], width_of(entries[i], metrics));
   width = std::max(width, column[0] + (columns == 2 ? kGap + column[1] : 0.0));
   width = std::min(width, area.width() - 8);
   const double height = line * (static_cast<double>(rows) + static_cast<double>(remarks.size()));
@@ -121,7 +139,23 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   p.setPen(Qt::NoPen);
   p.setBrush(paper);
   const QRectF box(x - 4, area.bottom() - height - 2, width + 10, height + 2);
-  p.drawRoundedRect(box, 4, 4);
+  // Each line has its own as wide as it is: a box about all of them bites into what is beside.
+  QPainterPath behind;
+  behind.setFillRule(Qt::WindingFill);
+  const auto line_behind = [&](std::size_t row, double long_as) {
+    behind.addRoundedRect(QRectF(box.left(), box.top() + line * static_cast<double>(row),
+                                 std::min(long_as + 10.0, box.width()), line + 4.0),
+                          4, 4);
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    double long_as = width_of(entries[row], metrics);
+    if (columns == 2 && row + rows < entries.size())
+      long_as = column[0] + kGap + width_of(entries[row + rows], metrics);
+    line_behind(row, long_as);
+  }
+  for (qsizetype i = 0; i < remarks.size(); ++i)
+    line_behind(rows + static_cast<std::size_t>(i), metrics.horizontalAdvance(remarks[i]));
+  p.drawPath(behind);
   double y = area.bottom() - 6;
   const auto write = [&](const QString& text, double left) {
     p.setPen(theme.muted);
@@ -182,19 +216,28 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   int row = 1;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const KeyEntry& entry = entries[i];
-    const double width = kKeyIndent + metrics.horizontalAdvance(entry.text);
+    const double width = width_of(entry, metrics);
     const bool last = i + 1 == entries.size();
+    // One that is longer than a line goes on in the next ones.
+    const QStringList lines = width > place.width()
+                                  ? in_lines(entry.text, place.width() - kKeyIndent, metrics)
+                                  : QStringList{entry.text};
     if (x > place.left() && row < kLines && x + width > place.right())
       x = place.left(), y += line, ++row;
-    if (row == kLines && x + width > place.right() - (last ? 0.0 : kept)) {
+    const auto lowest = row + static_cast<int>(lines.size()) - 1;
+    const double end = lines.size() > 1 ? place.left() : x + width;
+    if (lowest > kLines || (lowest == kLines && end > place.right() - (last ? 0.0 : kept))) {
       p.setPen(theme.muted);
       p.drawText(QPointF(x, y), more(entries.size() - i));
       return;
     }
     draw_mark(p, entry.mark, entry.colour, {x, y - 4.0});
     p.setPen(theme.muted);
-    p.drawText(QPointF(x + kKeyIndent, y), entry.text);
-    x += width + kGap;
+    for (qsizetype k = 0; k < lines.size(); ++k) {
+      if (k > 0) y += line, ++row;
+      p.drawText(QPointF(x + kKeyIndent, y), lines[k]);
+    }
+    x = lines.size() > 1 ? place.right() : x + width + kGap;
   }
 }
 

@@ -23,6 +23,7 @@ struct KeyEntry {
   QColor colour;  ///< invalid: words about what is not drawn
   QString text;
   KeyMark mark = KeyMark::Line;
+  QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
   bool operator==(const KeyEntry&) const = default;
 };
 
@@ -55,7 +56,7 @@ class KeyPicture {
 /// in lines of one height. What has no line of its own is counted.
 class SharedKey {
  public:
-  static constexpr int kLines = 3;
+  static constexpr int kLines = 9;
   /// Height of its lines [pixels].
   [[nodiscard]] static double height();
   void draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,

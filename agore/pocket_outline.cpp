@@ -43,12 +43,22 @@ double drawn_skew(const QPainterPath& silhouette, double taper, double skew, dou
     const QPolygonF roller = upright(silhouette, angle);
     return reach(roller, taper, -1.0) + reach(roller, taper, 1.0);
   };
-  const double straight = wide(0.0), wanted = factor * (wide(skew) - straight);
+  const double straight = wide(0.0);
+  // A silhouette is a chain of chords: a barrel that turns by less than one of them (a degree)
+  // would take nothing. There an arc takes as much less as 1 - cos is less; ends take more.
+  constexpr double kArc = 0.08;  // [rad], five chords
+  const double of_arc = wide(std::copysign(kArc, skew)) - straight;
+  const auto taken = [&](double angle) {
+    const double chords = wide(angle) - straight;
+    if (!(std::abs(angle) < kArc)) return chords;
+    return std::max(chords, of_arc * (1.0 - std::cos(angle)) / (1.0 - std::cos(kArc)));
+  };
+  const double wanted = factor * taken(skew);
   constexpr int kHalvings = 40;
   double low = 0.0, high = std::numbers::pi / 3.0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (wide(std::copysign(middle, skew)) - straight < wanted ? low : high) = middle;
+    (taken(std::copysign(middle, skew)) < wanted ? low : high) = middle;
   }
   return std::copysign(low, skew);
 }

@@ -35,34 +35,47 @@ void require_interval(int every) {
         every));
 }
 
-/// Frames that a film shows, one after the other: every `every`-th one or, in slow motion, at equal
-/// steps of the simulated time the last one that is not after it.
+}  // namespace
+
 std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, int frames_per_second,
-                                     double slow) {
+                                     const RenderOptions& options) {
+  const auto all = static_cast<int>(picture.frames());
+  const int end = options.last == 0 ? all : options.last;
+  for (const int frame : {options.first, end})
+    if (frame < 1 || frame > all)
+      throw InputError(fmt::format("{} has no frame {}; its frames are 1 to {}",
+                                   picture.animation().file.path.string(), frame, all));
+  if (options.first > end)
+    throw InputError(
+        fmt::format("frame {} is after frame {}; a film ends after it begins", options.first, end));
+  const auto first = static_cast<std::size_t>(options.first - 1),
+             last = static_cast<std::size_t>(end - 1);
   std::vector<std::size_t> out;
-  if (slow <= 0.0) {
-    for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every))
+  if (options.slow <= 0.0) {
+    for (std::size_t frame = first; frame <= last; frame += static_cast<std::size_t>(every))
       out.push_back(frame);
     return out;
   }
   constexpr double kMost = 1e6;  // pictures: eleven hours of 25 a second
   const std::vector<double>& time = picture.animation().time;
-  const double step = slow / frames_per_second, span = time.back() - time.front();
+  const double step = options.slow / frames_per_second, span = time[last] - time[first];
   if (!(span / step < kMost))
     throw InputError(
         fmt::format("{:g} s take more than {:g} pictures in a slow motion of {:g}; give a larger "
                     "--slow, or choose a faster slow motion",
-                    span, kMost, slow));
+                    span, kMost, options.slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {
     // A frame that rounding puts behind its own time is meant.
-    const double now = time.front() + static_cast<double>(i) * step + 1e-9 * step;
+    const double now = time[first] + static_cast<double>(i) * step + 1e-9 * step;
     const auto after = std::upper_bound(time.begin(), time.end(), now);
     out.push_back(static_cast<std::size_t>(after - time.begin()) - 1);
   }
-  out.push_back(picture.frames() - 1);
+  out.push_back(last);
   return out;
 }
+
+namespace {
 
 /// Draws the frames of a film and tells how many are done. @return false: somebody stopped it
 template <class Draw>
@@ -97,7 +110,7 @@ std::vector<fs::path> render_pictures(MotionPicture& picture,
 std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
                                     const RenderOptions& options) {
   require_interval(every);
-  return render_pictures(picture, film_frames(picture, every, 1, 0.0), folder, options);
+  return render_pictures(picture, film_frames(picture, every, 1, options), folder, options);
 }
 
 void render_movie(MotionPicture& picture, int every, int frames_per_second, const fs::path& film,
@@ -109,8 +122,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   std::string suffix = film.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::vector<std::size_t> frames =
-      film_frames(picture, every, frames_per_second, options.slow);
+  const std::vector<std::size_t> frames = film_frames(picture, every, frames_per_second, options);
   if (suffix.empty()) {
     render_pictures(picture, frames, film, options);
     return;

@@ -19,7 +19,16 @@ struct RenderOptions {
   /// Simulated seconds per second of a film, which then shows the frames at their own times,
   /// however unequal they lie; 0: a picture for each frame.
   double slow = 0.0;
+  /// Frames that a film or numbered pictures begin and end with, counted from 1; last 0: the end.
+  int first = 1, last = 0;
 };
+
+/// Frames that a film shows, one after the other, counted from 0: every `every`-th one or, in slow
+/// motion, at equal steps of the simulated time the last one that is not after it.
+/// @throws InputError for first and last frames that are none, or too many pictures
+[[nodiscard]] std::vector<std::size_t> film_frames(const MotionPicture& picture, int every,
+                                                   int frames_per_second,
+                                                   const RenderOptions& options);
 
 /// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.
 /// @throws InputError for a file that is not ours, a frame that does not exist, or a path that

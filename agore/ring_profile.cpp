@@ -262,6 +262,17 @@ std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean) {
   return out;
 }
 
+std::pair<double, double> on_bar(const CageProfile& cage, double pitch_radius,
+                                 const LandPlace& land) {
+  const double middle = 0.5 * (land.low + land.high);
+  if (!(std::abs(middle) > 0.25 * (land.high - land.low))) return {land.low, land.high};
+  const double way = middle < 0.0 ? -1.0 : 1.0, v = land.race == 0 ? cage.high : cage.low;
+  const double u = std::min(cage.hole_at(v, middle < 0.0 ? 0 : 1), cage.half_width);
+  const double edge = leaned(0.0, pitch_radius, cage.lean, way * u, v).x();
+  return middle < 0.0 ? std::pair{land.low, std::clamp(edge, land.low, land.high)}
+                      : std::pair{std::clamp(edge, land.low, land.high), land.high};
+}
+
 CageProfile cage_profile(const Animation& animation) {
   CageProfile out;
   if (!animation.has_cage) return out;

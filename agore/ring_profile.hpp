@@ -6,6 +6,7 @@
 #include <QPointF>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 /// Cuts through the bodies along the bearing's axis, in the file's length: (x, r). They need the
@@ -74,5 +75,9 @@ struct CageProfile {
 /// (decision 213).
 [[nodiscard]] std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean);
 [[nodiscard]] CageProfile cage_profile(const Animation& animation);
+/// The part of a land along x that lies on the bar beside a pocket, where the cut is; all of it
+/// where the land is not on one side.
+[[nodiscard]] std::pair<double, double> on_bar(const CageProfile& cage, double pitch_radius,
+                                               const LandPlace& land);
 
 }  // namespace adore::agore

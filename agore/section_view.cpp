@@ -104,15 +104,17 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
   const auto& t = s.sketch.theme();
   const auto& g = s.geometry();
   const auto& body = s.animation.cage_of(s.index, k);
+  const CageProfile cage = cage_profile(s.animation);
   QColor colour = t.cage;
   colour.setAlpha(170);
   for (const LandPlace& land : lands) {
-    const QPointF a = cut.at(land.low + body.position[0], land.on_cage),
-                  b = cut.at(land.high + body.position[0], land.on_cage);
+    const auto [low, high] = on_bar(cage, s.pitch_radius(), land);
+    const QPointF a = cut.at(low + body.position[0], land.on_cage),
+                  b = cut.at(high + body.position[0], land.on_cage);
     const double side = land.race == 0 ? g.cage_outer_radius : g.cage_inner_radius;
     if ((land.on_cage - side) * (land.race == 0 ? 1.0 : -1.0) > 1e-3 * g.element_radius) {
       QPainterPath step;
-      step.addRect(QRectF(a, cut.at(land.high + body.position[0], side)).normalized());
+      step.addRect(QRectF(a, cut.at(high + body.position[0], side)).normalized());
       fill(s, step, colour);
     }
     s.sketch.painter().setPen(QPen(t.red, 2.4, Qt::SolidLine, Qt::FlatCap));
@@ -205,7 +207,9 @@ void section_view(const Scene& s) {
     const double part = contact.load[j] / s.animation.contacts->largest_load;
     const QPointF tip(e.x + u.x() * g.element_radius, e.r + u.y() * g.element_radius);
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
-    s.sketch.painter().setPen(QPen(t.curves[j], 1, Qt::DashLine));
+    // On light steel, whatever the paper is.
+    const QColor line = desktop::theme(desktop::ThemeKind::Light).curves[j];
+    s.sketch.painter().setPen(QPen(line, 1.6, Qt::DashLine));
     s.sketch.painter().drawLine(cut.at(e.x, e.r), cut.at(tip.x(), tip.y()));
     const std::string remark =
         load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);

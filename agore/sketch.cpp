@@ -12,18 +12,55 @@
 
 namespace adore::agore {
 
+namespace {
+
+/// Drawings that are kept.
+enum Kind : int { kRing, kDashes, kBall, kRollerEnd, kRail };
+
+/// `colour` over an opaque one.
+QColor over(const QColor& paper, const QColor& colour) {
+  const auto mix = [part = colour.alphaF()](int below, int above) {
+    return static_cast<int>(std::lround(below + part * (above - below)));
+  };
+  return {mix(paper.red(), colour.red()), mix(paper.green(), colour.green()),
+          mix(paper.blue(), colour.blue())};
+}
+
+/// Of the cage's side ring, and of its edge.
+std::array<QColor, 2> rail_colours(const desktop::Theme& theme) {
+  std::array<QColor, 2> out{theme.cage.lighter(106), theme.cage.darker(125)};
+  for (QColor& colour : out) colour.setAlpha(110);
+  return out;
+}
+
+}  // namespace
+
 bool on_pixels(const QPainter& painter) {
   return painter.paintEngine() != nullptr && painter.paintEngine()->type() == QPaintEngine::Raster;
 }
 
+void append_seen(QPolygonF& line, QPointF next) {
+  if (line.isEmpty() || (next - line.back()).manhattanLength() > 0.5) line.append(next);
+}
+
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-               QPointF pan, double foot)
+               QPointF pan, double foot, Stamps* stamps)
     : painter_(painter),
       area_(area),
       theme_(theme),
       centre_(area.center() - QPointF(0.0, 0.5 * foot) +
               QPointF(pan.x() * area.width(), pan.y() * area.height())),
-      scale_(0.5 * std::min(area.width(), area.height() - foot) / radius) {}
+      half_(0.5 * std::min(area.width(), area.height() - foot)),
+      scale_(half_ / radius),
+      stamps_(stamps) {}
+
+void Sketch::stamp(QPointF middle, double reach, const Stamps::Look& look,
+                   const std::function<void(QPainter&, QPointF)>& paint) const {
+  if (stamps_ != nullptr && on_pixels(painter_))
+    stamps_->draw(painter_, middle, reach, look, paint);
+  else
+    paint(painter_, middle);
+}
 
 QPointF Sketch::around(QPointF centre, double radius, double angle) const {
   return at(centre.x() - radius * std::sin(angle), centre.y() + radius * std::cos(angle));
@@ -31,17 +68,20 @@ QPointF Sketch::around(QPointF centre, double radius, double angle) const {
 
 void Sketch::ring(QPointF centre, double inner, double outer, const QColor& light,
                   const QColor& dark) const {
-  const QPointF middle = at(centre.x(), centre.y());
-  QPainterPath path;
-  path.addEllipse(middle, outer * scale_, outer * scale_);
-  path.addEllipse(middle, inner * scale_, inner * scale_);
-  QLinearGradient shade(middle - QPointF(outer, outer) * scale_ * 0.7,
-                        middle + QPointF(outer, outer) * scale_ * 0.7);
-  shade.setColorAt(0, light);
-  shade.setColorAt(1, dark);
-  painter_.setPen(QPen(dark.darker(125), 1.0));
-  painter_.setBrush(shade);
-  painter_.drawPath(path);
+  const double out = outer * scale_, in = inner * scale_;
+  stamp(at(centre.x(), centre.y()), out + 1.0, {kRing, {out, in}, {light.rgba(), dark.rgba()}},
+        [&](QPainter& p, QPointF middle) {
+          QPainterPath path;
+          path.addEllipse(middle, out, out);
+          path.addEllipse(middle, in, in);
+          const QPointF corner = QPointF(out, out) * 0.7;
+          QLinearGradient shade(middle - corner, middle + corner);
+          shade.setColorAt(0, light);
+          shade.setColorAt(1, dark);
+          p.setPen(QPen(dark.darker(125), 1.0));
+          p.setBrush(shade);
+          p.drawPath(path);
+        });
 }
 
 void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
@@ -52,49 +92,66 @@ void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
 
 void Sketch::dashed_circle(QPointF centre, double radius, const QColor& colour,
                            double width) const {
-  const QPointF middle = at(centre.x(), centre.y());
   const double r = radius * scale_;
   if (!(r > 0.0)) return;
-  const int count =
-      std::max(8, static_cast<int>(std::lround(2.0 * std::numbers::pi * r / (6.0 * width))));
-  const double step = 2.0 * std::numbers::pi / count;
-  QVector<QLineF> dashes;
-  for (int i = 0; i < count; ++i) {
-    const auto end = [&](double part) {
-      return middle + r * QPointF(std::sin((i + part) * step), -std::cos((i + part) * step));
-    };
-    const QLineF dash(end(0.0), end(2.0 / 3.0));
-    if (area_.contains(dash.p1()) || area_.contains(dash.p2())) dashes.append(dash);
-  }
-  painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
-  painter_.drawLines(dashes);
+  constexpr int kFew = 600;
+  const QPointF there = at(centre.x(), centre.y());
+  stamp(there, r + width, {kDashes, {r, width}, {colour.rgba()}}, [&](QPainter& p, QPointF middle) {
+    const int count =
+        std::max(8, static_cast<int>(std::lround(2.0 * std::numbers::pi * r / (6.0 * width))));
+    const double step = 2.0 * std::numbers::pi / count;
+    QVector<QLineF> dashes;
+    for (int i = 0; i < count; ++i) {
+      const auto end = [&](double part) {
+        return r * QPointF(std::sin((i + part) * step), -std::cos((i + part) * step));
+      };
+      const QLineF dash(end(0.0), end(2.0 / 3.0));
+      if (count < kFew || area_.contains(there + dash.p1()) || area_.contains(there + dash.p2()))
+        dashes.append(dash.translated(middle));
+    }
+    p.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    p.drawLines(dashes);
+  });
 }
 
 void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark,
                   const QColor& tint) const {
-  const QPointF middle = at(centre.x(), centre.y());
+  const QPointF there = at(centre.x(), centre.y());
   const double r = radius * scale_;
-  painter_.setPen(QPen(theme_.steel_dark.darker(150), 1));
-  painter_.setBrush(tint.isValid()
-                        ? QBrush(tint)  // as the scale shows it: no light, no shade
-                        : desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
-                                              theme_.steel_dark.darker(115)));
-  painter_.drawEllipse(middle, r, r);
-  orientation_mark(middle, r, mark);
+  const QColor rim = theme_.steel_dark.darker(150);
+  const auto draw = [&](QPainter& p, QPointF middle) {
+    p.setPen(QPen(rim, 1));
+    p.setBrush(tint.isValid()
+                   ? QBrush(tint)  // as the scale shows it: no light, no shade
+                   : desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
+                                         theme_.steel_dark.darker(115)));
+    p.drawEllipse(middle, r, r);
+  };
+  if (tint.isValid())
+    draw(painter_, there);
+  else
+    stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
+  orientation_mark(there, r, mark);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
                         const QColor& tint) const {
-  const QPointF middle = at(centre.x(), centre.y());
+  const QPointF there = at(centre.x(), centre.y());
   const double r = radius * scale_;
   ring(centre, 0.88 * radius, radius, theme_.steel_dark, theme_.steel_dark.darker(130));  // corner
-  QLinearGradient shade(middle - QPointF(r, r) * 0.7, middle + QPointF(r, r) * 0.7);
-  shade.setColorAt(0, theme_.steel_light);
-  shade.setColorAt(1, theme_.steel_dark);
-  painter_.setPen(Qt::NoPen);
-  painter_.setBrush(tint.isValid() ? QBrush(tint) : QBrush(shade));
-  painter_.drawEllipse(middle, 0.88 * r, 0.88 * r);
-  orientation_mark(middle, r, mark);
+  const auto draw = [&](QPainter& p, QPointF middle) {
+    QLinearGradient shade(middle - QPointF(r, r) * 0.7, middle + QPointF(r, r) * 0.7);
+    shade.setColorAt(0, theme_.steel_light);
+    shade.setColorAt(1, theme_.steel_dark);
+    p.setPen(Qt::NoPen);
+    p.setBrush(tint.isValid() ? QBrush(tint) : QBrush(shade));
+    p.drawEllipse(middle, 0.88 * r, 0.88 * r);
+  };
+  if (tint.isValid())
+    draw(painter_, there);
+  else
+    stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
+  orientation_mark(there, r, mark);
 }
 
 /// On the surface, paler on the far side.
@@ -115,11 +172,13 @@ void Sketch::orientation_mark(QPointF middle, double r, const std::array<double,
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   const auto& g = animation.file.geometry;
-  const QPointF middle = at(centre.x(), centre.y());
-  QPainterPath path;
-  for (const double radius : {g.cage_outer_radius, g.cage_inner_radius})
-    path.addEllipse(middle, radius * scale_, radius * scale_);
-  pale_cage(path);
+  const double out = g.cage_outer_radius * scale_, in = g.cage_inner_radius * scale_;
+  stamp(at(centre.x(), centre.y()), out + 1.0, {kRail, {out, in}, {theme_.cage.rgba()}},
+        [&](QPainter& p, QPointF middle) {
+          QPainterPath path;
+          for (const double radius : {out, in}) path.addEllipse(middle, radius, radius);
+          pale_cage(p, path);
+        });
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation, double begin, double end) const {
@@ -133,16 +192,14 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation, double begin,
   QPainterPath path;
   path.addPolygon(rail);
   path.closeSubpath();
-  pale_cage(path);
+  pale_cage(painter_, path);
 }
 
-void Sketch::pale_cage(const QPainterPath& path) const {
-  // One colour: it is drawn in every frame.
-  QColor colour = theme_.cage.lighter(106), rim = theme_.cage.darker(125);
-  colour.setAlpha(110), rim.setAlpha(110);
-  painter_.setPen(QPen(rim, 1.0));
-  painter_.setBrush(colour);
-  painter_.drawPath(path);
+void Sketch::pale_cage(QPainter& painter, const QPainterPath& path) const {
+  const auto [colour, edge] = rail_colours(theme_);
+  painter.setPen(QPen(edge, 1.0));
+  painter.setBrush(colour);
+  painter.drawPath(path);
 }
 
 void Sketch::cage(QPointF centre, double angle, double outer_radius,
@@ -153,9 +210,10 @@ void Sketch::cage(QPointF centre, double angle, double outer_radius,
   turn.scale(unit, -unit);
   turn.rotateRadians(angle);
   painter_.setPen(QPen(theme_.cage.darker(145), 1.0));
+  // As it looks before its side ring, opaque: translucent fills are the dear ones.
   QColor fill = theme_.cage;
   fill.setAlpha(225);
-  painter_.setBrush(fill);
+  painter_.setBrush(over(over(theme_.surface, rail_colours(theme_)[0]), fill));
   QPainterPath whole;
   for (const QPolygonF& piece : outline.pieces) {
     const QPolygonF turned = turn.map(piece);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agore/cage_outlines.hpp"
+#include "agore/stamps.hpp"
 #include "agore/view_options.hpp"
 #include "desktop/theme.hpp"
 
@@ -13,6 +14,10 @@ namespace adore::agore {
 /// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
 bool on_pixels(const QPainter& painter);
 
+/// Adds a point to a line in the picture, unless it lies within half a pixel of the last one, where
+/// it adds nothing to be seen.
+void append_seen(QPolygonF& line, QPointF next);
+
 /// The mark of a contact, about a place of the picture.
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour);
 
@@ -20,14 +25,16 @@ class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.
   /// `pan`: how far its middle is moved, in parts of the area. `foot`: height at the bottom that
-  /// the circle leaves free [pixels].
+  /// the circle leaves free [pixels]. `stamps`: keeps drawings that only move; may be null.
   Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-         QPointF pan = {0.0, 0.0}, double foot = 0.0);
+         QPointF pan = {0.0, 0.0}, double foot = 0.0, Stamps* stamps = nullptr);
 
   [[nodiscard]] QPainter& painter() const { return painter_; }
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
   [[nodiscard]] const QRectF& area() const { return area_; }
   [[nodiscard]] double scale() const { return scale_; }
+  /// Half of what the picture has each way [pixels].
+  [[nodiscard]] double half() const { return half_; }
   /// Picture position of a point (y, z), and of a point at azimuth `angle` and `radius` about (y,
   /// z).
   [[nodiscard]] QPointF at(double y, double z) const { return centre_ + QPointF(y, -z) * scale_; }
@@ -67,13 +74,18 @@ class Sketch {
              bool bold = false) const;  ///< centred
 
  private:
-  void pale_cage(const QPainterPath& path) const;
+  /// A drawing about `middle` that is the same wherever that is, kept on a screen.
+  void stamp(QPointF middle, double reach, const Stamps::Look& look,
+             const std::function<void(QPainter&, QPointF)>& paint) const;
+  void pale_cage(QPainter& painter, const QPainterPath& path) const;
   void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;
   QPointF centre_;
+  double half_;
   double scale_;
+  Stamps* stamps_;
 };
 
 }  // namespace adore::agore

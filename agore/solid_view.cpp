@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,11 +63,15 @@ class Modeller {
     return out;
   }
   void flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Shades& shades) {
-    Vec3 normal = (c - a).cross(d - b);
-    const double size = normal.norm();
-    if (!(size > 0.0)) return;
-    normal /= size;
-    canvas_.quad(at(a, normal), at(b, normal), at(c, normal), at(d, normal), shades);
+    const auto lit = lit_corners(a, b, c, d);
+    if (lit) canvas_.quad((*lit)[0], (*lit)[1], (*lit)[2], (*lit)[3], shades);
+  }
+  /// Of a closed body, its corners clockwise where they are seen.
+  void front_flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                  const Shades& shades) {
+    if (!((c - a).cross(d - b).dot(eye_.toward) < 0.0)) return;
+    const auto lit = lit_corners(a, b, c, d);
+    if (lit) canvas_.quad((*lit)[0], (*lit)[1], (*lit)[2], (*lit)[3], shades);
   }
   void sphere(const Vec3& centre, double radius, const Vec3& pole, const Shades& shades,
               const Shades& mark) {
@@ -76,8 +81,27 @@ class Modeller {
                    shades, mark);
   }
   [[nodiscard]] DepthCanvas& canvas() { return canvas_; }
+  /// Parts into which an arc [rad] of a radius is cut, so that its chords leave it by a quarter of
+  /// a pixel at most: as fine as it is seen.
+  [[nodiscard]] int parts(double radius, double arc) const {
+    constexpr double kSeen = 0.25, kMost = 1000.0;
+    return static_cast<int>(
+        std::clamp(std::ceil(arc / std::sqrt(8.0 * kSeen / (scale_ * radius))), 1.0, kMost));
+  }
 
  private:
+  [[nodiscard]] std::optional<std::array<Point, 4>> lit_corners(const Vec3& a, const Vec3& b,
+                                                                const Vec3& c,
+                                                                const Vec3& d) const {
+    Vec3 normal = (c - a).cross(d - b);
+    const double size = normal.norm();
+    if (!(size > 0.0)) return std::nullopt;
+    normal /= size;
+    const float lit = light(normal);
+    std::array<Point, 4> out{at(a), at(b), at(c), at(d)};
+    for (Point& p : out) p.light = lit;
+    return out;
+  }
   DepthCanvas& canvas_;
   const Eye& eye_;
   double scale_;
@@ -153,25 +177,32 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     return Vec3(turn * Vec3(Vec3(-std::sin(cage.lean), 0.0, 0.0) +
                             std::cos(cage.lean) * outwards(azimuth + angle)));
   };
-  constexpr int kParts = 40;
+  // A square's way round, so that corners are points of it: about the bearing (`along` and back),
+  // and straight along it, where only round holes need points.
+  constexpr int kMost = 10;
+  const int round = 2 * m.parts(pocket.half_round, 1.0);
+  const int arc = std::min(
+      kMost, std::max(m.parts(pitch_radius, 2.0 * pocket.half_angle), pocket.round ? round : 1));
+  const int straight = pocket.round ? arc : 1;
+  const auto count = static_cast<std::size_t>(2 * (arc + straight));
   struct Rim {
     double hole_angle, hole_u, edge_angle, edge_u;
   };
-  std::array<Rim, kParts + 1> rim{};
-  for (int i = 0; i <= kParts; ++i) {
-    // A square's way round, so that corners are points of it.
-    const double part = 8.0 * i / kParts;
+  std::array<Rim, 4 * kMost + 1> rim{};
+  for (std::size_t i = 0; i <= count; ++i) {
     double a = 0.0, b = 0.0;
-    if (part <= 1.0 || part >= 7.0) {
-      a = 1.0, b = part <= 1.0 ? part : part - 8.0;
-    } else if (part <= 3.0) {
-      a = 2.0 - part, b = 1.0;
-    } else if (part <= 5.0) {
-      a = -1.0, b = 4.0 - part;
+    auto step = static_cast<int>(i % count);
+    if (step < straight) {
+      a = 1.0, b = 2.0 * step / straight - 1.0;
+    } else if ((step -= straight) < arc) {
+      a = 1.0 - 2.0 * step / arc, b = 1.0;
+    } else if ((step -= arc) < straight) {
+      a = -1.0, b = 1.0 - 2.0 * step / straight;
     } else {
-      a = part - 6.0, b = -1.0;
+      step -= straight;
+      a = 2.0 * step / arc - 1.0, b = -1.0;
     }
-    Rim& r = rim[static_cast<std::size_t>(i)];
+    Rim& r = rim[i];
     r.edge_angle = a * pocket.half_angle;
     r.edge_u = b * cage.half_width;
     const double size = pocket.round ? std::hypot(a, b) : 1.0;
@@ -185,9 +216,9 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     std::array<Vec3, 2> hole, edge;
     std::array<Point, 2> lit_hole, lit_edge;
   };
-  std::array<Corner, kParts + 1> corner;
+  std::array<Corner, 4 * kMost + 1> corner;
   const std::array<double, 2> heights{cage.low, cage.high};
-  for (std::size_t i = 0; i < corner.size(); ++i) {
+  for (std::size_t i = 0; i <= count; ++i) {
     const Rim& r = rim[i];
     Corner& c = corner[i];
     const Vec3 hole_normal = across(r.hole_angle), edge_normal = across(r.edge_angle);
@@ -198,16 +229,16 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
       c.lit_edge[v] = m.at(c.edge[v], edge_normal);
     }
   }
-  for (std::size_t i = 0; i < kParts; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const Rim &p = rim[i], &q = rim[i + 1];
     const Corner &c = corner[i], &d = corner[i + 1];
-    for (std::size_t v = 0; v < 2; ++v)
-      m.canvas().quad(c.lit_hole[v], c.lit_edge[v], d.lit_edge[v], d.lit_hole[v], shades);
-    m.flat(c.hole[0], c.hole[1], d.hole[1], d.hole[0], shades);
+    m.canvas().front_quad(c.lit_hole[0], c.lit_edge[0], d.lit_edge[0], d.lit_hole[0], shades);
+    m.canvas().front_quad(d.lit_hole[1], d.lit_edge[1], c.lit_edge[1], c.lit_hole[1], shades);
+    m.front_flat(d.hole[0], d.hole[1], c.hole[1], c.hole[0], shades);
     const bool side_face = p.edge_u == q.edge_u;
     const bool left = p.edge_angle < 0.0;
     if (side_face || open_end[left ? 0 : 1])
-      m.flat(c.edge[0], c.edge[1], d.edge[1], d.edge[0], shades);
+      m.front_flat(c.edge[0], c.edge[1], d.edge[1], d.edge[0], shades);
   }
 }
 
@@ -280,7 +311,7 @@ Vec3 roller_axis(const results::Sol8Element& e, double nominal, double factor) {
 QColor mark_colour() { return QColor("#7a3fa0"); }
 
 void add_elements(Modeller& m, const Scene& s, double roller_factor) {
-  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   const desktop::Theme& t = s.sketch.theme();
   const bool balls = s.animation.file.bearing_type == 1;
   const Shades steel = shades_of(t.steel_light), paint = shades_of(mark_colour());
@@ -288,10 +319,8 @@ void add_elements(Modeller& m, const Scene& s, double roller_factor) {
   const RollerProfile roller = roller_profile(s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const auto& e = s.frame.elements[k];
-    const bool tinted =
-        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k]);
-    const Shades shades =
-        tinted ? shades_of(scale_colour(colours.value[k] / colours.largest)) : steel;
+    const QColor tint = colours.of(k);
+    const Shades shades = tint.isValid() ? shades_of(tint) : steel;
     const bool followed = e.angles != std::array<double, 3>{};
     const Mat3 attitude = rotation(e.angles);
     const Vec3 centre = element_place(s, k);
@@ -362,7 +391,7 @@ double SolidLayer::roller_factor(const Animation& animation) {
   return factor;
 }
 
-QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
+void SolidLayer::draw(const Scene& s, int oversample, double pixel_ratio) {
   const double pixel = oversample * pixel_ratio;
   const QRectF& area = s.sketch.area();
   const QSize size(
@@ -386,6 +415,7 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
           static_cast<int>(std::lround(std::clamp(2.0 * scale * shift(race)[c], -kFar, kFar)));
   if (!(key == key_)) {
     races_.reset(size, t.surface.rgb());
+    canvas_ = DepthCanvas();
     Modeller m(races_, eye, scale, middle);
     const Shades steel = shades_of(t.steel_dark);
     const double towards = viewers_azimuth(eye);
@@ -398,7 +428,7 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
       add_strip(m, land, shift(land.race), arcs[land.race], shades_of(t.red), 2.0 / scale);
     key_ = key;
   }
-  canvas_ = races_;
+  canvas_.restore(races_);
   Modeller m(canvas_, eye, scale, middle);
   add_elements(m, s, roller_factor(s.animation));
   add_cage(m, s);
@@ -413,9 +443,15 @@ QImage SolidLayer::picture(const Scene& s, int oversample, double pixel_ratio) {
                    shift(race),
                size_of, Vec3::Zero(), shades_of(spots[race]), shades_of(spots[race]));
   }
-  QImage out = canvas_.image(oversample);
-  out.setDevicePixelRatio(pixel_ratio);
-  return out;
+  // The rest is paper, which lies there already.
+  const QRect drawn = canvas_.drawn();
+  if (drawn.isEmpty()) return;
+  const QRect box(drawn.topLeft() / oversample - QPoint(1, 1),
+                  drawn.bottomRight() / oversample + QPoint(1, 1));
+  const QRect seen = box & QRect(QPoint(0, 0), size / oversample);
+  QImage image = canvas_.image(oversample, seen);
+  image.setDevicePixelRatio(pixel_ratio);
+  s.sketch.painter().drawImage(area.topLeft() + QPointF(seen.topLeft()) / pixel_ratio, image);
 }
 
 double solid_picture_radius(const Animation& animation) {
@@ -428,8 +464,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   QPainter& p = s.sketch.painter();
   const auto& t = s.sketch.theme();
   constexpr int kStill = 2;
-  p.drawImage(s.sketch.area().topLeft(),
-              layer.picture(s, s.options.moving ? 1 : kStill, p.device()->devicePixelRatioF()));
+  layer.draw(s, s.options.moving ? 1 : kStill, p.device()->devicePixelRatioF());
   const Eye eye(s.options.yaw, s.options.elevation);
   const auto at = [&](const Vec3& v) { return s.sketch.at(v.dot(eye.right), v.dot(eye.up)); };
   // Over the bodies: a line hidden in the metal says nothing.
@@ -437,7 +472,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
     for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
       QPolygonF line;
       for (const TrailPoint& point : element_trail(s, k))
-        line.append(at({point.x, point.centre.x(), point.centre.y()}));
+        append_seen(line, at({point.x, point.centre.x(), point.centre.y()}));
       p.setPen(QPen(trail_colour(s), 1.8));
       p.drawPolyline(line);
     }
@@ -465,7 +500,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
     key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   }
   if (s.options.colour != ColourBy::None)
-    draw_scale(s, colouring(s.animation, s.index, s.options.colour));
+    draw_scale(s, colouring(s.animation, s.index, s.options.colour, s.options.scale));
   // The bearing's axes, in the upper left corner.
   const double high = s.sketch.area().height();
   const double arm = high < 200.0 ? 10.0 : high < 420.0 ? 18.0 : 30.0;
@@ -487,8 +522,10 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  if (too_low(s.options, s.sketch.area().height()))
-    for (KeyEntry& entry : scale_entries(s)) key.push_back(std::move(entry));
+  if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
+    const std::vector<KeyEntry> ends = scale_entries(s);
+    key.insert(key.begin(), ends.begin(), ends.end());
+  }
   draw_key(s, key, QString::fromStdString(remark));
 }
 

@@ -24,8 +24,9 @@ struct Eye {
 /// Draws frames of one animation; keeps between them what does not move.
 class SolidLayer {
  public:
-  /// A picture of the area of the scene's sketch, `oversample` pixels for one of it each way.
-  QImage picture(const Scene& scene, int oversample, double pixel_ratio);
+  /// Draws the bodies into the area of the scene's sketch, `oversample` pixels for one of it each
+  /// way.
+  void draw(const Scene& scene, int oversample, double pixel_ratio);
   /// Magnification of skew and tilt of the rollers; 0 where there is none.
   double roller_factor(const Animation& animation);
 

@@ -17,9 +17,12 @@ double outer_rim(const results::Sol8Geometry& g) {
   return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
 }
 
+double numbers_margin(double half) { return std::clamp(0.2 * half, 13.0, 26.0); }
+
 double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size) {
   const auto& g = animation.file.geometry;
-  const double margin = 26.0 / (0.5 * std::min(size.width(), size.height()));
+  const double half = 0.5 * std::min(size.width(), size.height());
+  const double margin = numbers_margin(half) / half;
   switch (options.view) {
     case View::Bearing:
     case View::Element:

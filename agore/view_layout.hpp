@@ -20,6 +20,9 @@ double key_line();
 /// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
 double outer_rim(const results::Sol8Geometry& geometry);
 
+/// Pixels about a ring for the numbers of elements, in a picture of that half size.
+double numbers_margin(double half);
+
 /// Radius of the circle about the picture's middle that must be seen, in the file's length, in
 /// `size` pixels.
 double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numbers>
 #include <sstream>
 
@@ -56,6 +57,60 @@ ColourBy colour_named(const std::string& name) {
   if (name == "temperature") return ColourBy::Temperature;
   throw InputError("elements cannot be coloured by '" + name +
                    "'; use none, load, slip, heat or temperature");
+}
+
+ScaleChoice scale_named(const std::string& name) {
+  if (name == "usual") return {};
+  if (name == "run") return {ColourScale::Run, 0.0, 0.0};
+  if (name == "moment") return {ColourScale::Moment, 0.0, 0.0};
+  const InputError refusal("a scale of colours cannot be '" + name +
+                           "'; use usual, run, moment or two rising limits such as 0:0.02");
+  std::istringstream text(name);
+  text.imbue(std::locale::classic());
+  ScaleChoice out{ColourScale::Typed, 0.0, 0.0};
+  char between = 0;
+  if (!(text >> out.low >> between >> out.high) || between != ':') throw refusal;
+  if (text >> std::ws, !text.eof()) throw refusal;
+  if (!(out.high > out.low) || !std::isfinite(out.high - out.low)) throw refusal;
+  return out;
+}
+
+std::string scale_name(const ScaleChoice& scale) {
+  switch (scale.kind) {
+    case ColourScale::Usual:
+      return "usual";
+    case ColourScale::Run:
+      return "run";
+    case ColourScale::Moment:
+      return "moment";
+    case ColourScale::Typed:
+      break;
+  }
+  return fmt::format("{}:{}", scale.low, scale.high);
+}
+
+std::string view_name(View view) {
+  switch (view) {
+    case View::Bearing:
+      return "bearing";
+    case View::Cage:
+      return "cage";
+    case View::Pocket:
+      return "pocket";
+    case View::Element:
+      return "element";
+    case View::OuterRace:
+      return "outer-race";
+    case View::InnerRace:
+      return "inner-race";
+    case View::Flange:
+      return "flange";
+    case View::Section:
+      return "section";
+    case View::Solid:
+      return "3d";
+  }
+  return {};
 }
 
 std::string view_title(View view) {

@@ -24,6 +24,19 @@ enum class View : unsigned char {
 /// By what the elements of the bearing view are coloured: the larger of both contacts.
 enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
 
+/// How the scale of colours is chosen.
+enum class ColourScale : unsigned char {
+  Usual,   ///< what 19 of 20 values of the run stay below: a short peak hides no differences
+  Run,     ///< to the largest of the run
+  Moment,  ///< to the largest of the frame
+  Typed
+};
+struct ScaleChoice {
+  ColourScale kind = ColourScale::Usual;
+  double low = 0.0, high = 0.0;  ///< where typed, in the unit of the file's channel
+  bool operator==(const ScaleChoice&) const = default;
+};
+
 /// A further view, with its own zoom.
 struct SideView {
   View view = View::Section;
@@ -40,6 +53,7 @@ struct ViewOptions {
   bool dark = false;
   std::size_t flange_race = 1;  ///< of the flange view: 0 outer, 1 inner
   ColourBy colour = ColourBy::None;
+  ScaleChoice scale;
   bool contacts = false;  ///< arrows of the race loads on all elements
   bool trails = false;    ///< the way of the elements so far
   double zoom = 1.0;
@@ -63,6 +77,14 @@ std::vector<SideView> views_beside(const std::string& names, const std::string& 
 
 /// "none", "load", "slip", "heat", "temperature". @throws InputError with the list of names.
 ColourBy colour_named(const std::string& name);
+
+/// "usual", "run", "moment", or two limits: "0:0.02". @throws InputError with what is valid.
+ScaleChoice scale_named(const std::string& name);
+/// The way back.
+std::string scale_name(const ScaleChoice& scale);
+
+/// "bearing", "outer-race", "3d": a view's name in names of files.
+std::string view_name(View view);
 
 /// Title of a view for menus and pictures.
 std::string view_title(View view);

@@ -114,18 +114,28 @@ void flange_view(const Scene& scene);
 [[nodiscard]] double flange_picture_radius(const Animation& animation);
 [[nodiscard]] double solid_picture_radius(const Animation& animation);
 
-/// A quantity of an element as a colour: what the value is, between 0 and the largest of the run.
+/// A quantity of an element as a colour: where the value is between the ends of the scale.
 struct Colouring {
   std::string title, unit;
-  double largest = 0.0;
-  std::vector<double> value;  ///< of each element at the frame; empty: nothing to colour by
+  double low = 0.0, high = 0.0;  ///< ends of the scale
+  bool above = false;            ///< the run has values beyond its upper end
+  bool below = false;            ///< beyond its lower end
+  std::string scale;             ///< which scale it is, and what the run has beyond
+  std::vector<double> value;     ///< of each element at the frame; empty: nothing to colour by
   std::string why_none;
+  [[nodiscard]] bool any() const { return !value.empty() && high > low; }
+  /// Colour of an element; invalid: steel.
+  [[nodiscard]] QColor of(std::size_t element) const;
+  /// Names of the scale's ends, with the sign of what lies beyond.
+  [[nodiscard]] std::string low_end() const;
+  [[nodiscard]] std::string high_end() const;
 };
-[[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by);
+[[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
+                                  const ScaleChoice& scale = {});
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);
-/// Bar with its ends, in the upper right corner of the picture. One of several small pictures has
-/// no room for it: the key below them names its ends.
+/// Bar with its ends, and what lies beyond them, in the upper right corner of the picture. One of
+/// several small pictures has no room for it: the key below them names its ends.
 void draw_scale(const Scene& scene, const Colouring& colouring);
 /// Those names.
 [[nodiscard]] std::vector<KeyEntry> scale_entries(const Scene& scene);

@@ -20,7 +20,7 @@ namespace {
 
 /// How far the picture is enlarged, and where its middle is.
 Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animation,
-                 const ViewOptions& options) {
+                 const ViewOptions& options, Stamps* stamps = nullptr) {
   const double foot = key_foot(animation, options, area.size());
   const QSizeF room(area.width(), area.height() - foot);
   return {painter,
@@ -28,7 +28,8 @@ Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animati
           picture_radius(animation, options, room) / std::max(options.zoom, 1e-3),
           theme_of(options),
           options.pan,
-          foot};
+          foot,
+          stamps};
 }
 
 void paint_still(const Scene& scene) {
@@ -99,7 +100,7 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (options.zoom != 1.0 || !options.pan.isNull()) painter.setClipRect(area);
-  const Sketch sketch = sketch_of(painter, area, animation, options);
+  const Sketch sketch = sketch_of(painter, area, animation, options, &kept->stamps);
   const Scene scene{
       sketch,  animation,   index,    animation.frame(index), used_exaggeration(animation, options),
       options, kept->cages, kept->key};

@@ -130,6 +130,12 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
           ->needs(movie)
           ->excludes(every);
   frame->excludes(every)->excludes(movie);
+  CLI::Option* first = command->add_option("--from", request->first, "first frame, counted from 1")
+                           ->capture_default_str()
+                           ->excludes(frame);
+  CLI::Option* last =
+      command->add_option("--to", request->last, "last frame (that of the file unless given)")
+          ->excludes(frame);
   command->add_option("--out", request->out, "folder of the pictures")
       ->type_name("DIR")
       ->default_str("here");
@@ -137,6 +143,12 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
+  command
+      ->add_option("--scale", request->scale,
+                   "scale of the colours: usual (what 19 of 20 values of the run stay below), run "
+                   "(its largest), moment, or limits such as 0:0.02 in the file's unit")
+      ->capture_default_str()
+      ->type_name("SCALE");
   command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
   command->add_flag("--trails", request->trails, "the path of every element so far");
   command->add_flag("--dark", request->dark, "dark theme");
@@ -145,9 +157,12 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       "Examples\n"
       "  adore animate SOL8 --frame 1 --out pictures\n"
       "  adore animate SOL8 --view cage --every 5 --movie cage.avi\n"
+      "  adore animate SOL8 --from 100 --to 300 --slow 0.001 --movie start.mp4\n"
       "  adore animate SOL8 --view 3d --beside bearing,section --contacts --frame 1");
   command->callback([=] {
     if (frame->count() > 0) check_range("--frame", request->frame);
+    if (first->count() > 0) check_range("--from", request->first);
+    if (last->count() > 0) check_range("--to", request->last);
     check_range("--every", request->every);
     check_range("--fps", request->frames_per_second);
     if (slow->count() > 0) check_range("--slow", request->slow);

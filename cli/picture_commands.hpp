@@ -25,11 +25,11 @@ struct PlotRequest {
 };
 
 struct AnimateRequest {
-  std::string file, out = ".", view = "bearing", race = "inner", colour = "none", movie,
-                    progress = "auto";
+  std::string file, out = ".", view = "bearing", race = "inner", colour = "none", scale = "usual",
+                    movie, progress = "auto";
   std::string beside;
   double yaw = 32.0, elevation = 18.0;
-  int frame = 0, every = 1, frames_per_second = 25, element = 1;
+  int frame = 0, first = 1, last = 0, every = 1, frames_per_second = 25, element = 1;
   double slow = 0.0;  ///< simulated seconds per second of the film; 0: a picture for each frame
   bool dark = false, contacts = false, trails = false;
 };

@@ -5,10 +5,31 @@
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 /// Pages with equal axes: orbits, roses and cuts.
 namespace adore::desktop {
+
+namespace {
+
+/// Part of the picture's height within which outlines lie on one another, as curves do.
+constexpr double kSameOutline = 1.0 / 300.0;
+
+/// Of points that belong to each other; infinite where outlines are not of the same points.
+double farthest_apart(const ChartCurve& one, const ChartCurve& other) {
+  double out = std::numeric_limits<double>::infinity();
+  if (one.x.size() != other.x.size() || one.y.size() != other.y.size() || one.x.empty()) return out;
+  out = 0.0;
+  for (std::size_t i = 0; i < std::min(one.x.size(), one.y.size()); ++i) {
+    const double apart = std::hypot(one.x[i] - other.x[i], one.y[i] - other.y[i]);
+    if (std::isfinite(apart)) out = std::max(out, apart);
+  }
+  return out;
+}
+
+}  // namespace
 
 void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   const ChartPanel& panel = page_.panels.front();
@@ -87,11 +108,26 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     addCurve(circle, area, x_axis, y_axis, pen);
   }
   int colour = 0;
-  bool one_place = true;  // start and end of every curve
+  std::vector<ShownCurve> shown;  // of outlines
+  bool one_place = true;          // start and end of every curve
   for (const auto& curve : panel.curves) {
     if (curve.hidden) {
       ++colour;
       continue;
+    }
+    // An outline that lies on another one is dashed over it, and its name says so.
+    bool on_another = false;
+    if (page_.closed_outline) {
+      ShownCurve one{.curve = static_cast<std::size_t>(colour), .colour = colour};
+      for (const ShownCurve& before : shown) {
+        const double apart = farthest_apart(panel.curves[before.curve], curve);
+        if (before.hides || !(apart <= 2.0 * std::min(half_x, half_y) * kSameOutline)) continue;
+        one.hides = before.curve;
+        one.alike = apart <= 1e-6 * half ? Alike::Equal : Alike::Near;
+        on_another = true;
+        break;
+      }
+      shown.push_back(std::move(one));
     }
     Polyline line, piece;  // all that is drawn, and the part since the last gap
     const auto draw_piece = [&] {
@@ -101,7 +137,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
                      curve.heavy            ? 3.0 * m.line
                      : page_.closed_outline ? m.line
                                             : m.thin_line,
-                     curve.dashed));
+                     curve.dashed || on_another));
       piece = {};
     };
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
@@ -144,7 +180,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     addRemark(label, at, area, m);
   }
   if (page_.closed_outline) {
-    addLegend(panel, {}, area, labelsTop(area, y_axis, m), m);
+    addLegend(panel, shown, area, labelsTop(area, y_axis, m), m);
     return;
   }
   auto* key = addText(QString());

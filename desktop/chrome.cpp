@@ -33,6 +33,19 @@ void remember_file(const QString& app, const QString& path) {
   QSettings("Adore", app).setValue(kRecent, names.mid(0, kMost));
 }
 
+void remember_as_folder(const QString& app, const QString& folder,
+                        const std::function<void()>& open) {
+  QSettings settings("Adore", app);
+  const QStringList before = settings.value(kRecent).toStringList();
+  settings.setValue(kRecent, QStringList());
+  open();
+  settings.sync();
+  const bool any = !settings.value(kRecent).toStringList().isEmpty();
+  settings.setValue(kRecent, before);
+  settings.sync();
+  if (any) remember_file(app, folder);
+}
+
 QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open) {
   QMenu* menu = file.addMenu(QObject::tr("&Recent Files"));
   menu->setObjectName("recent");

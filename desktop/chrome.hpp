@@ -15,6 +15,10 @@ namespace adore::desktop {
 /// Files opened last by an app, the newest first; at most ten, those that are gone left out.
 [[nodiscard]] QStringList recent_files(const QString& app);
 void remember_file(const QString& app, const QString& path);
+/// Files that `open` opens are one entry, their folder: a run of five files leaves the others their
+/// places. Nothing is remembered where nothing could be opened.
+void remember_as_folder(const QString& app, const QString& folder,
+                        const std::function<void()>& open);
 
 /// A submenu "Recent files" that is filled whenever it is opened.
 QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open);

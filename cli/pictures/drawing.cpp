@@ -71,6 +71,7 @@ void animate(const AnimateRequest& request) {
   render.view.element = request.element;
   render.view.flange_race = request.race == "outer" ? 0 : 1;
   render.view.colour = agore::colour_named(request.colour);
+  render.view.scale = agore::scale_named(request.scale);
   render.view.contacts = request.contacts;
   render.view.trails = request.trails;
   render.view.beside = agore::views_beside(request.beside, request.race);
@@ -78,6 +79,8 @@ void animate(const AnimateRequest& request) {
   render.view.elevation = request.elevation;
   render.view.dark = request.dark;
   render.slow = request.slow;
+  render.first = request.first;
+  render.last = request.last;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);
   const std::filesystem::path folder(request.out);

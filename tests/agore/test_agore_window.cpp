@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "agore/film_dialog.hpp"
 #include "agore/short_run.hpp"
 #include "support/drops.hpp"
 #include "support/qt_app.hpp"
@@ -6,11 +7,17 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QInputDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSpinBox>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
@@ -87,6 +94,10 @@ TEST_CASE("agore_window: the format chosen for a film is what its name says", "[
   window.show();
   window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
   menu_action(window, "Save Film...")->trigger();
+  auto* range = window.findChild<FilmDialog*>("filmRange");
+  REQUIRE(range != nullptr);
+  CHECK(range->windowTitle() == "Save Film");
+  range->accept();
   auto* dialog = window.findChild<QFileDialog*>("film");
   REQUIRE(dialog != nullptr);
   CHECK(dialog->defaultSuffix() == "gif");
@@ -95,9 +106,59 @@ TEST_CASE("agore_window: the format chosen for a film is what its name says", "[
     const QString name = dialog->selectedFiles().value(0);
     INFO(filter.toStdString() << ": " << name.toStdString());
     for (const char* suffix : {"gif", "avi", "mp4"})
-      CHECK(name.endsWith(QString("bearing.") + suffix) == filter.contains(QString("*.") + suffix));
+      CHECK(name.endsWith(window.proposedName(suffix)) == filter.contains(QString("*.") + suffix));
   }
   dialog->close();
+}
+
+TEST_CASE("agore_window: a film goes from a frame or a time to another, and says what comes of it",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir base;
+  const QString run = base.filePath("shaft at 9000");
+  REQUIRE(QDir().mkdir(run));
+  const std::filesystem::path sol8 = (run + "/SOL8").toStdString();
+  test::write_text(sol8, test::sol8_text(test::synthetic_sol8(short_run(20))));
+  AgoreWindow window;
+  window.resize(500, 400);
+  window.show();
+  REQUIRE(window.openFile(sol8));
+  CHECK(window.proposedName("gif") == "shaft at 9000-bearing.gif");
+  CHECK(window.windowTitle().startsWith("shaft at 9000/SOL8"));
+  window.saveFilm();
+  auto* range = window.findChild<FilmDialog*>("filmRange");
+  REQUIRE(range != nullptr);
+  auto* words = range->findChild<QLabel*>("filmLength");
+  CHECK(words->text().startsWith("20 pictures, 25 a second: a film of 800 ms."));
+  CHECK(words->text().contains("roughly"));
+  auto* from = range->findChild<QSpinBox*>("filmFrom");
+  auto* until = range->findChild<QDoubleSpinBox*>("filmToTime");
+  const auto& time = window.picture()->animation().time;
+  CHECK(range->findChild<QSpinBox*>("filmTo")->value() == 20);
+  from->setValue(5);
+  CHECK(range->findChild<QDoubleSpinBox*>("filmFromTime")->value() == Approx(1e3 * time[4]));
+  until->setValue(1e3 * (0.6 * time[11] + 0.4 * time[12]));  // a time of no frame: the next to it
+  CHECK(range->findChild<QSpinBox*>("filmTo")->value() == 12);
+  CHECK(range->first() == 4);
+  CHECK(range->last() == 11);
+  CHECK(words->text().startsWith("8 pictures"));
+  auto* next = range->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  CHECK(next->isEnabled());
+  from->setValue(15);
+  CHECK(words->text().contains("frame 15 is after frame 12"));
+  CHECK_FALSE(next->isEnabled());
+  range->reject();
+  // What was saved is said, and nothing that was not.
+  const QString film = run + "/part.avi", pictures = run + "/pictures";
+  REQUIRE(window.writeFilm(film, 5, 12));
+  CHECK(window.statusBar()->isVisible());
+  CHECK(window.statusBar()->currentMessage() == "Saved " + film + ": 8 pictures.");
+  REQUIRE(window.writeFilm(pictures, 19));
+  CHECK(window.statusBar()->currentMessage() == "Saved 2 numbered pictures in " + pictures + ".");
+  CHECK(QDir(pictures).entryList({"*.png"}) ==
+        QStringList{"SOL8-frame-00019.png", "SOL8-frame-00020.png"});
+  window.statusBar()->clearMessage();
+  CHECK_FALSE(window.statusBar()->isVisible());
 }
 
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {

@@ -70,6 +70,29 @@ TEST_CASE("render: a film in slow motion shows the frames at their own times", "
                     Catch::Contains("a larger --slow"));
 }
 
+TEST_CASE("render: films and numbered pictures begin and end where they are told to", "[gui]") {
+  test::use_qt();
+  auto file = test::synthetic_sol8(short_run(8));
+  for (std::size_t i = 0; i < file.frames.size(); ++i)  // 0, 1, 4, 9, ... 49 us
+    file.frames[i].time = 1e-6 * static_cast<double>(i * i);
+  const MotionPicture picture(prepare(file));
+  const auto frames = [&](int first, int last, int every, double slow) {
+    RenderOptions options;
+    options.first = first, options.last = last, options.slow = slow;
+    return film_frames(picture, every, 25, options);
+  };
+  using Frames = std::vector<std::size_t>;
+  CHECK(frames(1, 0, 3, 0.0) == Frames{0, 3, 6});
+  CHECK(frames(3, 7, 2, 0.0) == Frames{2, 4, 6});
+  CHECK(frames(3, 3, 1, 0.0) == Frames{2});
+  // 7 us a picture from 4 us on: 4, 11, 18 and the end at 25 us.
+  CHECK(frames(3, 6, 1, 7e-6 * 25.0) == Frames{2, 3, 4, 5});
+  CHECK_THROWS_WITH(frames(3, 9, 1, 0.0),
+                    Catch::Contains("no frame 9") && Catch::Contains("1 to 8"));
+  CHECK_THROWS_WITH(frames(-1, 4, 1, 0.0), Catch::Contains("no frame -1"));
+  CHECK_THROWS_WITH(frames(5, 4, 1, 0.0), Catch::Contains("frame 5 is after frame 4"));
+}
+
 TEST_CASE("render: numbered pictures end when somebody stops them", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;

@@ -4,6 +4,7 @@
 #include "agore/short_run.hpp"
 #include "agore/solid_view.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/svg_writer.hpp"
 #include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
@@ -191,6 +192,13 @@ TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui
     options.contacts = options.trails = true;
     options.moving = false;
     CHECK(picture.image({700, 500}, 4, options) != turned);
+    // What is kept from frame to frame is not seen.
+    for (const bool moving : {true, false}) {
+      options.moving = moving;
+      (void)picture.image({700, 500}, 9, options);
+      CHECK(picture.image({700, 500}, 2, options) ==
+            picture_of_run(folder, with_cage).image({700, 500}, 2, options));
+    }
   }
 }
 
@@ -220,6 +228,17 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
     CHECK(count(high, words) >= 1);
   }
   CHECK(count(low, "inner race frame") == 1);  // once for all views
+  // The bearing has most of its picture: the width of its ring.
+  {
+    const QImage image = picture.image({700, 450}, 8, options);
+    const QRect tile = MotionPicture::pictureAreas(low, 4).front().toRect().adjusted(3, 20, -3, -3);
+    int from = tile.right(), to = tile.left();
+    for (int x = tile.left(); x <= tile.right(); ++x)
+      if (test::pixels_of(image, QRect(x, tile.top() + 10, 1, tile.height() - 40),
+                          theme_of(options).steel_dark) > 2)
+        from = std::min(from, x), to = std::max(to, x);
+    CHECK(to - from > 85);
+  }
   // A load and its slip are told whole.
   options.beside.clear();
   options.view = View::Element;
@@ -231,6 +250,22 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
   // The star is drawn where it is named.
   const QImage image = picture.image({700, 450}, 8, options);
   CHECK(test::pixels_of(image, key.toRect(), theme_of(options).red) > 20);
+}
+
+TEST_CASE("shared key: words longer than its lines go on in the next one", "[gui][agore]") {
+  test::use_qt();
+  const desktop::Theme& t = desktop::theme(desktop::ThemeKind::Light);
+  SharedKey key;
+  const QByteArray svg = desktop::svg_of({400, 200}, [&](QPainter& p) {
+    key.draw(p, QRectF(0, 0, 230, 180), t,
+             {{t.red, "contact in the pocket: 530 mN at 0°, 275 mN at 180°"},
+              {t.blue, "inner race frame"}});
+  });
+  CHECK_FALSE(svg.contains("530 mN at 0°, 275 mN at 180°"));
+  CHECK(svg.contains("contact in the pocket: 530 mN"));
+  CHECK(svg.contains("180°"));
+  CHECK(svg.contains("inner race frame"));
+  CHECK_FALSE(svg.contains("more"));
 }
 
 TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {

@@ -542,5 +542,13 @@ TEST_CASE("recent files: the newest first, each once, those that are gone left o
         QStringList{folder.filePath("a"), folder.filePath("c"), folder.filePath("b")});
   QFile::remove(folder.filePath("c"));
   CHECK(recent_files("recent-test").size() == 2);
+  // A folder is one entry, however many of its files are opened; none where nothing was.
+  remember_as_folder("recent-test", folder.path(), [&] {
+    for (const char* name : {"b", "a", "b"}) remember_file("recent-test", folder.filePath(name));
+  });
+  const QStringList one{folder.path(), folder.filePath("a"), folder.filePath("b")};
+  CHECK(recent_files("recent-test") == one);
+  remember_as_folder("recent-test", "/", [] {});
+  CHECK(recent_files("recent-test") == one);
   QSettings("Adore", "recent-test").clear();
 }

@@ -7,6 +7,7 @@
 #include <QGraphicsLineItem>
 #include <QGraphicsTextItem>
 #include <QImage>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <catch2/catch.hpp>
@@ -509,4 +510,52 @@ TEST_CASE("the reason of an empty panel stays within it", "[gui][desktop]") {
   }
   CHECK(found == 2);
   CHECK(text_faults(scene).empty());
+}
+
+TEST_CASE("chart_scene: an outline that lies on another one leaves it half of the way, and says so",
+          "[gui]") {
+  test::use_qt();
+  for (const double apart : {0.0, 1e-3, 0.1}) {
+    ChartPage page;
+    page.title = "Load around the bearing";
+    page.x_title = "y direction", page.x_unit = "N";
+    page.equal_axes = page.closed_outline = true;
+    ChartPanel rose;
+    rose.title = "z direction", rose.unit = "N";
+    for (const bool outer : {true, false}) {
+      ChartCurve curve{outer ? "outer race" : "inner race", {}, {}};
+      for (int i = 0; i <= 360; ++i) {
+        const double a = i * std::acos(-1.0) / 180.0, r = 100.0 * (outer ? 1.0 : 1.0 + apart);
+        curve.x.push_back(-r * std::sin(a));
+        curve.y.push_back(r * std::cos(a));
+      }
+      rose.curves.push_back(std::move(curve));
+    }
+    page.panels = {rose};
+    ChartScene scene;
+    scene.setTheme(theme(ThemeKind::Light));
+    scene.setPageSize({800, 700});
+    scene.setPage(page);
+    QImage image(800, 700, QImage::Format_RGB32);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    scene.paintPage(painter, QRectF(0, 0, 800, 700));
+    painter.end();
+    std::array<int, 2> seen{};
+    const QRect inside = scene.plotAreas().front().toRect();
+    for (int y = inside.top(); y < inside.bottom(); ++y)
+      for (int x = inside.left(); x < inside.right(); ++x)
+        for (std::size_t i = 0; i < 2; ++i) {
+          const QColor c = image.pixelColor(x, y), of = theme(ThemeKind::Light).curves[i];
+          seen[i] += std::abs(c.red() - of.red()) + std::abs(c.green() - of.green()) +
+                         std::abs(c.blue() - of.blue()) <
+                     60;
+        }
+    const QString all = words(scene).join("|");
+    CAPTURE(apart, seen[0], seen[1], all.toStdString());
+    CHECK(seen[0] > 200);
+    CHECK(seen[1] > 200);
+    CHECK(all.contains("inner race (= outer race)") == (apart == 0.0));
+    CHECK(all.contains("inner race (≈ outer race)") == (apart == 1e-3));
+  }
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QDialog>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace adore::agore {
+
+/// Asks from which frame to which a film goes, by number or by time, and tells how long it will be.
+class FilmDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// What a choice of first and last frame means, in words, and whether it can be a film.
+  using Tell = std::function<std::pair<QString, bool>(std::size_t first, std::size_t last)>;
+  FilmDialog(std::vector<double> time, Tell tell, QWidget* parent);
+  [[nodiscard]] std::size_t first() const;  ///< from 0
+  [[nodiscard]] std::size_t last() const;
+
+ private:
+  struct End {
+    QSpinBox* frame = nullptr;
+    QDoubleSpinBox* time = nullptr;  ///< [ms]
+  };
+  End makeEnd(const QString& name, std::size_t frame);
+  void changed();
+
+  std::vector<double> time_;
+  Tell tell_;
+  End from_, to_;
+  QLabel* length_;
+  QPushButton* ok_;
+};
+
+}  // namespace adore::agore

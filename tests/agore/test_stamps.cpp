@@ -1,0 +1,115 @@
+#include "agore/depth_canvas.hpp"
+#include "agore/stamps.hpp"
+
+#include <QPainter>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+QImage paper() {
+  QImage out(300, 300, QImage::Format_RGB32);
+  out.fill(Qt::white);
+  return out;
+}
+
+/// Where the ink of a picture is, and how much.
+struct Ink {
+  QPointF middle{0.0, 0.0};
+  double amount = 0.0;
+};
+Ink ink_of(const QImage& image) {
+  Ink out;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const double ink = 255.0 - qGreen(image.pixel(x, y));
+      out.amount += ink;
+      out.middle += ink * QPointF(x + 0.5, y + 0.5);
+    }
+  if (out.amount > 0.0) out.middle /= out.amount;
+  return out;
+}
+
+void disc(QPainter& p, QPointF middle, double radius) {
+  p.setPen(Qt::NoPen);
+  p.setBrush(QColor(20, 40, 90));
+  p.drawEllipse(middle, radius, radius);
+}
+
+}  // namespace
+
+TEST_CASE("stamps: what is kept is drawn where it belongs, with all of its ink", "[unit][agore]") {
+  for (const double radius : {9.0, 100.0}) {
+    Stamps stamps;
+    const double off = radius < 64.0 ? 0.125 : 0.25;  // each way
+    for (int i = 0; i < 60; ++i) {
+      const QPointF where(150.0 + 1.37 * std::sin(7.0 * i), 150.0 + 1.71 * std::cos(5.0 * i));
+      QImage kept = paper(), drawn = paper();
+      QPainter on_kept(&kept), on_drawn(&drawn);
+      on_drawn.setRenderHint(QPainter::Antialiasing);
+      stamps.draw(on_kept, where, radius, {1, {radius}, {}},
+                  [&](QPainter& p, QPointF middle) { disc(p, middle, radius); });
+      disc(on_drawn, where, radius);
+      on_kept.end(), on_drawn.end();
+      const Ink is = ink_of(kept), wanted = ink_of(drawn);
+      CAPTURE(radius, where.x(), where.y());
+      CHECK(std::abs(is.middle.x() - where.x()) <= off + 0.01);
+      CHECK(std::abs(is.middle.y() - where.y()) <= off + 0.01);
+      CHECK(is.amount == Approx(wanted.amount).epsilon(2e-3));
+    }
+    CHECK(stamps.size() <= (radius < 64.0 ? 16U : 4U));
+    CHECK(stamps.size() > 2);
+  }
+}
+
+TEST_CASE("stamps: looks are told apart, and what is too large is drawn and not kept",
+          "[unit][agore]") {
+  Stamps stamps;
+  const auto ink = [&](double radius, double reach, Stamps::Look look) {
+    QImage image = paper();
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    stamps.draw(painter, {150, 150}, reach, look,
+                [&](QPainter& p, QPointF middle) { disc(p, middle, radius); });
+    painter.end();
+    return ink_of(image).amount;
+  };
+  const double small = ink(10, 12, {1, {10}, {}}), large = ink(20, 22, {1, {20}, {}});
+  CHECK(large == Approx(4.0 * small).epsilon(0.01));
+  CHECK(ink(20, 22, {2, {10}, {}}) == Approx(large));
+  CHECK(ink(20, 22, {1, {10}, {qRgb(1, 2, 3)}}) == Approx(large));
+  CHECK(stamps.size() == 4);
+  CHECK(ink(20, 5000, {3, {20}, {}}) == Approx(large));
+  CHECK(stamps.size() == 4);
+}
+
+TEST_CASE("depth_canvas: restoring takes away everything that was drawn since", "[unit][agore]") {
+  const Shades red = shades_of(QColor(200, 0, 0)), blue = shades_of(QColor(0, 0, 200));
+  DepthCanvas still;
+  still.reset({80, 60}, qRgb(255, 255, 255));
+  still.triangle({10, 10, 0, 190}, {40, 12, 0, 190}, {20, 40, 0, 190}, red);
+  DepthCanvas canvas;
+  for (int turn = 0; turn < 3; ++turn) {
+    canvas.restore(still);
+    CHECK(canvas.image(1) == still.image(1));
+    CHECK(canvas.drawn() == still.drawn());
+    // Behind what stands, before it, beside it, and beyond the edges.
+    canvas.triangle({0, 0, -5, 190}, {90, 0, -5, 190}, {0, 70, -5, 190}, blue);
+    canvas.sphere({20.0F + 20.0F * static_cast<float>(turn), 30, 9, 0}, 12.0F, {}, blue, blue);
+    canvas.sphere({-3, 58, 9, 0}, 12.0F, {}, red, red);
+    CHECK(canvas.image(1) != still.image(1));
+    // A part of the picture is that part.
+    const QRect box(7, 5, 30, 20);
+    CHECK(canvas.image(1, box) == canvas.image(1).copy(box));
+    CHECK(canvas.image(2, QRect(3, 2, 10, 9)) == canvas.image(2).copy(3, 2, 10, 9));
+    // Nothing is drawn beside what drawn() tells.
+    const QImage all = canvas.image(1);
+    for (int y = 0; y < all.height(); ++y)
+      for (int x = 0; x < all.width(); ++x)
+        if (!canvas.drawn().contains(x, y)) CHECK(all.pixel(x, y) == qRgb(255, 255, 255));
+  }
+}
