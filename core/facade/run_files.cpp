@@ -3,6 +3,7 @@
 #include "base/version.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/user_session.hpp"
+#include "results/continuation.hpp"
 #include "scene/user_laws.hpp"
 
 #include <fmt/format.h>
@@ -69,6 +70,8 @@ void RunFiles::check() const {
     results::H5Writer::check(path("RESULTS.h5"), prepared_.bearing, channels_);
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
+
+std::pair<long, double> RunFiles::stored_end() const { return results::stored_end(sol_path(7)); }
 
 bool RunFiles::writes_sol9() const { return prepared_.user && prepared_.user->active(9); }
 

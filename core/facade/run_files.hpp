@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The growing files of one run: their names, their opening, and which step goes where.
@@ -32,6 +33,10 @@ class RunFiles {
   [[nodiscard]] Outputs outputs() const;
   /// Refuses to continue files of another run or layout, before any of them is touched (N3).
   void check() const;
+  /// Step and time [s], to SOL's digits, of the last whole record in SOL7; zeros when there is
+  /// none.
+  /// @pre check()
+  [[nodiscard]] std::pair<long, double> stored_end() const;
   /// The listing alone: of a quasi-static deck.
   void open_listing();
   /// All of them; continued ones behind `steps` and the listing's `print_bytes`. @return why there

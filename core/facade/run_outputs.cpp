@@ -37,6 +37,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
@@ -390,6 +391,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (out.continued) {
     check_names(s.files.outputs());
     s.files.check();
+    std::tie(out.stored_step, out.stored_time) = s.files.stored_end();
   } else {
     check_room(s.files.outputs(), s.overwrite);
   }

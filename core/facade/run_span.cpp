@@ -88,6 +88,16 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
   }
   if (last_step < start.step)
     refuse(fmt::format("step {}", last_step), fmt::format("step {}", start.step));
+  // A run that was killed has stored more than it has checkpointed.
+  const bool ends_before = span.end < start.stored_time * (1.0 - 1e-6);
+  if (ends_before || last_step < start.stored_step)
+    throw InputError(fmt::format(
+        "the run to be continued has stored results up to step {}, {:.6g} s, and goes on from its "
+        "last checkpoint at step {}, {:.6g} s; the end that is asked for, {}, is before those "
+        "results and would drop them: give a later end with --until, fTime or maxStps, or another "
+        "folder with --out",
+        start.stored_step, start.stored_time, start.step, start.time,
+        ends_before ? fmt::format("{:.6g} s", span.end) : fmt::format("step {}", last_step)));
   return start.time >= span.end || last_step == start.step;
 }
 

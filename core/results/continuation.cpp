@@ -67,6 +67,14 @@ void check_sol_file(const std::filesystem::path& path, const std::string& expect
   compare_headers(path, SolParser(stream, path.string()), expected_header);
 }
 
+std::pair<long, double> stored_end(const std::filesystem::path& path) {
+  std::ifstream stream = open_existing(path);
+  SolParser found(stream, path.string());
+  SolStep step, last;
+  while (found.next(step, false) == BlockStatus::Complete) std::swap(last, step);
+  return {last.step, last.time};
+}
+
 GrowingFile continue_sol_file(const std::filesystem::path& path, const std::string& expected_header,
                               long last_step) {
   std::ifstream stream = open_existing(path);

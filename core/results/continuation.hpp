@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 /// Continuing the classic files of an earlier run (N3).
 namespace adore::results {
@@ -14,6 +15,10 @@ namespace adore::results {
 /// @throws InputError saying which, with both values.
 [[nodiscard]] GrowingFile continue_sol_file(const std::filesystem::path& path,
                                             const std::string& expected_header, long last_step);
+
+/// Step and time [s] of the last whole record of a SOL file; zeros when it has none.
+/// @throws InputError when there is no such file
+[[nodiscard]] std::pair<long, double> stored_end(const std::filesystem::path& path);
 
 /// The checks of continue_sol_file() alone; nothing is touched. @throws InputError
 void check_sol_file(const std::filesystem::path& path, const std::string& expected_header);

@@ -116,11 +116,15 @@ class EndlessRun {
  public:
   /// Beside the deck of the folder, with further arguments; what it says goes into the file "said".
   explicit EndlessRun(const Folder& folder, const std::vector<std::string>& more = {},
-                      const std::string& until = "1e9rev")
+                      const std::string& until = "1e9rev",
+                      const std::string& checkpoint_seconds = "0.05")
       : said_(folder / "said") {
-    std::vector<std::string> words{
-        program("adore").string(), "run", folder.path().string(), "--overwrite", "--opt",
-        "checkpointSeconds=0.05"};
+    std::vector<std::string> words{program("adore").string(),
+                                   "run",
+                                   folder.path().string(),
+                                   "--overwrite",
+                                   "--opt",
+                                   "checkpointSeconds=" + checkpoint_seconds};
     if (!until.empty()) words.insert(words.end(), {"--until", until});
     words.insert(words.end(), more.begin(), more.end());
     std::vector<char*> arguments;

@@ -160,13 +160,52 @@ TEST_CASE("a killed run leaves readable files and continues from its last checkp
   CHECK(json::parse(read(folder / "RUN.json")).at("status") == "running");
   CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
 
-  const Result more = run_adore("run " + folder.path().string() + kMore);
+  // As far as it has stored already, and five steps more.
+  const long steps = file.steps.back().step - master.last.step + 5;
+  const Result more =
+      run_adore(fmt::format("run {}{} --set maxStps={}", folder.path().string(), kMore, steps));
   INFO(more.out);
   REQUIRE(more.code == 0);
   const auto longer = stored(folder / "SOL7");
-  CHECK(longer.steps.back().step == master.last.step + 5);
+  CHECK(longer.steps.back().step == master.last.step + steps);
   check_increasing(longer);
   CHECK(hidden_files(folder).empty());
+}
+
+TEST_CASE("what a killed run has stored after its checkpoint is not dropped by an earlier end",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder, {}, "1e9rev", "1000");
+  const fs::path sol7 = folder / "SOL7";
+  wait_for(
+      [&] { return master_step(folder) == 0 && fs::exists(sol7) && fs::file_size(sol7) > 100000; });
+  run.send(SIGKILL);
+  CHECK(run.end() == 128 + SIGKILL);
+  REQUIRE(results::read_master(folder / "MASTER").last.step == 0);
+  const std::string before = read(sol7);
+  const results::SolStep last = stored(sol7).steps.back();
+  REQUIRE(last.step > 20);
+  const std::string command = "run " + folder.path().string() + " --quiet --continue";
+  for (const std::string& end :
+       {fmt::format(" --until {:.9e}s", 0.9 * last.time),
+        fmt::format(" --set fTime=1e12 --set maxStps={}", last.step - 2)}) {
+    const Result refused = run_adore(command + end);
+    INFO(refused.out);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.out, fmt::format("has stored results up to step {}", last.step)));
+    CHECK(contains(refused.out, "last checkpoint at step 0"));
+    CHECK(read(sol7) == before);
+  }
+  const Result more =
+      run_adore(command + fmt::format(" --set fTime=1e12 --set maxStps={}", last.step + 3));
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  // The same steps computed again, and three more.
+  const std::string after = read(sol7);
+  const std::size_t whole = before.rfind('\n', before.size() - 2);
+  CHECK(after.substr(0, whole) == before.substr(0, whole));
+  CHECK(stored(sol7).steps.back().step == last.step + 3);
 }
 
 TEST_CASE("a run killed at any call that changes a file joins to the bytes of an unbroken one",
