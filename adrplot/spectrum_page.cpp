@@ -126,7 +126,8 @@ double last_above(const std::vector<double>& frequency, const std::vector<double
 
 Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& values,
                     Window window) {
-  constexpr double kMost = 0.01;  // of the steps
+  constexpr double kMost = 0.01;   // of the steps
+  constexpr double kStrong = 0.1;  // of the largest amplitude
   Bridged out;
   const auto known = [&](std::size_t i) { return std::isfinite(values[i]); };
   const std::size_t n = std::min(t.size(), values.size());
@@ -156,7 +157,7 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
   const double largest = spectrum.amplitude.empty() ? 0.0
                                                     : *std::max_element(spectrum.amplitude.begin(),
                                                                         spectrum.amplitude.end());
-  const double highest = last_above(spectrum.frequency, spectrum.amplitude, kVisible * largest);
+  const double highest = last_above(spectrum.frequency, spectrum.amplitude, kStrong * largest);
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
     why.replace(why.size() - kSo.size(), kSo.size(),
@@ -166,8 +167,9 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
     return {{}, {}, why + std::string(kSo)};
   }
   out.why_none.clear();
-  out.told = fmt::format("{} of {} steps {} no value: bridged by straight lines.", missing, n,
-                         missing == 1 ? "has" : "have");
+  out.told =
+      fmt::format("{} of {} steps {} no value: bridged by straight lines of up to {}.", missing, n,
+                  missing == 1 ? "has" : "have", desktop::pretty_quantity(longest, "s", 3));
   return out;
 }
 
@@ -316,13 +318,13 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       ends.push_back(last_above(chart.x, relative.back(), kVisible));
     }
   choose_frequency_axis(chart, ends);
-  if (scale == SpectrumScale::Decibel) return;
+  if (scale == SpectrumScale::Decibel || chart.log_x) return;  // all of it has room
   // A little beyond the last line that is seen, and ten lines at least.
   double shown = 1.15 * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
   for (const double end : ends) shown = std::max(shown, 1.15 * end);
   for (const auto& mark : chart.marks)
     if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
-  chart.view_low = chart.log_x ? chart.x.front() : 0.0;
+  chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
   double beyond = 0.0, at = 0.0;
   for (const std::vector<double>& y : relative) {

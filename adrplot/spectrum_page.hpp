@@ -22,8 +22,8 @@ void add_note(desktop::ChartPage& chart, const std::string& text);
 [[nodiscard]] std::string without_colon(std::string title);
 
 /// Values of a curve for a spectrum. Where at most one in a hundred is missing, and no gap is
-/// longer than half a period of the highest line above 1 % of the largest, straight lines bridge
-/// the gaps, and `told` says so. Else no values, and why; nothing bridges the ends of a run.
+/// longer than half a period of the highest line above a tenth of the largest, straight lines
+/// bridge the gaps, and `told` says so. Else no values, and why; nothing bridges the ends of a run.
 struct Bridged {
   std::vector<double> values;
   std::string told, why_none;

@@ -153,8 +153,8 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
     page.note += " 0 dB is the largest amplitude of all; nothing below " +
                  desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
   choose_frequency_axis(page, ends);
-  if (page.log_x) page.view_low = page.x.front();
-  if (page.view_high < page.x.back())
+  if (page.log_x) page.view_low = page.view_high = 0.0;  // all of it has room
+  if (!page.log_x && page.view_high < page.x.back())
     page.note +=
         fmt::format(" The first view ends at {}: nothing beyond is above {} % of the largest.",
                     desktop::pretty_quantity(page.view_high, "Hz", 3),

@@ -132,7 +132,7 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   REQUIRE_FALSE(page.panels[1].curves[0].y.empty());
   CHECK(page.panels[1].curves[0].y.size() == page.panels[0].curves[0].y.size());
   CHECK(page.note.find("Angle, outer race: 2 of 5000 steps have no value: bridged by straight "
-                       "lines.") != std::string::npos);
+                       "lines of up to 30 µs.") != std::string::npos);
   for (std::size_t k = 0; k < page.x.size(); ++k)
     CHECK(page.panels[1].curves[0].y[k] == Approx(page.panels[0].curves[0].y[k]).margin(2e-3));
   // At the ends of the run there is nothing to bridge to.
