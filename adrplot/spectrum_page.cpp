@@ -283,11 +283,10 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = options.scale == SpectrumScale::Relative
-                         ? "Each amplitude is divided by the largest of its own curve. "
-                     : options.scale == SpectrumScale::Decibel
-                         ? "0 dB is the largest of its own curve. "
-                         : "";
+  const char* over =
+      options.scale == SpectrumScale::Relative  ? "1 is the largest of its own curve. "
+      : options.scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
+                                                : "";
   add_note(chart, fmt::format("{}{}; a line every {}, none below.", over,
                               capital(window_name(options.window)), apart));
 }

@@ -336,12 +336,14 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     shown.extents = extents_of(shown.lines);
     const bool compared = rising_ && !panel.one_colour;
     const qreal same = m.line;  // two lines no farther apart cover each other in part
+    // Bands that curves fill by running to and fro have no values to compare: their edges are.
+    const qreal edges = std::min(same, area.height() / 300.0);
     for (ShownCurve& before : out) {
       // A later curve that is on the earlier one wherever it is, hides that there.
       if (!compared || before.hides ||
-          !(coincide(before, shown, same) || covered(before, shown, same) ||
+          !(coincide(before, shown, edges) || covered(before, shown, edges) ||
             (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
-             shown.lines.size() > 1 && within(shown, before, same))))
+             shown.lines.size() > 1 && within(shown, before, edges))))
         continue;
       shown.hides = before.curve;
       tellAlike(index, before.curve, shown, area, y_axis, same);
