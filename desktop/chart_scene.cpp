@@ -301,6 +301,7 @@ void ChartScene::rebuild() {
   lines_.clear();
   areas_.clear();
   y_axes_.clear();
+  found_axes_.assign(page_.panels.size(), std::nullopt);
   legend_.clear();
   setSceneRect(QRectF(QPointF(0, 0), size_));
   setBackgroundBrush(theme_->surface);
@@ -333,7 +334,18 @@ void ChartScene::rebuild() {
   }
 }
 
-AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) const {
+AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) {
+  auto& found = found_axes_.at(index);
+  if (!found) {
+    bool has = false;
+    const AxisScale axis = findAxis(index, area, has);
+    found = std::pair(axis, has);
+  }
+  any = found->second;
+  return found->first;
+}
+
+AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any) const {
   const ChartPanel& panel = page_.panels[index];
   Extent extent;
   any = false;

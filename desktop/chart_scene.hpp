@@ -123,7 +123,9 @@ class ChartScene : public QGraphicsScene {
   void rebuild();
   void addHeading(const Metrics& m);
   /// Range of the values in the view, not finer than a bearing's numbers are.
-  [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any) const;
+  [[nodiscard]] AxisScale findAxis(std::size_t index, const QRectF& area, bool& any) const;
+  /// The same, once for a picture; panels are of one size.
+  [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any);
   /// What is drawn of a panel's curves; who would hide whom is found out.
   [[nodiscard]] std::vector<ShownCurve> shownCurves(std::size_t index, const QRectF& area,
                                                     const AxisScale& y_axis, const Metrics& m);
@@ -206,6 +208,9 @@ class ChartScene : public QGraphicsScene {
   AxisScale x_axis_;
   std::vector<AxisScale> y_axes_;
   std::vector<std::optional<std::pair<double, double>>> panel_views_;
+  /// Of each panel, and whether it has values: found once for a picture, for panels of one unit ask
+  /// for each other's.
+  std::vector<std::optional<std::pair<AxisScale, bool>>> found_axes_;
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<QChart*> charts_;

@@ -42,7 +42,7 @@ bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF&
                    const QPen& pen) {
   // Logical ones: with fewer a gentle rise would be seen as stairs. Where a line runs up and down
   // by more than it goes on there is none.
-  constexpr double kPointsPerColumn = 2.5, kOfSteepLines = 1.5, kSteep = 8.0;
+  constexpr double kPointsPerColumn = 2.5, kOfSteepLines = 1.0, kSteep = 8.0;
   constexpr qsizetype kFewest = 16, kFewestOfSteep = 6;  // a stroke may stand in one column, wide
   const QTransform& placed = painter.deviceTransform();
   if (line.size() < kFewestOfSteep) return false;
