@@ -6,6 +6,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace adore::adrplot {
 namespace {
 
@@ -54,8 +56,25 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   column->addWidget(tree_, 1);
   how_ = new QComboBox(this);
   how_->setObjectName("how");
-  how_->addItems({tr("Draw them together"), tr("Draw the differences from the first")});
+  how_->addItems({tr("Draw them together"), tr("Draw the differences from one of them:")});
+  how_->setAccessibleName(tr("What is drawn"));
   column->addWidget(how_);
+  reference_ = new QComboBox(this);
+  reference_->setObjectName("reference");
+  reference_->setAccessibleName(tr("Curve that the others are less"));
+  reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  column->addWidget(reference_);
+  connect(how_, &QComboBox::currentIndexChanged, this, &CurveDialog::offerReferences);
+  connect(reference_, &QComboBox::activated, this,
+          [this](int index) { chosen_ = order_.at(static_cast<std::size_t>(index)); });
+  connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+    const bool on = item->checkState(0) == Qt::Checked;
+    const auto known = std::find(order_.begin(), order_.end(), item);
+    if (on && known == order_.end()) order_.push_back(item);
+    if (!on && known != order_.end()) order_.erase(known);
+    offerReferences();
+  });
+  offerReferences();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -79,18 +98,34 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   if (tree_->topLevelItemCount() == 1) tree_->topLevelItem(0)->setExpanded(true);
 }
 
+/// The curves in the order of their ticks.
+void CurveDialog::offerReferences() {
+  reference_->clear();
+  for (const QTreeWidgetItem* item : order_)
+    reference_->addItem(QString("%1 · %2").arg(item->text(0), item->parent()->parent()->text(0)));
+  const auto kept = std::find(order_.begin(), order_.end(), chosen_);
+  if (kept == order_.end()) chosen_ = nullptr;
+  if (!order_.empty())
+    reference_->setCurrentIndex(chosen_ == nullptr ? 0 : static_cast<int>(kept - order_.begin()));
+  reference_->setEnabled(how() == Combine::Difference && !order_.empty());
+}
+
 std::vector<CurvePick> CurveDialog::picks() const {
   std::vector<CurvePick> out;
+  const QTreeWidgetItem* const reference = how() == Combine::Overlay || order_.empty() ? nullptr
+                                           : chosen_ == nullptr ? order_.front()
+                                                                : chosen_;
   for (int f = 0; f < tree_->topLevelItemCount(); ++f)
     for (int p = 0; p < tree_->topLevelItem(f)->childCount(); ++p) {
       const QTreeWidgetItem* branch = tree_->topLevelItem(f)->child(p);
       for (int c = 0; c < branch->childCount(); ++c) {
         const QTreeWidgetItem* item = branch->child(c);
         if (item->checkState(0) != Qt::Checked) continue;
-        out.push_back({files_[static_cast<std::size_t>(item->data(0, kFile).toInt())],
-                       item->data(0, kPage).toInt(),
-                       static_cast<std::size_t>(item->data(0, kPanel).toInt()),
-                       static_cast<std::size_t>(item->data(0, kCurve).toInt())});
+        out.insert(
+            item == reference ? out.begin() : out.end(),
+            {files_[static_cast<std::size_t>(item->data(0, kFile).toInt())],
+             item->data(0, kPage).toInt(), static_cast<std::size_t>(item->data(0, kPanel).toInt()),
+             static_cast<std::size_t>(item->data(0, kCurve).toInt())});
       }
     }
   return out;

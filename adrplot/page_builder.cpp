@@ -309,11 +309,16 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,
-               const PageContext& context) {
+               Abscissa abscissa, const PageContext& context) {
   const PanelSpec& across = page.panels.at(static_cast<std::size_t>(pair.across));
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
   const bool over_clearance = file.kind == results::SolKind::Cage;
   chart.equal_axes = true;
+  ChartPage history;  // what its points are told by, as on other pages
+  set_abscissa(history, file, abscissa);
+  chart.along = std::move(history.x);
+  chart.along_title = history.x_title;
+  chart.along_unit = history.x_unit;
   // The unit circle is where a land without a second support touches; it means nothing against the
   // axial coordinate.
   const KnownColumns columns(file);
@@ -416,7 +421,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
       }
       break;
     case PageKind::Orbit:
-      add_orbit(chart, file, page, options.orbit, context);
+      add_orbit(chart, file, page, options.orbit, options.abscissa, context);
       break;
     case PageKind::Spectrum:
       add_spectrum(chart, file, page, options.spectrum, context);

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressDialog>
 #include <QScrollArea>
@@ -66,6 +67,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   splitter->setSizes({270, 1010});
   setCentralWidget(splitter);
   tree_->setAccessibleName(tr("Files and pages"));
+  tree_->installEventFilter(this);
   makeButtons();
   makeMenus();
   growth_ = new QTimer(this);
@@ -103,6 +105,25 @@ PlotWindow::Document* PlotWindow::document() {
              : nullptr;
 }
 
+/// A file and the folder of its run.
+QString PlotWindow::nameOf(const Document& document) {
+  const QString file = QString::fromStdString(document.path.filename().string());
+  const QString folder = QString::fromStdString(run_folder(document.path).filename().string());
+  return document.on_disk && !folder.isEmpty() ? folder + "/" + file : file;
+}
+
+/// Home and End belong to the tree where that has the focus. Page Up and Page Down turn pages,
+/// wherever they are pressed.
+bool PlotWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_ && event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->modifiers() == Qt::NoModifier &&
+        (key->key() == Qt::Key_Home || key->key() == Qt::Key_End))
+      event->accept();
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
 int PlotWindow::pageCount() const {
   return current_ >= 0 && current_ < fileCount()
              ? static_cast<int>(documents_[static_cast<std::size_t>(current_)]->pages.size())
@@ -124,7 +145,7 @@ void PlotWindow::setAbscissa(Abscissa abscissa) {
 
 void PlotWindow::setDomain(Domain domain) { domain_->setCurrentIndex(static_cast<int>(domain)); }
 
-void PlotWindow::setLogAxes(bool abscissa, bool values) {
+void PlotWindow::setLogAxes(std::optional<bool> abscissa, bool values) {
   log_x_ = abscissa;
   log_y_ = values;
   showCurrent();
@@ -133,7 +154,7 @@ void PlotWindow::setLogAxes(bool abscissa, bool values) {
 desktop::ChartPage PlotWindow::currentPageChart() {
   desktop::ChartPage chart = document()->build(page_, options_);
   if (!chart.equal_axes) {
-    chart.log_x = log_x_;
+    chart.log_x = log_x_.value_or(chart.log_x);
     for (auto& panel : chart.panels) panel.log = log_y_;
   }
   return chart;
@@ -154,14 +175,16 @@ void PlotWindow::showCurrent() {
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
     abscissa_->setEnabled(kind == PageKind::History && options_.domain == Domain::History);
+    // Races that do not turn against each other have no turns.
+    const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
+                          options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
+    abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
     domain_->setEnabled(kind == PageKind::History);
     note_->setText(doc->note.empty()
                        ? QString()
                        : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));
-    setWindowTitle(QString("%1 — page %2 of %3 — AdrPlot")
-                       .arg(QString::fromStdString(doc->path.filename().string()))
-                       .arg(page_)
-                       .arg(pageCount()));
+    setWindowTitle(
+        QString("%1 — page %2 of %3 — AdrPlot").arg(nameOf(*doc)).arg(page_).arg(pageCount()));
   } else {
     chart.title = "AdrPlot";
     chart.note =
@@ -170,6 +193,10 @@ void PlotWindow::showCurrent() {
     orbit_action_->setVisible(false);
   }
   note_->setVisible(!note_->text().isEmpty());
+  {
+    const QSignalBlocker quiet(log_x_action_);
+    log_x_action_->setChecked(chart.log_x);
+  }
   view_->showPage(std::move(chart));
   fitReadout();
 }

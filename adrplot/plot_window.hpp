@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -53,10 +54,11 @@ class PlotWindow : public QMainWindow {
   void showPage(int number);
   void setAbscissa(Abscissa abscissa);
   void setDomain(Domain domain);
-  void setLogAxes(bool abscissa, bool values);
+  void setLogAxes(std::optional<bool> abscissa, bool values);
   /// Saves the page, or all pages of the file, by the name's suffix (desktop/page_export.hpp). Of
-  /// all pages PDF makes one file, others one for each, numbered. False after a message.
-  bool exportTo(const QString& path, bool all_pages);
+  /// all pages PDF makes one file, others one for each, numbered. Of `seen` numbers those in the
+  /// view of curves that are shown are written, else all of them. False after a message.
+  bool exportTo(const QString& path, bool all_pages, bool seen = false);
 
  public slots:
   void askForFile();
@@ -78,6 +80,7 @@ class PlotWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Document : PlotDocument {
@@ -85,6 +88,7 @@ class PlotWindow : public QMainWindow {
     bool on_disk = true;      ///< else a chart of the user's own
     std::uintmax_t bytes = 0;
   };
+  [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
   void openSeveral(const QStringList& paths);
   void showRuns(const std::vector<long>& runs);
@@ -120,7 +124,9 @@ class PlotWindow : public QMainWindow {
   QStringList values_;  ///< all of them, by part
   QTimer* growth_ = nullptr;
   std::unique_ptr<QProgressDialog> reading_;
-  bool log_x_ = false, log_y_ = false;
+  std::optional<bool> log_x_;  ///< none: as the page begins
+  bool log_y_ = false;
+  QAction* log_x_action_ = nullptr;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;

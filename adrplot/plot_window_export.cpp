@@ -1,6 +1,7 @@
 #include "adrplot/plot_window.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/image_export.hpp"
 #include "desktop/page_export.hpp"
 #include "desktop/theme.hpp"
 
@@ -10,6 +11,7 @@
 #include <QGuiApplication>
 #include <QImage>
 
+#include <algorithm>
 #include <exception>
 
 /// Pages of the window as files, on paper and in the clipboard.
@@ -21,9 +23,17 @@ QString besideFile(const PlotDocument& doc) {
   return QFileInfo(QString::fromStdString(doc.path.string())).absoluteFilePath();
 }
 
+/// The most values that a curve of a page has.
+qulonglong valuesOf(const desktop::ChartPage& page) {
+  std::size_t out = 0;
+  for (const desktop::ChartPanel& panel : page.panels)
+    for (const desktop::ChartCurve& curve : panel.curves) out = std::max(out, curve.y.size());
+  return out;
+}
+
 }  // namespace
 
-bool PlotWindow::exportTo(const QString& path, bool all_pages) {
+bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
   Document* doc = document();
   if (!doc) return false;
   desktop::ChartScene scene;  // of its own: what is seen stays as it is
@@ -32,15 +42,42 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages) {
   const int shown = page_;
   const auto show = [&](int page) {
     page_ = page;
-    scene.setPage(currentPageChart());
+    desktop::ChartPage chart = currentPageChart();
     page_ = shown;
+    const auto& panels = view_->chartScene().page().panels;
+    for (std::size_t p = 0; page == shown && p < std::min(panels.size(), chart.panels.size()); ++p)
+      for (std::size_t c = 0; c < std::min(panels[p].curves.size(), chart.panels[p].curves.size());
+           ++c)
+        chart.panels[p].curves[c].hidden = panels[p].curves[c].hidden;
+    scene.setPage(std::move(chart));
   };
   try {
     if (!all_pages) {
       show(shown);
       scene.setZoom(view_->chartScene().zoom());
-      desktop::save_page(scene, path.toStdString(), size);
-      desktop::tell_in_foot(this, tr("Saved %1.").arg(path));
+      const bool numbers = QFileInfo(path).suffix().toLower() == "csv";
+      const bool whole = !scene.zoomed() || scene.whole();
+      scene.setPageSize(size);
+      if (numbers && seen) {
+        scene.setZoom(view_->chartScene().zoom());
+        const desktop::ChartPage part = desktop::seen_part(scene);
+        desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
+        desktop::tell_in_foot(
+            this, tr("Saved what is seen in %1: the curves that are shown, %2 values each.")
+                      .arg(path)
+                      .arg(valuesOf(part)));
+      } else {
+        desktop::save_page(scene, path.toStdString(), size);
+        desktop::tell_in_foot(
+            this, !numbers ? tr("Saved %1.").arg(path)
+                  : whole
+                      ? tr("Saved %1: every curve with all its %2 values.")
+                            .arg(path)
+                            .arg(valuesOf(scene.page()))
+                      : tr("Saved %1: every curve with all its %2 values, not only what is seen.")
+                            .arg(path)
+                            .arg(valuesOf(scene.page())));
+      }
     } else if (QFileInfo(path).suffix().toLower() == "pdf") {
       desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,
                         [&](std::size_t i) { show(static_cast<int>(i) + 1); });
@@ -73,9 +110,11 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages) {
 void PlotWindow::askForExport(bool all_pages) {
   Document* doc = document();
   if (!doc) return askForFile();
-  auto* dialog =
-      new QFileDialog(this, all_pages ? tr("Export all pages") : tr("Export page"), QString(),
-                      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;Numbers (*.csv)"));
+  const QString seen = tr("Numbers of what is seen (*.csv)");
+  auto* dialog = new QFileDialog(
+      this, all_pages ? tr("Export all pages") : tr("Export page"), QString(),
+      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;All numbers (*.csv)") +
+          (all_pages ? QString() : ";;" + seen));
   dialog->setObjectName("export");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -86,7 +125,9 @@ void PlotWindow::askForExport(bool all_pages) {
   const QString name = besideFile(*doc);
   dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name, QString::number(page_)));
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, all_pages](const QString& path) { exportTo(path, all_pages); });
+          [this, all_pages, dialog, seen](const QString& path) {
+            exportTo(path, all_pages, dialog->selectedNameFilter() == seen);
+          });
   dialog->open();
 }
 

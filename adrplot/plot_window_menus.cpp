@@ -88,9 +88,10 @@ void PlotWindow::makeMenus() {
   auto* log_y = view->addAction(tr("Logarithmic &Values"), Qt::CTRL | Qt::Key_L, this, [] {});
   for (QAction* action : {log_x, log_y}) {
     action->setCheckable(true);
-    connect(action, &QAction::toggled, this,
-            [this, log_x, log_y] { setLogAxes(log_x->isChecked(), log_y->isChecked()); });
   }
+  log_x_action_ = log_x;
+  connect(log_x, &QAction::toggled, this, [this](bool on) { setLogAxes(on, log_y_); });
+  connect(log_y, &QAction::toggled, this, [this](bool on) { setLogAxes(log_x_, on); });
   view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(
@@ -98,7 +99,8 @@ void PlotWindow::makeMenus() {
       {{tr("Page Up, Page Down"), tr("one page back, on")},
        {tr("Ctrl+G"), tr("a page by its number")},
        {tr("F5"), tr("reads the file again")},
-       {tr("wheel"), tr("zooms along the abscissa; with Ctrl along a panel's own axis")},
+       {tr("wheel"),
+        tr("zooms along the abscissa, with Ctrl along a panel's own axis; of an orbit, both")},
        {tr("drag"), tr("moves; with Shift zooms into a box")},
        {tr("double click, Home"), tr("shows everything")},
        {tr("Alt+Left, Alt+Right"), tr("earlier and later views")},
@@ -147,6 +149,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
+    log_x_.reset();  // what was chosen for times means nothing for frequencies
     showCurrent();
   });
   orbit_ = new QComboBox(this);

@@ -63,21 +63,24 @@ struct Aside {
   std::string panels;
 };
 
+/// The same of another curve, or panel, is said once.
+void add_aside(std::vector<Aside>& asides, const Reason& reason, const std::string& panel) {
+  const auto same = std::find_if(asides.begin(), asides.end(), [&](const Aside& aside) {
+    return aside.reason.curve == reason.curve && aside.reason.why == reason.why;
+  });
+  if (same == asides.end())
+    asides.push_back({reason, panel});
+  else
+    same->panels += " and " + small(panel);
+}
+
 /// In the panel when none of its curves is drawn, else for the page's note.
 void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
                   std::vector<Aside>& asides) {
   const bool drawn = std::any_of(panel.curves.begin(), panel.curves.end(),
                                  [](const ChartCurve& curve) { return !curve.y.empty(); });
   if (drawn) {
-    for (const Reason& reason : reasons) {
-      const auto same = std::find_if(asides.begin(), asides.end(), [&](const Aside& aside) {
-        return aside.reason.curve == reason.curve && aside.reason.why == reason.why;
-      });
-      if (same == asides.end())
-        asides.push_back({reason, panel.title});
-      else
-        same->panels += " and " + small(panel.title);
-    }
+    for (const Reason& reason : reasons) add_aside(asides, reason, panel.title);
     return;
   }
   if (reasons.empty() && panel.message.empty())
@@ -96,22 +99,79 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
   }
 }
 
-/// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a
-/// little beyond it.
-double interesting_frequency(const std::vector<double>& frequency,
-                             const std::vector<ChartPanel>& panels) {
-  constexpr double kVisible = 0.01;
-  std::size_t last = 0;
-  for (const auto& panel : panels)
-    for (std::size_t k = 0; k < frequency.size(); ++k)
-      if (panel.curves.front().y[k] > kVisible) last = std::max(last, k);
-  return std::min(
-      frequency.back(),
-      1.15 *
-          frequency[std::max<std::size_t>(last, std::min<std::size_t>(10, frequency.size() - 1))]);
+constexpr double kVisible = 0.01;  ///< of a curve's largest amplitude
+
+/// Over the largest, whatever is drawn.
+std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumScale scale) {
+  std::vector<double> out = y;
+  if (scale == SpectrumScale::Decibel) {
+    for (double& a : out) a = std::pow(10.0, a / 20.0);
+    return out;
+  }
+  double largest = 0.0;
+  for (const double a : y)
+    if (a > largest) largest = a;  // beside missing values
+  for (double& a : out) a = largest > 0.0 ? a / largest : 0.0;
+  return out;
 }
 
 }  // namespace
+
+double last_above(const std::vector<double>& frequency, const std::vector<double>& amplitude,
+                  double level) {
+  for (std::size_t k = std::min(frequency.size(), amplitude.size()); k-- > 0;)
+    if (amplitude[k] > level) return frequency[k];
+  return 0.0;
+}
+
+Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& values,
+                    Window window) {
+  constexpr double kMost = 0.01;   // of the steps
+  constexpr double kStrong = 0.1;  // of the largest amplitude
+  Bridged out;
+  const auto known = [&](std::size_t i) { return std::isfinite(values[i]); };
+  const std::size_t n = std::min(t.size(), values.size());
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < n; ++i) missing += known(i) ? 0 : 1;
+  out.values = values;
+  if (missing == 0 || values.size() != t.size()) return out;
+  out.why_none = missing_values(t, values);
+  if (static_cast<double>(missing) > kMost * static_cast<double>(n)) return {{}, {}, out.why_none};
+  double longest = 0.0;
+  for (std::size_t i = 0; i < n;) {
+    if (known(i)) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < n && !known(end)) ++end;
+    if (i == 0 || end == n) return {{}, {}, out.why_none};  // what is not there has no other side
+    const std::size_t from = i - 1;
+    longest = std::max(longest, t[end] - t[from]);
+    for (; i < end; ++i)
+      out.values[i] =
+          values[from] + (t[i] - t[from]) / (t[end] - t[from]) * (values[end] - values[from]);
+  }
+  const Samples samples = equal_samples(t, out.values);
+  const Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, window);
+  const double largest = spectrum.amplitude.empty() ? 0.0
+                                                    : *std::max_element(spectrum.amplitude.begin(),
+                                                                        spectrum.amplitude.end());
+  const double highest = last_above(spectrum.frequency, spectrum.amplitude, kStrong * largest);
+  if (2.0 * longest * highest > 1.0) {
+    std::string why = out.why_none;
+    why.replace(why.size() - kSo.size(), kSo.size(),
+                fmt::format(", for up to {}, and its lines reach {}",
+                            desktop::pretty_quantity(longest, "s", 3),
+                            desktop::pretty_quantity(highest, "Hz", 3)));
+    return {{}, {}, why + std::string(kSo)};
+  }
+  out.why_none.clear();
+  out.told =
+      fmt::format("{} of {} steps {} no value: bridged by straight lines of up to {}.", missing, n,
+                  missing == 1 ? "has" : "have", desktop::pretty_quantity(longest, "s", 3));
+  return out;
+}
 
 void add_note(ChartPage& chart, const std::string& text) {
   if (text.empty() || chart.note.find(text) != std::string::npos) return;
@@ -146,15 +206,17 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
   for (ChartPanel& panel : chart.panels) {
     std::vector<Reason> reasons;  // of the curves without a spectrum
     for (ChartCurve& curve : panel.curves) {
-      const std::vector<double> stored = std::move(curve.y);
+      std::vector<double> stored = std::move(curve.y);
       curve.low.clear(), curve.high.clear();
       curve.y.clear();
       const auto none = [&](const std::string& why) { reasons.push_back({curve.name, why}); };
       if (!any_value(stored)) continue;  // the panel has its reason
-      if (const std::string gaps = missing_values(t, stored); !gaps.empty()) {
-        none(gaps);
+      Bridged bridged = bridge_gaps(t, stored, options.window);
+      if (!bridged.why_none.empty()) {
+        none(bridged.why_none);
         continue;
       }
+      stored = std::move(bridged.values);
       const Samples samples = equal_samples(t, stored);
       add_note(chart, samples.note);
       if (samples.values.empty()) {
@@ -174,6 +236,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       }
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
+      if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
     }
     tell_reasons(panel, reasons, asides);
     panel.wraps = false;
@@ -220,36 +283,50 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over = options.scale == SpectrumScale::Relative
-                         ? "Each amplitude is divided by the largest of its own curve. "
-                     : options.scale == SpectrumScale::Decibel
-                         ? "0 dB is the largest of its own curve. "
-                         : "";
+  const char* over =
+      options.scale == SpectrumScale::Relative  ? "1 is the largest of its own curve. "
+      : options.scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
+                                                : "";
   add_note(chart, fmt::format("{}{}; a line every {}, none below.", over,
                               capital(window_name(options.window)), apart));
 }
 
+void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends) {
+  constexpr double kSqueezed = 8.0;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const double end : ends) {
+    if (!(end > 0.0)) continue;
+    least = std::min(least, end);
+    most = std::max(most, end);
+  }
+  if (!(most > kSqueezed * least)) return;
+  chart.log_x = true;
+  add_note(chart, fmt::format("Logarithmic frequency: the curves' lines end at {} to {}.",
+                              desktop::pretty_quantity(least, "Hz", 3),
+                              desktop::pretty_quantity(most, "Hz", 3)));
+}
+
 void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
-  if (chart.panels.empty() || scale == SpectrumScale::Decibel) return;
-  std::vector<ChartPanel> relative;
+  if (chart.panels.empty() || chart.x.empty()) return;
+  std::vector<std::vector<double>> relative;
+  std::vector<double> ends;
   for (const ChartPanel& panel : chart.panels)
     for (const ChartCurve& curve : panel.curves) {
       if (curve.y.empty()) continue;
-      ChartPanel one{"", "", {curve}, false};
-      double largest = 0.0;
-      for (const double a : curve.y)
-        if (a > largest) largest = a;  // beside missing values
-      for (double& a : one.curves.front().y) a = largest > 0.0 ? a / largest : 0.0;
-      relative.push_back(std::move(one));
+      relative.push_back(relative_amplitude(curve.y, scale));
+      ends.push_back(last_above(chart.x, relative.back(), kVisible));
     }
-  double shown = interesting_frequency(chart.x, relative);
+  choose_frequency_axis(chart, ends);
+  if (scale == SpectrumScale::Decibel || chart.log_x) return;  // all of it has room
+  // A little beyond the last line that is seen, and ten lines at least.
+  double shown = 1.15 * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
+  for (const double end : ends) shown = std::max(shown, 1.15 * end);
   for (const auto& mark : chart.marks)
     if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
   double beyond = 0.0, at = 0.0;
-  for (const ChartPanel& one : relative) {
-    const std::vector<double>& y = one.curves.front().y;
+  for (const std::vector<double>& y : relative) {
     for (std::size_t k = 0; k < std::min(y.size(), chart.x.size()); ++k)
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }

@@ -21,6 +21,16 @@ void add_note(desktop::ChartPage& chart, const std::string& text);
 /// "Race interactions 1: load and angle" -> "Race interactions 1, load and angle"
 [[nodiscard]] std::string without_colon(std::string title);
 
+/// Values of a curve for a spectrum. Where at most one in a hundred is missing, and no gap is
+/// longer than half a period of the highest line above a tenth of the largest, straight lines
+/// bridge the gaps, and `told` says so. Else no values, and why; nothing bridges the ends of a run.
+struct Bridged {
+  std::vector<double> values;
+  std::string told, why_none;
+};
+[[nodiscard]] Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& values,
+                                  Window window);
+
 /// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum. One
 /// without leaves its reason in its panel, or in the page's note beside curves that have one.
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
@@ -34,6 +44,15 @@ void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
 /// Marks below the first line of spectra stand where nothing is known: they go, and the note says
 /// so.
 void drop_low_marks(desktop::ChartPage& chart);
+
+/// The highest frequency with an amplitude above a level; 0: none.
+[[nodiscard]] double last_above(const std::vector<double>& frequency,
+                                const std::vector<double>& amplitude, double level);
+
+/// Curves whose lines end at such frequencies are drawn over a logarithmic one at first where the
+/// lines of one of them would have less than an eighth of the width of the others', and the note
+/// says so.
+void choose_frequency_axis(desktop::ChartPage& chart, const std::vector<double>& ends);
 
 /// The first view ends a little beyond the last amplitude above 1 % of its curve's largest; the
 /// note says which is the largest of the lines beyond.

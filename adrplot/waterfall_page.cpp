@@ -16,15 +16,24 @@ namespace {
 /// Each curve stands this part of the largest amplitude above the one before.
 constexpr double kDistance = 0.2;
 
+/// In dB this is all that is drawn of a line.
+constexpr double kDecibels = 60.0;
+
 /// Where the first view ends: a little beyond the last amplitude above a quarter of that distance,
 /// ten lines of the spectra at least.
 constexpr double kVisible = 0.25 * kDistance;
-double last_visible(const Waterfall& fall, double largest) {
-  std::size_t last = std::min<std::size_t>(10, fall.frequency.size() - 1);
-  for (const auto& piece : fall.amplitude)
-    for (std::size_t k = last; k < piece.size(); ++k)
-      if (piece[k] > kVisible * largest) last = k;
-  return std::min(fall.frequency.back(), 1.15 * fall.frequency[last]);
+double end_of_view(const Waterfall& fall, const std::vector<double>& ends) {
+  double last = fall.frequency[std::min<std::size_t>(10, fall.frequency.size() - 1)];
+  for (const double end : ends) last = std::max(last, end);
+  return std::min(fall.frequency.back(), 1.15 * last);
+}
+
+/// What is drawn of an amplitude, on the lowest line.
+double height_of(double amplitude, double largest, SpectrumScale scale) {
+  if (scale == SpectrumScale::Units) return amplitude;
+  const double part = largest > 0.0 ? amplitude / largest : 0.0;
+  if (scale == SpectrumScale::Relative) return part;
+  return part > 0.0 ? std::max(-kDecibels, 20.0 * std::log10(part)) : -kDecibels;
 }
 
 constexpr double kSteady = 0.01;
@@ -74,11 +83,17 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
     return;
   }
   const desktop::ChartPanel source = *found;
-  const Samples samples = equal_samples(times, source.curves.front().y);
+  const Bridged bridged = bridge_gaps(times, source.curves.front().y, options.window);
+  if (!bridged.why_none.empty()) {
+    page.panels.clear();
+    add_note(page, capital(bridged.why_none));
+    return;
+  }
+  add_note(page, bridged.told);
+  const Samples samples = equal_samples(times, bridged.values);
   page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
   page.panels.clear();
-  if (!samples.values.empty() &&
-      only_rounding(source.curves.front().y, source.unit, source.least_span)) {
+  if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
     page.note += (page.note.empty() ? "" : " ") + source.title +
                  ": nothing vibrates here; what changes, if anything, is the rounding of the "
                  "numbers.";
@@ -89,22 +104,35 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   double largest = 0.0;
   for (const auto& piece : fall.amplitude)
     largest = std::max(largest, *std::max_element(piece.begin(), piece.end()));
-  desktop::ChartPanel panel{"Spectra, earliest at the bottom", source.unit, {}, false};
+  const SpectrumScale scale = options.scale;
+  const bool decibel = scale == SpectrumScale::Decibel;
+  const std::string unit = scale == SpectrumScale::Units ? source.unit
+                           : decibel                     ? "dB"
+                                                         : "of largest";
+  const double distance = kDistance * (scale == SpectrumScale::Units ? largest
+                                       : decibel                     ? kDecibels
+                                                                     : 1.0);
+  std::vector<double> ends;
+  for (const auto& piece : fall.amplitude)
+    ends.push_back(last_above(fall.frequency, piece, kVisible * largest));
+  desktop::ChartPanel panel{"Spectra, earliest at the bottom", unit, {}, false};
   // Races that do not turn against each other have no speed to tell.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
     desktop::ChartCurve curve{desktop::even_quantity(fall.time[i], "s", 3), {}, {}};
     if (!steady)
       curve.name += fmt::format(", {:.4g} rpm", 60.0 * speed_at(times, turns, fall.time[i]));
-    curve.lift = kDistance * largest * static_cast<double>(i);
-    for (const double a : fall.amplitude[i]) curve.y.push_back(a + curve.lift);
+    curve.lift = distance * static_cast<double>(i);
+    curve.foot = decibel ? -kDecibels : 0.0;
+    for (const double a : fall.amplitude[i])
+      curve.y.push_back(height_of(a, largest, scale) + curve.lift);
     panel.curves.push_back(std::move(curve));
   }
   panel.one_colour = true;
   page.x = fall.frequency;
   page.title = without_colon(page.title) + ": waterfall";
   page.view_low = 0.0;
-  page.view_high = last_visible(fall, largest);
+  page.view_high = decibel ? fall.frequency.back() : end_of_view(fall, ends);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
   page.note += fmt::format(
@@ -118,11 +146,15 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                   : fmt::format(" ({:.4g} to {:.4g} rpm)",
                                 60.0 * speed_at(times, turns, fall.time.front()),
                                 60.0 * speed_at(times, turns, fall.time.back()))),
-      desktop::pretty_quantity(kDistance * largest, source.unit, 3),
+      scale == SpectrumScale::Relative ? fmt::format("{:.1f} of the largest amplitude", distance)
+                                       : desktop::pretty_quantity(distance, unit, 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
-  if (options.scale == SpectrumScale::Decibel)
-    page.note += " They are in units: lines that stand above each other have no room for dB.";
-  if (page.view_high < page.x.back())
+  if (decibel)
+    page.note += " 0 dB is the largest amplitude of all; nothing below " +
+                 desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
+  choose_frequency_axis(page, ends);
+  if (page.log_x) page.view_low = page.view_high = 0.0;  // all of it has room
+  if (!page.log_x && page.view_high < page.x.back())
     page.note +=
         fmt::format(" The first view ends at {}: nothing beyond is above {} % of the largest.",
                     desktop::pretty_quantity(page.view_high, "Hz", 3),

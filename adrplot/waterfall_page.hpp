@@ -6,8 +6,9 @@
 namespace adore::adrplot {
 
 /// Turns the first curve of the first panel with values into a waterfall: the spectra of pieces of
-/// the run, one above the other, the earliest at the bottom. The distance between two lines is a
-/// fifth of the largest amplitude, which the axis title says. Each line is named after the middle
+/// the run, one above the other, the earliest at the bottom: in units, over the largest of all, or
+/// in dB of that, cut off at -60 dB. The distance between two lines is a fifth of the largest
+/// amplitude or of the 60 dB, which the note says. Each line is named after the middle
 /// of its piece and, where the shaft changes its speed, the speed there.
 /// @param turns of the shaft at the times, growing; empty: not known
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,

@@ -40,23 +40,19 @@ QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
 namespace {
 
 QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
-                 const AxisScale& y_axis) {
+                 const AxisScale& y_axis, bool limited = true) {
   QPolygonF points;
   points.reserve(static_cast<qsizetype>(line.x.size()));
   // Far outside a picture numbers are too large for the painter.
-  constexpr double kFar = 1e5;
+  const double far = limited ? 1e5 : 1e12;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
     const double x = (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min),
                  y = (y_axis.shown(line.y[i]) - y_axis.min) / (y_axis.max - y_axis.min);
-    points.append({area.left() + std::clamp(x * area.width(), -kFar, kFar),
-                   area.bottom() - std::clamp(y * area.height(), -kFar, kFar)});
+    points.append({area.left() + std::clamp(x * area.width(), -far, far),
+                   area.bottom() - std::clamp(y * area.height(), -far, far)});
   }
   return points;
 }
-
-/// Lines closer than this part of a panel's height lie on one another: whatever size a picture has,
-/// it says the same of two curves.
-constexpr double kSame = 1.0 / 300.0;
 
 /// Does every point of `line` lie on the way of `other`: within `same` of where that passes a pixel
 /// to either side? Both go to the right.
@@ -194,16 +190,26 @@ std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& a
 }
 
 /// Do curves and their bands agree from place `from` to before `to`, by what `same` says of two
-/// values?
+/// values, wherever both have one?
+struct Agreement {
+  bool agree = true;
+  bool gaps = false;  ///< a value of one beside none of the other
+};
 template <class Same>
-bool agree(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to, Same same) {
+Agreement agreement(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                    Same same) {
+  Agreement out;
   for (const auto values : {&ChartCurve::y, &ChartCurve::low, &ChartCurve::high}) {
     const std::vector<double>&p = a.*values, &q = b.*values;
-    if (p.size() != q.size()) return false;
-    for (std::size_t i = from; i < std::min(to, p.size()); ++i)
-      if (!(std::isnan(p[i]) && std::isnan(q[i])) && !same(p[i], q[i])) return false;
+    if (p.size() != q.size()) return {false, false};
+    for (std::size_t i = from; i < std::min(to, p.size()); ++i) {
+      if (std::isnan(p[i]) || std::isnan(q[i]))
+        out.gaps = out.gaps || std::isnan(p[i]) != std::isnan(q[i]);
+      else if (!same(p[i], q[i]))
+        return {false, out.gaps};
+    }
   }
-  return true;
+  return out;
 }
 
 /// Places from `from` to before `to` where the curves agree by what `same` says of two values: each
@@ -259,6 +265,22 @@ Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_
   return out;
 }
 
+/// How far over the picture one of two curves has values where the other has none, by where
+/// `place` draws the i-th value of `from` to before `to`.
+template <class Place>
+qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                  Place place) {
+  to = std::min({to, a.y.size(), b.y.size()});
+  qreal out = 0.0;
+  for (std::size_t i = from; i < to; ++i)
+    if (is_drawable(a.y[i]) != is_drawable(b.y[i]))
+      out += 0.5 * (place(std::min(i + 1, to - 1)) - place(std::max(i, from + 1) - 1));
+  return out;
+}
+
+/// Shorter stretches are crossings, or are not seen.
+constexpr qreal kLeast = 24.0;
+
 /// The part of a line between two places across; it goes to the right.
 QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
   QPolygonF out;
@@ -284,7 +306,8 @@ bool equal_values(double p, double q) {
 }  // namespace
 
 std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, const QRectF& area,
-                                                            const AxisScale& y_axis) {
+                                                            const AxisScale& y_axis,
+                                                            const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
   std::vector<ShownCurve> out;
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
@@ -297,39 +320,48 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
       for (double& value : positive)
         if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
     }
-    shown.pieces = drawable_pieces(page_.x, panel.log ? positive : curve.y, low_, high_,
-                                   static_cast<int>(area.width()), panel.wraps,
-                                   blocks_.empty() || panel.log ? nullptr : &blocks_[index][c]);
+    const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c];
+    const std::vector<double>& y = panel.log ? positive : curve.y;
+    const int columns = static_cast<int>(area.width());
+    if (page_.log_x) {  // columns of pixels are equal parts of a decade
+      shown.pieces = drawable_pieces(decades_, y, std::log10(low_), std::log10(high_), columns,
+                                     panel.wraps, blocks);
+      for (Polyline& piece : shown.pieces)
+        for (double& x : piece.x) x = std::pow(10.0, x);
+    } else {
+      shown.pieces = drawable_pieces(page_.x, y, low_, high_, columns, panel.wraps, blocks);
+    }
     for (const Polyline& piece : shown.pieces)
       shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
     shown.extents = extents_of(shown.lines);
     const bool compared = rising_ && !panel.one_colour;
-    const qreal same = kSame * area.height();
+    const qreal same = m.line;  // two lines no farther apart cover each other in part
+    // Bands that curves fill by running to and fro have no values to compare: their edges are.
+    const qreal edges = std::min(same, area.height() / 300.0);
     for (ShownCurve& before : out) {
       // A later curve that is on the earlier one wherever it is, hides that there.
       if (!compared || before.hides ||
-          !(coincide(before, shown, same) || covered(before, shown, same) ||
+          !(coincide(before, shown, edges) || covered(before, shown, edges) ||
             (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
-             shown.lines.size() > 1 && within(shown, before, same))))
+             shown.lines.size() > 1 && within(shown, before, edges))))
         continue;
       shown.hides = before.curve;
-      shown.alike = alikeInView(index, before.curve, c, y_axis);
+      tellAlike(index, before.curve, shown, area, y_axis, same);
       shown.later = ++before.later;
       break;
     }
     for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
-      if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis)) break;
+      if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis, same)) break;
     out.push_back(std::move(shown));
   }
   return out;
 }
 
 bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown,
-                               const QRectF& area, const AxisScale& y_axis) const {
-  constexpr qreal kLeast = 24.0;  // shorter ones are crossings
+                               const QRectF& area, const AxisScale& y_axis, qreal same) const {
   const ChartPanel& panel = page_.panels[index];
   const auto [from, to] = places_between(page_.x, low_, high_);
-  const double seen = kSame * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
+  const double seen = same / area.height() * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
   const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
   const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
   const auto place = [&](std::size_t i) {
@@ -339,9 +371,13 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   const auto long_enough = [&](std::size_t first, std::size_t last) {
     return place(last) - place(first) >= kLeast;
   };
-  const Stretches found = long_stretches_of(
-      one, other, from, to, [seen](double p, double q) { return std::abs(p - q) <= seen; },
-      long_enough);
+  // Lines of spectra are near 0, and so near each other, almost everywhere.
+  const bool spectra = page_.x_unit == "Hz";
+  const auto alike = [&](double p, double q) {
+    return std::abs(p - q) <= seen &&
+           (!spectra || std::max(std::abs(p), std::abs(q)) > seen || equal_values(p, q));
+  };
+  const Stretches found = long_stretches_of(one, other, from, to, alike, long_enough);
   bool equal = true;
   std::vector<std::pair<qreal, qreal>> over;
   for (const auto& [first, last] : found.places) {
@@ -351,37 +387,48 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
       equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
               equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
   }
-  // Lines of spectra are near 0, and so near each other, almost everywhere.
-  if (over.empty() || (!equal && page_.x_unit == "Hz")) return false;
+  if (over.empty()) return false;
   shown.hides = before.curve;
   shown.later = ++before.later;
   shown.over = std::move(over);
-  shown.partly = found.differ;
+  shown.partly = found.differ || unlike_gaps(one, other, from, to, place) > kLeast;
   shown.alike = equal ? Alike::Equal : Alike::Near;
   return true;
 }
 
-ChartScene::Alike ChartScene::alikeInView(std::size_t index, std::size_t a, std::size_t b,
-                                          const AxisScale& y_axis) {
+void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, const QRectF& area,
+                           const AxisScale& y_axis, qreal same) {
   const ChartPanel& panel = page_.panels[index];
-  const ChartCurve &one = panel.curves[a], &other = panel.curves[b];
-  const auto [known, unknown] = equal_runs_.try_emplace({index, a, b}, false);
+  const ChartCurve &one = panel.curves[a], &other = panel.curves[shown.curve];
+  const auto [known, unknown] = equal_runs_.try_emplace({index, a, shown.curve}, false);
   // What is 0 but for rounding is 0.
   const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
   const auto equal = [nothing](double p, double q) {
     return equal_values(p, q) || std::abs(p - q) <= nothing;
   };
-  if (unknown) known->second = agree(one, other, 0, page_.x.size(), equal);
-  if (known->second) return Alike::Equal;
+  if (unknown) {
+    const Agreement whole = agreement(one, other, 0, page_.x.size(), equal);
+    known->second = whole.agree && !whole.gaps;
+  }
+  shown.alike = Alike::Equal;
+  if (known->second) return;
   const auto [from, to] = places_between(page_.x, low_, high_);
-  const double seen = kSame * (y_axis.max - y_axis.min);
+  const double seen = same / area.height() * (y_axis.max - y_axis.min);
   const auto near = [&](double p, double q) {
     const bool p_shown = !panel.log || p > 0.0, q_shown = !panel.log || q > 0.0;
     return p_shown && q_shown ? std::abs(y_axis.shown(p) - y_axis.shown(q)) <= seen
                               : p_shown == q_shown;
   };
-  if (!agree(one, other, from, to, near)) return Alike::Covers;
-  return agree(one, other, from, to, equal) ? Alike::Equal : Alike::Near;
+  const Agreement seen_alike = agreement(one, other, from, to, near);
+  const auto place = [&](std::size_t i) {
+    return area.left() +
+           (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+  };
+  shown.partly =
+      seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
+  shown.alike = !seen_alike.agree                              ? Alike::Covers
+                : agreement(one, other, from, to, equal).agree ? Alike::Equal
+                                                               : Alike::Near;
 }
 
 void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
@@ -422,18 +469,18 @@ void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const
                               const Metrics& m) {
   const QFont font = ui_font(m.tick_font);
   const qreal height = QFontMetricsF(font).height();
-  qreal last = area.bottom();
+  qreal last = area.bottom() + height;
   for (const ChartCurve& curve : panel.curves) {
     if (curve.hidden || curve.name.empty() || curve.y.empty()) continue;
-    const double at = (y_axis.shown(curve.lift) - y_axis.min) / (y_axis.max - y_axis.min);
-    const qreal y = area.bottom() - at * area.height() - height;
-    if (y < area.top() || y > last - height) continue;
+    const double foot = curve.lift + curve.foot;
+    const double at = (y_axis.shown(foot) - y_axis.min) / (y_axis.max - y_axis.min);
+    if (!(at >= 0.0 && at <= 1.0)) continue;
+    const qreal y = area.bottom() - at * area.height() - 0.5 * height;
+    if (y > last - height) continue;
     last = y;
     auto* name = addSimpleText(text_of(curve.name), font);
     name->setBrush(theme_->muted);
-    name->setPos(area.right() - 4.0 - name->boundingRect().width(), y);
-    name->setZValue(7.0);  // above the lines, which would strike it through
-    addRect(name->sceneBoundingRect(), Qt::NoPen, theme_->surface)->setZValue(6.0);
+    name->setPos(area.right() + kLineNameGap, y);
   }
 }
 
@@ -444,8 +491,15 @@ void ChartScene::addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen p
 
 QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                                const AxisScale& y_axis, QPen pen) {
-  QPolygonF points = placed(line, area, x_axis, y_axis);
-  addWay({points}, area, std::move(pen));
+  // Where much is outside what is seen, its way is cut at the frame: numbers too large for the
+  // painter would have to be changed, and with them the direction of what crosses the frame.
+  QPolygonF points = placed(line, area, x_axis, y_axis, false);
+  constexpr qreal kMargin = 1000.0;
+  const QRectF around = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  if (around.contains(points.boundingRect()))
+    addWay({points}, area, std::move(pen));
+  else
+    addWay(parts_inside(points, area.adjusted(-10, -10, 10, 10)), area, std::move(pen));
   if (!lines_.empty()) ++lines_.back();
   return points;
 }

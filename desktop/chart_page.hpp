@@ -20,6 +20,7 @@ struct ChartCurve {
   bool hidden = false;  ///< by its entry in the legend
   /// What y holds beside the values, so that lines stand above each other.
   double lift = 0.0;
+  double foot = 0.0;  ///< the value at which such a line begins, and is named
   /// A value as readouts and tables tell it.
   [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
@@ -66,6 +67,9 @@ struct ChartPage {
   bool schematic = false;          ///< an orbit page whose places mean nothing: without axes
   std::vector<ChartLabel> labels;  ///< of a page with equal axes
   double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
+  /// Of an orbit: where its points stand on the abscissa of other pages; rises. Empty: not known.
+  std::vector<double> along = {};
+  std::string along_title = {}, along_unit = {};
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
   bool log_x = false;                      ///< logarithmic abscissa
 };

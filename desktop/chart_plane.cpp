@@ -31,7 +31,12 @@ double farthest_apart(const ChartCurve& one, const ChartCurve& other) {
 
 }  // namespace
 
-void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
+bool ChartScene::isPlane() const {
+  return page_.equal_axes && !page_.schematic && !page_.panels.empty();
+}
+
+ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
+  const QRectF space = this->space(m);
   const ChartPanel& panel = page_.panels.front();
   Extent across, up;
   for (const auto& curve : panel.curves) {
@@ -51,25 +56,26 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   }
   // One square that holds both ranges keeps circles round; a twelfth of margin keeps the curve off
   // the frame.
-  const double middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
-  const double middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
+  Plane out;
+  out.middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
+  out.middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
   double half = across.empty() || up.empty()
                     ? 1.0
                     : 0.5 * std::max(across.high - across.low, up.high - up.low);
-  if (!(half > 1e-9 * std::max(std::abs(middle_x), std::abs(middle_y))))
-    half = std::max({std::abs(middle_x), std::abs(middle_y), 1e-9});
+  if (!(half > 1e-9 * std::max(std::abs(out.middle_x), std::abs(out.middle_y))))
+    half = std::max({std::abs(out.middle_x), std::abs(out.middle_y), 1e-9});
   // Less than an atom's size is rounding, not a path.
   half = std::max(half, 0.5 * least_span_of(panel.unit));
   half *= 1.08;
   // A fitted page is as wide as its curves need at the scale that its height gives, or less.
-  double half_x = half, half_y = half;
+  out.half_x = out.half_y = half;
   if (page_.fitted && !across.empty() && !up.empty()) {
     constexpr double kMargin = 0.62;  // of the range, either side of its middle
-    half_x = kMargin * (across.high - across.low);
-    half_y = kMargin * (up.high - up.low);
+    out.half_x = kMargin * (across.high - across.low);
+    out.half_y = kMargin * (up.high - up.low);
   }
   const QSizeF most(space.width(), space.height() - m.legend);
-  const qreal scale = std::min(most.width() / half_x, most.height() / half_y);
+  const qreal scale = std::min(most.width() / out.half_x, most.height() / out.half_y);
   if (page_.fitted) {  // remarks beside the curves, as far as there is room
     constexpr qreal kRemark = 180.0, kBeside = 45.0;  // dot, leader and gaps
     qreal remark = kRemark;
@@ -77,29 +83,125 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     for (const ChartLabel& label : page_.labels)
       if (label.towards_x != 0.0)
         remark = std::max(remark, kBeside + metrics.horizontalAdvance(text_of(label.text)));
-    const double wanted = half_x / 1.24 + 2.0 * remark / scale;
-    half_x = std::clamp(wanted, half_x, most.width() / scale);
+    const double wanted = out.half_x / 1.24 + 2.0 * remark / scale;
+    out.half_x = std::clamp(wanted, out.half_x, most.width() / scale);
   }
-  const QSizeF size(half_x * scale, half_y * scale);
-  const QRectF area(space.left() + 0.5 * (space.width() - size.width()), space.top() + m.legend,
+  const QSizeF size(out.half_x * scale, out.half_y * scale);
+  out.area = QRectF(space.left() + 0.5 * (space.width() - size.width()), space.top() + m.legend,
                     size.width(), size.height());
-  const int parts = std::clamp(static_cast<int>(std::min(size.width(), size.height()) * half /
-                                                std::min(half_x, half_y) / 90),
-                               2, 8);
-  // The wider absolute range decides the unit of both axes, so that they share it.
-  AxisScale x_axis = tight_axis(-half, half, panel.unit, parts);
+  return out;
+}
+
+/// Both axes at one scale, whatever the two ranges are: what they hold is seen, and as much beside
+/// it as the frame needs; never anything beyond the whole.
+ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
+  constexpr double kMost = 1e4;
+  if (panel_views_.size() != 2 || !panel_views_[0] || !panel_views_[1]) return whole;
+  const auto [bottom, top] = *panel_views_[0];
+  const auto [left, right] = *panel_views_[1];
+  const double part =
+      std::max((right - left) / (2.0 * whole.half_x), (top - bottom) / (2.0 * whole.half_y));
+  if (!(part < 1.0 - 1e-9) || !(right >= left) || !(top >= bottom)) return whole;
+  Plane out = whole;
+  out.enlarged = std::min(1.0 / std::max(part, 1.0 / kMost), kMost);
+  out.half_x /= out.enlarged;
+  out.half_y /= out.enlarged;
+  const auto inside = [](double middle, double half, double of, double of_half) {
+    return std::clamp(middle, of - of_half + half, of + of_half - half);
+  };
+  out.middle_x = inside(0.5 * (left + right), out.half_x, whole.middle_x, whole.half_x);
+  out.middle_y = inside(0.5 * (bottom + top), out.half_y, whole.middle_y, whole.half_y);
+  return out;
+}
+
+void ChartScene::setPlaneView(const QRectF& part) {
+  if (!isPlane() || areas_.empty()) return;
+  setZoom({low_,
+           high_,
+           {std::pair(valueAt(0, part.bottom()), valueAt(0, part.top())),
+            std::pair(abscissaAt(part.left()), abscissaAt(part.right()))}});
+}
+
+std::optional<QPointF> ChartScene::planePlace(double across, double up) const {
+  if (!isPlane() || areas_.empty() || !is_drawable(across) || !is_drawable(up)) return std::nullopt;
+  const QPointF at(positionOf(across), heightOf(0, up));
+  return areas_.front().contains(at) ? std::optional(at) : std::nullopt;
+}
+
+std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qreal reach) const {
+  if (!isPlane() || areas_.empty()) return std::nullopt;
+  // In the page's unit: no place of a long orbit is worked out twice.
+  const double x = abscissaAt(position.x()), y = valueAt(0, position.y());
+  const double unit = std::abs(abscissaAt(position.x() + 1.0) - x);
+  double least = reach * reach * unit * unit;
+  std::optional<PlanePoint> out;
+  const auto& curves = page_.panels.front().curves;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (std::size_t i = 0;
+         !curves[c].hidden && i < std::min(curves[c].x.size(), curves[c].y.size()); ++i) {
+      const double dx = curves[c].x[i] - x, dy = curves[c].y[i] - y;
+      const double away = dx * dx + dy * dy;
+      if (!(away <= least)) continue;
+      least = away;
+      out = PlanePoint{c, i, {}};
+    }
+  if (!out) return out;
+  const ChartCurve& curve = curves[out->curve];
+  out->at = QPointF(positionOf(curve.x[out->index]), heightOf(0, curve.y[out->index]));
+  return out;
+}
+
+/// The stored point beside the pointer and when it was there, else the pointer's own place.
+QStringList ChartScene::planeReadout(QPointF position) const {
+  constexpr qreal kBeside = 20.0;
+  if (!panelAt(position)) return {};
+  const ChartPanel& panel = page_.panels.front();
+  const int digits = digitsOf(0, 0);
+  const auto told = [&](double across, double up) {
+    return tr("%1 %2, %3 %4")
+        .arg(text_of(page_.x_title), text_of(pretty_quantity(across, panel.unit, digits)),
+             text_of(panel.title), text_of(pretty_quantity(up, panel.unit, digits)));
+  };
+  const auto near = page_.closed_outline ? std::nullopt : pointNear(position, kBeside);
+  if (!near) return {tr("here:   ") + told(abscissaAt(position.x()), valueAt(0, position.y()))};
+  const ChartCurve& curve = panel.curves[near->curve];
+  const QString head = near->index < page_.along.size()
+                           ? text_of(pretty_quantity(page_.along[near->index], page_.along_unit, 5))
+                           : text_of(curve.name);
+  return {head + ":   " + told(curve.x[near->index], curve.y[near->index])};
+}
+
+void ChartScene::addOrbit(const Metrics& m) {
+  const ChartPanel& panel = page_.panels.front();
+  const Plane whole = wholePlane(m);
+  const Plane seen = page_.schematic ? whole : seenPlane(whole);
+  const QRectF& area = whole.area;
+  const double half_x = seen.half_x, half_y = seen.half_y;
+  const double half = std::max(half_x, half_y);
+  // The numbers that are shown decide the unit of both axes, so that they share it; ticks are
+  // counted over the whole range from minus to plus the largest of them.
+  const double largest = seen.enlarged > 1.0 ? std::max(std::abs(seen.middle_x) + half_x,
+                                                        std::abs(seen.middle_y) + half_y)
+                                             : half;
+  const double parts = std::clamp(
+      std::min(area.width(), area.height()) * half / std::min(half_x, half_y) / 90.0, 2.0, 8.0);
+  AxisScale x_axis = tight_axis(-largest, largest, panel.unit,
+                                static_cast<int>(std::floor(parts) * largest / half));
   x_axis.offset = 0.0;
   AxisScale y_axis = x_axis;
-  x_axis.min = x_axis.shown(middle_x - half_x), x_axis.max = x_axis.shown(middle_x + half_x);
-  y_axis.min = y_axis.shown(middle_y - half_y), y_axis.max = y_axis.shown(middle_y + half_y);
+  x_axis.min = x_axis.shown(seen.middle_x - half_x),
+  x_axis.max = x_axis.shown(seen.middle_x + half_x);
+  y_axis.min = y_axis.shown(seen.middle_y - half_y),
+  y_axis.max = y_axis.shown(seen.middle_y + half_y);
   x_axis_ = x_axis;
   addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
            with_unit(text_of(panel.title), y_axis), true, true, m);
   if (page_.guide_radius > 0.0) {
     Polyline circle;
-    constexpr int kPoints = 180;
-    for (int i = 0; i <= kPoints; ++i) {
-      const double a = 2.0 * std::numbers::pi * i / kPoints;
+    // As round when it is enlarged: a chord's height falls with the square of its length.
+    const int points = 180 * static_cast<int>(std::ceil(std::sqrt(seen.enlarged)));
+    for (int i = 0; i <= points; ++i) {
+      const double a = 2.0 * std::numbers::pi * i / points;
       circle.x.push_back(page_.guide_radius * std::cos(a));
       circle.y.push_back(page_.guide_radius * std::sin(a));
     }
@@ -161,6 +263,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
       return QPointF(px, py);
     };
     const auto dot = [&](const QPointF& at, const QColor& fill) {
+      if (!area.adjusted(-1, -1, 1, 1).contains(at)) return;
       addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), QPen(theme_->surface, 1.5), fill)
           ->setZValue(5);
     };
@@ -177,6 +280,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
                                        (x_axis.max - x_axis.min) * area.width(),
                      area.bottom() - (y_axis.shown(label.y) - y_axis.min) /
                                          (y_axis.max - y_axis.min) * area.height());
+    if (seen.enlarged > 1.0 && !area.contains(at)) continue;
     addRemark(label, at, area, m);
   }
   if (page_.closed_outline) {

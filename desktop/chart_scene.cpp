@@ -23,6 +23,29 @@ ChartScene::Metrics ChartScene::metrics() const {
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
 }
 
+QRectF ChartScene::space(const Metrics& m) const {
+  return {m.left, m.top, size_.width() - m.left - m.right - lineNamesWidth(m),
+          size_.height() - m.top - m.bottom};
+}
+
+qreal ChartScene::lineNamesWidth(const Metrics& m) const {
+  const QFontMetricsF metrics(ui_font(m.tick_font));
+  qreal out = 0.0;
+  for (const ChartPanel& panel : page_.panels)
+    for (const ChartCurve& curve : panel.curves)
+      if (panel.one_colour && !curve.name.empty())
+        out = std::max(
+            out, metrics.horizontalAdvance(text_of(curve.name)) + kLineNameGap - m.right + 4.0);
+  return std::max(out, 0.0);
+}
+
+namespace {
+
+/// Ranges that can be chosen: of each panel, or of both axes of a page where they are equal.
+std::size_t view_count(const ChartPage& page) { return page.equal_axes ? 2 : page.panels.size(); }
+
+}  // namespace
+
 ChartScene::ChartScene(ChartStyle style, QObject* parent)
     : QGraphicsScene(parent), style_(style), theme_(&current_theme()) {}
 
@@ -31,8 +54,9 @@ void ChartScene::setPage(ChartPage page, bool keep_view) {
                     page.x_title == page_.x_title && page.x_unit == page_.x_unit;
   const double low = low_, high = high_;
   page_ = std::move(page);
-  panel_views_.assign(page_.panels.size(), std::nullopt);
+  panel_views_.assign(view_count(page_), std::nullopt);
   studyCurves();
+  studyDigits();
   const auto [first, last] = wholeRange();
   if (same && low < last && high > first) {
     low_ = std::max(low, first);
@@ -60,6 +84,9 @@ void ChartScene::studyCurves() {
   const std::vector<double>& x = page_.x;
   blocks_.clear();
   equal_runs_.clear();
+  decades_.clear();
+  if (page_.log_x)
+    for (const double value : x) decades_.push_back(std::log10(value));
   rising_ = !page_.equal_axes && !x.empty() && std::is_sorted(x.begin(), x.end()) &&
             std::all_of(x.begin(), x.end(), [](double value) { return is_drawable(value); });
   if (!rising_ || x.size() < kLong) return;
@@ -80,16 +107,20 @@ std::pair<double, double> ChartScene::wholeRange() const {
   return {extent.low, extent.high};
 }
 
+std::pair<double, double> ChartScene::firstRange() const {
+  if (!(page_.view_high > page_.view_low)) return wholeRange();
+  return {page_.log_x ? std::max(page_.view_low, wholeRange().first) : page_.view_low,
+          page_.view_high};
+}
+
 void ChartScene::resetView() {
-  panel_views_.assign(page_.panels.size(), std::nullopt);
-  std::tie(low_, high_) =
-      page_.view_high > page_.view_low ? std::pair(page_.view_low, page_.view_high) : wholeRange();
-  if (page_.log_x) low_ = std::max(low_, wholeRange().first);
+  panel_views_.assign(view_count(page_), std::nullopt);
+  std::tie(low_, high_) = firstRange();
   rebuild();
 }
 
 void ChartScene::showAll() {
-  panel_views_.assign(page_.panels.size(), std::nullopt);
+  panel_views_.assign(view_count(page_), std::nullopt);
   std::tie(low_, high_) = wholeRange();
   rebuild();
 }
@@ -99,18 +130,29 @@ bool ChartScene::panelsWhole() const {
                       [](const auto& range) { return range.has_value(); });
 }
 
-bool ChartScene::whole() const { return panelsWhole() && std::pair(low_, high_) == wholeRange(); }
+bool ChartScene::whole() const {
+  return panelsWhole() && (page_.equal_axes || std::pair(low_, high_) == wholeRange());
+}
 
 bool ChartScene::zoomed() const {
-  const bool chosen = !panelsWhole();
-  const auto [first, last] =
-      page_.view_high > page_.view_low ? std::pair(page_.view_low, page_.view_high) : wholeRange();
-  return chosen || low_ != first || high_ != last;
+  return !panelsWhole() || (!page_.equal_axes && std::pair(low_, high_) != firstRange());
 }
 
 void ChartScene::setView(double low, double high) { setZoom({low, high, panel_views_}); }
 
 void ChartScene::setZoom(const ChartZoom& zoom) {
+  if (isPlane()) {
+    panel_views_ = zoom.panels;
+    panel_views_.resize(view_count(page_));
+    const Plane seen = seenPlane(wholePlane(metrics()));
+    if (seen.enlarged > 1.0)
+      panel_views_ = {std::pair(seen.middle_y - seen.half_y, seen.middle_y + seen.half_y),
+                      std::pair(seen.middle_x - seen.half_x, seen.middle_x + seen.half_x)};
+    else
+      panel_views_.assign(view_count(page_), std::nullopt);
+    rebuild();
+    return;
+  }
   if (page_.x.empty() || page_.equal_axes) return;
   const auto [first, last] = wholeRange();
   const double smallest = (last - first) * 1e-4;
@@ -182,21 +224,61 @@ QString told(const std::string& name, const QString& value) {
 
 }  // namespace
 
+namespace {
+
+constexpr int kDigits = 5;
+
+/// So many more digits as a range has fewer of than its largest number.
+int digits_for(double low, double high) {
+  constexpr int kMost = 12;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (!(high > low) || !std::isfinite(largest)) return kDigits;
+  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
+  return std::clamp(kDigits + more, kDigits, kMost);
+}
+
+}  // namespace
+
+void ChartScene::studyDigits() {
+  digits_.clear();
+  for (const ChartPanel& panel : page_.panels) {
+    auto& of_panel = digits_.emplace_back();
+    for (const ChartCurve& curve : panel.curves) {
+      Extent extent;
+      for (const double v : curve.y) extent.include(v);
+      of_panel.push_back(
+          extent.empty() ? kDigits : digits_for(extent.low - curve.lift, extent.high - curve.lift));
+    }
+  }
+}
+
+int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
+  int digits = digits_.at(panel).at(curve);
+  if (panel < y_axes_.size() && !y_axes_[panel].log) {
+    const AxisScale& axis = y_axes_[panel];
+    digits = std::max(digits, digits_for(axis.value(axis.min), axis.value(axis.max)));
+  }
+  return digits;
+}
+
 QStringList ChartScene::readoutParts(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
     return {
         runs.size() == 1
             ? tr("run %1: a click shows it").arg(runs.front())
             : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front())};
+  if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
   const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
   const QString place = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
   QStringList parts;
-  for (const ChartPanel& panel : page_.panels) {
+  for (std::size_t p = 0; p < page_.panels.size(); ++p) {
+    const ChartPanel& panel = page_.panels[p];
     bool first = true;
-    for (const auto& curve : panel.curves) {
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+      const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
-      const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, 5));
+      const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
       QString part = curve.name.empty() ? value : told(curve.name, value);
       const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
       const bool named = !panel.curves.front().name.empty();
@@ -219,6 +301,7 @@ void ChartScene::rebuild() {
   lines_.clear();
   areas_.clear();
   y_axes_.clear();
+  found_axes_.assign(page_.panels.size(), std::nullopt);
   legend_.clear();
   setSceneRect(QRectF(QPointF(0, 0), size_));
   setBackgroundBrush(theme_->surface);
@@ -228,14 +311,13 @@ void ChartScene::rebuild() {
   }
   const Metrics m = metrics();
   addHeading(m);
-  const QRectF space(m.left, m.top, size_.width() - m.left - m.right,
-                     size_.height() - m.top - m.bottom);
+  const QRectF space = this->space(m);
   if (page_.panels.empty()) {
     if (!page_.note.empty()) addMessage(space, text_of(page_.note), m);
     return;
   }
   if (page_.equal_axes) {
-    addOrbit(space, m);
+    addOrbit(m);
     return;
   }
   x_axis_ = page_.log_x ? log_axis(low_, high_, page_.x_unit, true)
@@ -252,7 +334,18 @@ void ChartScene::rebuild() {
   }
 }
 
-AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) const {
+AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) {
+  auto& found = found_axes_.at(index);
+  if (!found) {
+    bool has = false;
+    const AxisScale axis = findAxis(index, area, has);
+    found = std::pair(axis, has);
+  }
+  any = found->second;
+  return found->first;
+}
+
+AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any) const {
   const ChartPanel& panel = page_.panels[index];
   Extent extent;
   any = false;
@@ -345,7 +438,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   if (!alike.empty()) take_common_unit(y_axis, alike);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis);
+  const std::vector<ShownCurve> shown = shownCurves(index, area, y_axis, m);
   const bool log_of_none =
       any && panel.log && std::none_of(panel.curves.begin(), panel.curves.end(), any_above_0);
   const bool names_above = index == 0 && !page_.marks.empty();
@@ -362,7 +455,9 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   // One way for the page.
   const bool above =
       std::any_of(page_.panels.begin(), page_.panels.end(), [&](const ChartPanel& one) {
-        return title_metrics.horizontalAdvance(text_of(one.title)) > title_room(area, m.gap);
+        const QString unit = "[" + text_of(pretty_unit(one.unit)) + "]";
+        return std::max(title_metrics.horizontalAdvance(text_of(one.title)),
+                        title_metrics.horizontalAdvance(unit)) > title_room(area, m.gap);
       });
   if (above && area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
     auto* title = addSimpleText(y_title, ui_font(m.text_font));

@@ -24,7 +24,7 @@ namespace adore::desktop {
 enum class ChartStyle : unsigned char { Page, Compact };
 
 /// What of a page is looked at: a part of the abscissa, and of the panels' own axes where somebody
-/// chose it.
+/// chose it. Of a page with equal axes: its own axis, and then the one across, or neither.
 struct ChartZoom {
   double low = 0.0, high = 1.0;
   std::vector<std::optional<std::pair<double, double>>> panels;  ///< missing: follows the curves
@@ -61,6 +61,11 @@ class ChartScene : public QGraphicsScene {
   void setZoom(const ChartZoom& zoom);
   /// Range of one panel's own axis, in its unit; none: it follows its curves again.
   void setPanelView(std::size_t panel, std::optional<std::pair<double, double>> range);
+  /// What is seen of a page with equal axes, in scene coordinates of now: the picture keeps its
+  /// shape and shows all of `part`, no more than everything and no less than a ten-thousandth.
+  void setPlaneView(const QRectF& part);
+  /// Is this a page with equal axes that has places to look at more closely?
+  [[nodiscard]] bool isPlane() const;
   /// Does the view differ from the one that resetView() makes?
   [[nodiscard]] bool zoomed() const;
   void showCurve(std::size_t panel, std::size_t curve, bool shown);
@@ -85,6 +90,18 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QString readout(QPointF scene_position) const;
   /// The same, each value a part with what stands before it.
   [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
+  /// Digits that tell what a curve varies by, and what its panel resolves as it is drawn: 30.005 mm
+  /// tells nothing of a motion of 1 µm about it.
+  [[nodiscard]] int digitsOf(std::size_t panel, std::size_t curve) const;
+  /// The stored point of an orbit that is drawn nearest to a place, and where; none farther away
+  /// than `reach` pixels.
+  struct PlanePoint {
+    std::size_t curve = 0, index = 0;
+    QPointF at;
+  };
+  [[nodiscard]] std::optional<PlanePoint> pointNear(QPointF scene_position, qreal reach) const;
+  /// Where a point of an orbit is drawn; none outside what is seen.
+  [[nodiscard]] std::optional<QPointF> planePlace(double across, double up) const;
 
   /// Numbers of the runs behind a place in a picture of a study; empty: none.
   [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
@@ -95,7 +112,7 @@ class ChartScene : public QGraphicsScene {
  private:
   struct Metrics;
   /// Curves of which only one would be seen: their lines cover each other, their values differ by
-  /// no more than a pixel, or not at all.
+  /// no more than a line is wide, or not at all.
   enum class Alike : unsigned char { Covers, Near, Equal };
   [[nodiscard]] Metrics metrics() const;
   struct NoteLines {
@@ -106,23 +123,26 @@ class ChartScene : public QGraphicsScene {
   void rebuild();
   void addHeading(const Metrics& m);
   /// Range of the values in the view, not finer than a bearing's numbers are.
-  [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any) const;
+  [[nodiscard]] AxisScale findAxis(std::size_t index, const QRectF& area, bool& any) const;
+  /// The same, once for a picture; panels are of one size.
+  [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any);
   /// What is drawn of a panel's curves; who would hide whom is found out.
   [[nodiscard]] std::vector<ShownCurve> shownCurves(std::size_t index, const QRectF& area,
-                                                    const AxisScale& y_axis);
-  /// What to say of curve `b` of a panel, which would hide curve `a` in the view.
-  [[nodiscard]] Alike alikeInView(std::size_t index, std::size_t a, std::size_t b,
-                                  const AxisScale& y_axis);
+                                                    const AxisScale& y_axis, const Metrics& m);
+  /// What to say of a curve of a panel which would hide the curve `a` in the view; lines no farther
+  /// apart than `same` pixels are not told apart.
+  void tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, const QRectF& area,
+                 const AxisScale& y_axis, qreal same);
   /// The stretches of the view in which the later of two curves lies on the earlier one. Are there
   /// any?
   bool findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown, const QRectF& area,
-                     const AxisScale& y_axis) const;
+                     const AxisScale& y_axis, qreal same) const;
   /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
   /// only one is its own.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
-  /// Names of lines of one family at their right ends, as many as have room.
+  /// Names of lines of one family beside their panel, as many as have room.
   void addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
                     const Metrics& m);
   /// Appends the outlines that it has drawn.
@@ -132,7 +152,21 @@ class ChartScene : public QGraphicsScene {
   /// there is little room, else in the corner of the panel that hides least of what is drawn.
   void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
                const std::vector<QPolygonF>& drawn, const Metrics& m);
-  void addOrbit(const QRectF& space, const Metrics& m);
+  /// A page with equal axes as a whole: its frame, and what that holds.
+  struct Plane {
+    QRectF area;
+    double middle_x = 0.0, middle_y = 0.0, half_x = 1.0, half_y = 1.0;
+    double enlarged = 1.0;  ///< of what is seen of it
+  };
+  [[nodiscard]] QRectF space(const Metrics& m) const;
+  /// Beside panels whose lines have names there; 0: none.
+  [[nodiscard]] qreal lineNamesWidth(const Metrics& m) const;
+  [[nodiscard]] Plane wholePlane(const Metrics& m) const;
+  /// The part of it that is chosen.
+  [[nodiscard]] Plane seenPlane(const Plane& whole) const;
+  void addOrbit(const Metrics& m);
+  void studyDigits();
+  [[nodiscard]] QStringList planeReadout(QPointF position) const;
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
   /// Returns its left end. A legend that reaches over the labels of the axis stands above
   /// `labels_top`.
@@ -146,6 +180,8 @@ class ChartScene : public QGraphicsScene {
   void addMarks(const QRectF& area, bool label, const Metrics& m);
   [[nodiscard]] bool panelsWhole() const;
   [[nodiscard]] std::pair<double, double> wholeRange() const;
+  /// What the page begins with.
+  [[nodiscard]] std::pair<double, double> firstRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
                    const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
@@ -172,12 +208,17 @@ class ChartScene : public QGraphicsScene {
   AxisScale x_axis_;
   std::vector<AxisScale> y_axes_;
   std::vector<std::optional<std::pair<double, double>>> panel_views_;
+  /// Of each panel, and whether it has values: found once for a picture, for panels of one unit ask
+  /// for each other's.
+  std::vector<std::optional<std::pair<AxisScale, bool>>> found_axes_;
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<QChart*> charts_;
   std::vector<int> lines_;
   bool rising_ = false;                           ///< the abscissa
+  std::vector<double> decades_;                   ///< log10 of a logarithmic abscissa
   std::vector<std::vector<CurveBlocks>> blocks_;  ///< of long curves: by panel and curve
+  std::vector<std::vector<int>> digits_;          ///< by panel and curve
   /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.
   std::map<std::array<std::size_t, 3>, bool> equal_runs_;
 };

@@ -63,7 +63,7 @@ struct ChartScene::ShownCurve {
   Alike alike = Alike::Covers;
   /// Where it would hide that curve, in the scene; empty: everywhere.
   std::vector<std::pair<qreal, qreal>> over = {};
-  bool partly = false;  ///< there are steps with values of both that differ
+  bool partly = false;  ///< elsewhere the two differ, or one of them has no value
 };
 
 struct ChartScene::Metrics {
@@ -71,6 +71,9 @@ struct ChartScene::Metrics {
   int title_font, text_font, tick_font;
   qreal line, thin_line;
 };
+
+/// Between a panel and the names of its lines beside it.
+inline constexpr qreal kLineNameGap = 6.0;
 
 /// Between a panel and its legend: a row of names of marks, and the steps from these to their
 /// lines, so that no step crosses a curve.

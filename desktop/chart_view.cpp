@@ -21,25 +21,10 @@ QString quantity(double value, const std::string& unit, int digits = kDigits) {
   return QString::fromStdString(pretty_quantity(value, unit, digits));
 }
 
-/// So many digits that what a curve varies by has as many as its values else have: 30.005 mm tells
-/// nothing of a motion of 1 µm about it.
-int digits_of(const ChartCurve& curve) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double v : curve.y)
-    if (std::isfinite(v)) {
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  const double largest = std::max(std::abs(low), std::abs(high));
-  if (!(high > low) || !std::isfinite(largest)) return kDigits;
-  constexpr int kMost = 12;
-  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
-  return std::clamp(kDigits + more, kDigits, kMost);
-}
-
 /// The same for a page that is read again.
 std::string name_of(const ChartPage& page) {
   std::string name = page.title + '\n' + page.subtitle;
+  if (page.equal_axes) name += '\n' + page.x_title;
   for (const ChartPanel& panel : page.panels) {
     name += '\n' + panel.title + " [" + panel.unit + ']';
     for (const ChartCurve& curve : panel.curves) name += '\n' + curve.name;
@@ -48,6 +33,14 @@ std::string name_of(const ChartPage& page) {
 }
 
 std::string abscissa_of(const ChartPage& page) { return page.x_title + " [" + page.x_unit + ']'; }
+
+/// What cursors stand on: the abscissa, of an orbit that of its points.
+const std::vector<double>& cursor_places(const ChartPage& page) {
+  return page.equal_axes ? page.along : page.x;
+}
+std::string cursor_axis(const ChartPage& page) {
+  return page.equal_axes ? page.along_title + " [" + page.along_unit + ']' : abscissa_of(page);
+}
 
 }  // namespace
 
@@ -60,7 +53,7 @@ ChartView::ChartView(QWidget* parent)
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
   setMouseTracking(true);
-  setMinimumSize(480, 360);
+  setMinimumSize(360, 300);
   setAccessibleName(tr("Chart"));
   band_ = new QRubberBand(QRubberBand::Rectangle, viewport());
 }
@@ -68,8 +61,9 @@ ChartView::ChartView(QWidget* parent)
 void ChartView::showPage(ChartPage page) {
   constexpr std::size_t kMostPages = 1000;
   const ChartPage& old = scene_->page();
-  const bool same = page.x_unit == old.x_unit && page.x_title == old.x_title;
-  if (!same) cursors_ = {kNone, kNone};
+  if (cursor_axis(page) != cursor_axis(old)) cursors_ = {kNone, kNone};
+  pointer_ = -1.0;  // its values are of the page before
+  point_.reset();
   ranges_ = now().ranges;
   if (hidden_.size() > kMostPages) hidden_.clear();
   auto& hidden = hidden_[name_of(old)];
@@ -147,7 +141,7 @@ void ChartView::zoomAll() {
 }
 
 void ChartView::setCursor(int which, double abscissa) {
-  const auto& x = scene_->page().x;
+  const auto& x = cursor_places(scene_->page());
   // On a stored value: what is read off is in the file.
   cursors_.at(static_cast<std::size_t>(which)) =
       x.empty() || !std::isfinite(abscissa) ? kNone : x[nearest_index(x, abscissa)];
@@ -164,20 +158,24 @@ void ChartView::clearCursors() {
 QString ChartView::cursorReport() const {
   const ChartPage& page = scene_->page();
   const bool a = std::isfinite(cursors_[0]), b = std::isfinite(cursors_[1]);
-  if ((!a && !b) || page.equal_axes || page.x.empty()) return {};
+  if ((!a && !b) || cursor_places(page).empty()) return {};
+  const std::string& unit = page.equal_axes ? page.along_unit : page.x_unit;
   QStringList lines;
   QString head;
-  if (a) head += tr("A: %1").arg(quantity(cursors_[0], page.x_unit));
-  if (b) head += tr("%1B: %2").arg(a ? "   " : "", quantity(cursors_[1], page.x_unit));
+  if (a) head += tr("A: %1").arg(quantity(cursors_[0], unit));
+  if (b) head += tr("%1B: %2").arg(a ? "   " : "", quantity(cursors_[1], unit));
   if (a && b) {
     const double gap = cursors_[1] - cursors_[0];
-    head += tr("   B − A: %1").arg(quantity(gap, page.x_unit));
-    if (page.x_unit == "s" && gap != 0.0)
+    head += tr("   B − A: %1").arg(quantity(gap, unit));
+    if (unit == "s" && gap != 0.0)
       head += tr("   1/(B − A): %1").arg(quantity(1.0 / std::abs(gap), "Hz"));
   }
   lines << head;
-  for (const ChartPanel& panel : page.panels)
-    for (const ChartCurve& curve : panel.curves) {
+  if (page.equal_axes) return (lines << planeReport()).join('\n');
+  for (std::size_t p = 0; p < page.panels.size(); ++p)
+    for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
+      const ChartPanel& panel = page.panels[p];
+      const ChartCurve& curve = panel.curves[c];
       const bool any =
           std::any_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
       if (curve.hidden || !any) continue;
@@ -191,7 +189,7 @@ QString ChartView::cursorReport() const {
         const std::size_t i = nearest_index(page.x, x);
         return i < curve.y.size() ? curve.value(i) : kNone;
       };
-      const int digits = digits_of(curve);
+      const int digits = scene_->digitsOf(p, c);
       if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit, digits));
       if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit, digits));
       if (a && b) {
@@ -215,6 +213,44 @@ QString ChartView::cursorReport() const {
   return lines.join('\n');
 }
 
+/// Both coordinates of an orbit at the cursors, and how far apart these are.
+QString ChartView::planeReport() const {
+  const ChartPage& page = scene_->page();
+  const ChartPanel& panel = page.panels.front();
+  const ChartCurve& curve = panel.curves.front();
+  const bool a = std::isfinite(cursors_[0]), b = std::isfinite(cursors_[1]);
+  const int digits = scene_->digitsOf(0, 0);
+  const auto at = [&](const std::vector<double>& values, std::size_t which) {
+    const std::size_t i = nearest_index(page.along, cursors_.at(which));
+    return i < values.size() ? values[i] : kNone;
+  };
+  QStringList lines;
+  const auto line = [&](const std::string& title, const std::vector<double>& values) {
+    QString text = QString::fromStdString(title) + ":";
+    if (a) text += tr("  A %1").arg(quantity(at(values, 0), panel.unit, digits));
+    if (b) text += tr("  B %1").arg(quantity(at(values, 1), panel.unit, digits));
+    if (a && b) text += tr("  B − A %1").arg(quantity(at(values, 1) - at(values, 0), panel.unit));
+    lines << text;
+  };
+  line(page.x_title, curve.x);
+  line(panel.title, curve.y);
+  if (a && b)
+    lines << tr("A to B:  %1")
+                 .arg(quantity(
+                     std::hypot(at(curve.x, 1) - at(curve.x, 0), at(curve.y, 1) - at(curve.y, 0)),
+                     panel.unit));
+  return lines.join('\n');
+}
+
+std::optional<QPointF> ChartView::planeCursor(std::size_t which) const {
+  const ChartPage& page = scene_->page();
+  if (!page.equal_axes || page.along.empty() || !std::isfinite(cursors_.at(which))) return {};
+  const ChartCurve& curve = page.panels.front().curves.front();
+  const std::size_t i = nearest_index(page.along, cursors_.at(which));
+  if (i >= std::min(curve.x.size(), curve.y.size())) return {};
+  return scene_->planePlace(curve.x[i], curve.y[i]);
+}
+
 void ChartView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
   scene_->setPageSize(viewport()->size());
@@ -228,7 +264,14 @@ void ChartView::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(0.8, turn / 120.0);
   const auto panel = scene_->panelAt(position);
   remember();
-  if ((event->modifiers() & Qt::ControlModifier) != 0 && panel && !scene_->page().equal_axes) {
+  if (scene_->isPlane()) {
+    // About the pointer, or the nearest place of the picture to it.
+    const QRectF area = scene_->plotAreas().front();
+    const QPointF about(std::clamp(position.x(), area.left(), area.right()),
+                        std::clamp(position.y(), area.top(), area.bottom()));
+    scene_->setPlaneView({about + factor * (area.topLeft() - about), factor * area.size()});
+  } else if ((event->modifiers() & Qt::ControlModifier) != 0 && panel &&
+             !scene_->page().equal_axes) {
     const QRectF& area = scene_->plotAreas()[*panel];
     // In pixels, so that a logarithmic axis zooms like any other.
     const double low = position.y() + (area.bottom() - position.y()) * factor,
@@ -265,9 +308,14 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
   }
   if (toggleLegend(position)) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
-    if (scene_->panelAt(position) && !scene_->page().equal_axes)
-      setCursor((event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0,
-                scene_->abscissaAt(position.x()));
+    const int which = (event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0;
+    constexpr qreal kAnywhere = 1e9;
+    if (!scene_->panelAt(position)) return;
+    if (!scene_->page().equal_axes)
+      setCursor(which, scene_->abscissaAt(position.x()));
+    else if (const auto point = scene_->pointNear(position, kAnywhere);
+             point && point->index < scene_->page().along.size())
+      setCursor(which, scene_->page().along[point->index]);
     return;
   }
   if ((event->modifiers() & Qt::ShiftModifier) != 0) {
@@ -280,12 +328,25 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
   dragging_ = true;
   remember();
   drag_from_ = scene_->abscissaAt(position.x());
+  last_ = position;
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = mapToScene(event->position().toPoint());
   if (boxing_) band_->setGeometry(QRect(box_from_, event->position().toPoint()).normalized());
-  if (dragging_ && !scene_->page().log_x) {
+  if (dragging_ && scene_->isPlane()) {
+    if (scene_->zoomed())
+      scene_->setPlaneView(scene_->plotAreas().front().translated(last_ - position));
+    last_ = position;
+  } else if (dragging_ && scene_->page().log_x && !scene_->plotAreas().empty()) {
+    const QRectF area = scene_->plotAreas().front().translated(last_ - position);
+    const double low = scene_->abscissaAt(area.left()), high = scene_->abscissaAt(area.right());
+    const auto& x = scene_->page().x;
+    if (!x.empty() && low >= x.front() && high <= x.back()) {
+      scene_->setView(low, high);
+      last_ = position;
+    }
+  } else if (dragging_) {
     const double shift = drag_from_ - scene_->abscissaAt(position.x());
     const double low = scene_->viewLow() + shift, high = scene_->viewHigh() + shift;
     const auto& x = scene_->page().x;
@@ -293,18 +354,22 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     if (!x.empty() && low >= x.front() && high <= x.back()) scene_->setView(low, high);
   }
   const QStringList parts = scene_->readoutParts(position);
-  pointer_ = parts.isEmpty() ? -1.0 : position.x();
+  pointer_ = parts.isEmpty() || scene_->page().equal_axes ? -1.0 : position.x();
+  const auto near =
+      scene_->page().closed_outline ? std::nullopt : scene_->pointNear(position, 20.0);
+  point_ = near ? std::optional(near->at) : std::nullopt;
   emit readoutChanged(parts);
   viewport()->update();
 }
 
 void ChartView::zoomBox(const QRectF& box) {
   constexpr qreal kSmallest = 6.0;
-  if (scene_->page().equal_axes || box.width() < kSmallest || box.height() < kSmallest) return;
+  if (box.width() < kSmallest || box.height() < kSmallest) return;
   const auto panel = scene_->panelAt(box.center());
-  if (!panel) return;
+  if (!panel || (scene_->page().equal_axes && !scene_->isPlane())) return;
   const QRectF inside = box.intersected(scene_->plotAreas()[*panel]);
   remember();
+  if (scene_->isPlane()) return scene_->setPlaneView(inside);
   ChartZoom zoom = scene_->zoom();
   zoom.low = scene_->abscissaAt(inside.left());
   zoom.high = scene_->abscissaAt(inside.right());
@@ -329,6 +394,7 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ChartView::leaveEvent(QEvent* event) {
   pointer_ = -1.0;
+  point_.reset();
   emit readoutChanged({});
   viewport()->update();
   QGraphicsView::leaveEvent(event);
@@ -343,7 +409,24 @@ void ChartView::drawForeground(QPainter* painter, const QRectF&) {
     painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
     line(pointer_);
   }
-  if (scene_->page().equal_axes || scene_->plotAreas().empty()) return;
+  if (scene_->plotAreas().empty()) return;
+  if (scene_->page().equal_axes) {
+    const auto ring = [&](const QPointF& at, const QPen& pen) {
+      constexpr qreal kRadius = 6.0;
+      painter->setPen(pen);
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(at, kRadius, kRadius);
+    };
+    if (point_) ring(*point_, QPen(current_theme().accent, 1.2));
+    for (std::size_t i = 0; i < cursors_.size(); ++i) {
+      const auto at = planeCursor(i);
+      if (!at) continue;
+      ring(*at, QPen(current_theme().red, 1.2));
+      painter->setFont(ui_font(12, true));
+      painter->drawText(*at + QPointF(9, -5), i == 0 ? "A" : "B");
+    }
+    return;
+  }
   for (std::size_t i = 0; i < cursors_.size(); ++i) {
     if (!(cursors_[i] >= scene_->viewLow() && cursors_[i] <= scene_->viewHigh())) continue;
     const double x = scene_->positionOf(cursors_[i]);

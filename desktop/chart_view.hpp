@@ -19,8 +19,9 @@ namespace adore::desktop {
 
 /// A ChartScene in a window.
 /// - The wheel zooms along the abscissa, with Ctrl along a panel's own axis; dragging moves; with
-///   Shift a box is zoomed into. A double click shows everything again; earlier views come back by
-///   zoomBack(), also after other pages: of those what they have in common, the abscissa.
+///   Shift a box is zoomed into. Of a page with equal axes all three keep these equal. A double
+///   click shows everything again; earlier views come back by zoomBack(), also after other pages:
+///   of those what they have in common, the abscissa.
 /// - A click on a name in a legend hides its curve, or shows it again.
 /// - Ctrl and a click sets cursor A, with Shift cursor B: what lies between them is told.
 class ChartView : public QGraphicsView {
@@ -79,6 +80,9 @@ class ChartView : public QGraphicsView {
   void travel(std::vector<View>& from, std::vector<View>& to);
   void remember();
   void zoomBox(const QRectF& box);
+  [[nodiscard]] QString planeReport() const;
+  /// Place of an orbit at a cursor; none without, or outside what is seen.
+  [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
   bool toggleLegend(QPointF position);
 
   ChartScene* scene_;
@@ -86,7 +90,9 @@ class ChartView : public QGraphicsView {
   bool dragging_ = false, boxing_ = false;
   QPoint box_from_;
   double drag_from_ = 0.0;
-  double pointer_ = -1.0;  ///< scene x of the pointer's line; negative = none
+  QPointF last_;                  ///< of a drag over a page with equal axes
+  double pointer_ = -1.0;         ///< scene x of the pointer's line; negative = none
+  std::optional<QPointF> point_;  ///< stored point of an orbit beside the pointer
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   std::vector<View> back_, forward_;

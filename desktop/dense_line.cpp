@@ -40,19 +40,28 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen) {
-  constexpr double kPointsPerColumn =
-      2.5;  // logical ones: with fewer a steep rise would be seen as stairs
-  constexpr qsizetype kFewest = 16;  // a stroke of two points may stand in one column, and is wide
+  // Logical ones: with fewer a gentle rise would be seen as stairs. Where a line runs up and down
+  // by more than it goes on there is none.
+  constexpr double kPointsPerColumn = 2.5, kOfSteepLines = 1.0, kSteep = 8.0;
+  constexpr qsizetype kFewest = 16, kFewestOfSteep = 6;  // a stroke may stand in one column, wide
   const QTransform& placed = painter.deviceTransform();
-  if (line.size() < kFewest) return false;
+  if (line.size() < kFewestOfSteep) return false;
   // Of its own columns: an angle that wraps has hundreds of short lines.
   const double width =
       std::min(line.back().x(), area.right()) - std::max(line.front().x(), area.left());
+  const auto points = static_cast<double>(line.size());
+  const auto steep = [&] {
+    double up_and_down = 0.0;
+    for (qsizetype i = 1; i < line.size(); ++i)
+      up_and_down += std::abs(line[i].y() - line[i - 1].y());
+    return up_and_down > kSteep * std::max(width, 1.0);
+  };
   return painter.paintEngine() != nullptr &&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
          placed.type() <= QTransform::TxScale && placed.m11() > 0.0 &&
          pen.style() == Qt::SolidLine &&
-         static_cast<double>(line.size()) > kPointsPerColumn * width &&
+         ((line.size() >= kFewest && points > kPointsPerColumn * width) ||
+          (points > kOfSteepLines * width && steep())) &&
          std::is_sorted(line.begin(), line.end(),
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }

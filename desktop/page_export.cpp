@@ -72,6 +72,31 @@ std::string page_csv(const ChartPage& page) {
   return out;
 }
 
+ChartPage seen_part(const ChartScene& scene) {
+  ChartPage page = scene.page();
+  const auto keep = [](std::vector<double>& values, const std::vector<bool>& seen) {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < std::min(values.size(), seen.size()); ++i)
+      if (seen[i]) values[to++] = values[i];
+    values.resize(std::min(to, values.size()));
+  };
+  std::vector<bool> rows;
+  for (const double x : page.x) rows.push_back(x >= scene.viewLow() && x <= scene.viewHigh());
+  for (ChartPanel& panel : page.panels) {
+    std::erase_if(panel.curves, [](const ChartCurve& curve) { return curve.hidden; });
+    for (ChartCurve& curve : panel.curves) {
+      if (page.equal_axes) {
+        rows.clear();
+        for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
+          rows.push_back(scene.planePlace(curve.x[i], curve.y[i]).has_value());
+      }
+      for (auto* values : {&curve.x, &curve.y, &curve.low, &curve.high}) keep(*values, rows);
+    }
+  }
+  if (!page.equal_axes) keep(page.x, rows);
+  return page;
+}
+
 void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page) {
   const QSizeF before = scene.sceneRect().size();
   scene.setPageSize(page);

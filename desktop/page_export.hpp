@@ -21,6 +21,9 @@ class ChartScene;
 /// the numbers come back as they are.
 [[nodiscard]] std::string page_csv(const ChartPage& page);
 
+/// What is seen of a page: the values inside the view, of the curves that are shown.
+[[nodiscard]] ChartPage seen_part(const ChartScene& scene);
+
 /// Paints a page, laid out for `page` pixels, as lines and text into `target` of any device.
 void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page);
 

@@ -1,0 +1,104 @@
+#include "adrplot/plot_window.hpp"
+#include "desktop/chart_view.hpp"
+#include "support/qt_app.hpp"
+#include "support/synthetic_results.hpp"
+
+#include <QComboBox>
+#include <QFile>
+#include <QKeyEvent>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::adrplot;
+using results::SolKind;
+
+namespace {
+
+QList<QByteArray> lines_of(const QString& path) {
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  return file.readAll().trimmed().split('\n');
+}
+
+}  // namespace
+
+TEST_CASE("plot_window: numbers are all of them or those in view, and the foot says which",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  window.showPage(6);
+  auto& scene = window.view().chartScene();
+  const std::size_t all = scene.page().x.size(), curves = scene.page().panels[0].curves.size();
+  REQUIRE(curves == 2);
+  scene.setView(1.0, 2.0);
+  scene.showCurve(0, 1, false);
+  const QString whole = folder.filePath("whole.csv"), part = folder.filePath("part.csv");
+  REQUIRE(window.exportTo(whole, false));
+  CHECK(window.statusBar()->currentMessage().contains(
+      QString("every curve with all its %1 values, not only what is seen").arg(all)));
+  REQUIRE(window.exportTo(part, false, true));
+  const auto rows = lines_of(whole), seen = lines_of(part);
+  CHECK(rows.size() == static_cast<qsizetype>(all) + 1);
+  CHECK(seen.size() < rows.size());
+  // A column less: its separator, and the comma of its name.
+  CHECK(rows.front().count(',') == seen.front().count(',') + 2);
+  qsizetype inside = 0;
+  for (const double x : scene.page().x) inside += x >= 1.0 && x <= 2.0 ? 1 : 0;
+  CHECK(seen.size() == inside + 1);
+  for (qsizetype i = 1; i < seen.size(); ++i) {
+    const double x = seen[i].split(',').front().toDouble();
+    CHECK((x >= 1.0 && x <= 2.0));
+  }
+  CHECK(window.statusBar()->currentMessage().contains(QString("%1 values each").arg(inside)));
+}
+
+TEST_CASE(
+    "plot_window: the tree has its own Home and End, and the pointer's line goes with its page",
+    "[gui][adrplot]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  window.show();
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  const auto taken_by_tree = [&](int key) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    event.ignore();
+    QCoreApplication::sendEvent(tree, &event);
+    return event.isAccepted();
+  };
+  CHECK(taken_by_tree(Qt::Key_Home));
+  CHECK(taken_by_tree(Qt::Key_End));
+  CHECK(window.windowTitle().contains("/SOL1 — page 1 of"));  // of the run's folder
+  const auto picture = [&] { return window.view().grab().toImage(); };
+  auto& view = window.view();
+  window.showPage(2);
+  const QImage before = picture();
+  window.showPage(1);
+  const QPoint at = view.mapFromScene(view.chartScene().plotAreas()[0].center());
+  QMouseEvent move(QEvent::MouseMove, at, view.viewport()->mapToGlobal(at), Qt::NoButton,
+                   Qt::NoButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(view.viewport(), &move);
+  const QImage with_line = picture();
+  window.showPage(2);
+  CHECK(picture() == before);
+  window.showPage(1);
+  CHECK(picture() != with_line);
+}
+
+TEST_CASE("plot_window: a run without turns says what it is drawn over", "[gui][adrplot]") {
+  test::use_qt();
+  PlotWindow window;
+  auto file = test::synthetic_sol(SolKind::Element);
+  window.addFile(file);
+  auto* abscissa = window.findChild<QComboBox*>("abscissa");
+  CHECK(abscissa->currentText() == "over revolutions");
+  for (auto& step : file.steps) step.revolutions = 0.0;
+  window.addFile(file);
+  CHECK(window.view().chartScene().page().x_title == "Time");
+  CHECK(abscissa->currentText() == "over time (no turns)");
+}
