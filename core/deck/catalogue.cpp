@@ -6,6 +6,7 @@
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
+#include "deck/remarks.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
 
@@ -633,7 +634,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
     const std::string& id = deck.records[r].id;
     std::string remark;
     if (id == "4")
-      remark = "bore, OD, shaft bore, housing OD (an estimate), race widths [m]: " + outside;
+      remark = std::string(kCatalogueOutside) + " [m]: " + outside;
     else if (id == "3.1")
       remark = "name of the run";
     else if (id == "5A" || id == "5B.1" || id == "5C" || id == "5D.1")

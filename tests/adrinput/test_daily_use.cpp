@@ -186,6 +186,39 @@ TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinpu
   CHECK(deck::read_deck(path).deck == window.document().deck());
 }
 
+TEST_CASE("after a change of units the remarks name the new ones, or a note says whose do not",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::string text(deck::template_text("ball"));
+  const std::string own = "bore, OD, shaft bore, housing OD, race widths [m]";
+  REQUIRE(text.find(own) != std::string::npos);
+  text.replace(text.find(own), own.size(), "bore 40 mm, from our drawing");
+  std::ofstream(path) << text;
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(path));
+  const auto notes = [&] {
+    std::vector<std::string> records;
+    for (const Problem& problem : window.document().problems())
+      if (problem.issue.message.find("remark behind its values") != std::string::npos)
+        records.push_back(problem.page);
+    return records;
+  };
+  window.document().edit(cell("kUnit"), "2");
+  window.document().convert_values();
+  window.save();
+  CHECK(bytes_of(path).find("displacements [lbf, in]") != std::string::npos);
+  CHECK(bytes_of(path).find("bore 40 mm, from our drawing") != std::string::npos);
+  CHECK(notes() == std::vector<std::string>{"4"});
+  window.document().edit(cell("kUnit"), "1");
+  window.document().convert_values();
+  window.save();
+  CHECK(bytes_of(path).find("displacements [N, m]") != std::string::npos);
+  CHECK(notes().empty());
+}
+
 TEST_CASE("forty deviations are one table, and a pasted row or column fills it",
           "[gui][adrinput][daily]") {
   test::use_qt();
