@@ -8,6 +8,7 @@
 #include <vector>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QComboBox;
@@ -49,11 +50,18 @@ class RecordPage : public QWidget {
   void cellFocused(const Cell& cell);
 
  protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   struct Row {
     std::size_t variable = 0;
+    QGridLayout* grid = nullptr;
+    int at = 0;                    ///< the first of its rows in the grid
+    QVBoxLayout* value = nullptr;  ///< field and what belongs to it
+    QHBoxLayout* side = nullptr;   ///< field, unit and, where there is room, its limits
+    QLabel* help = nullptr;
     QLineEdit* line = nullptr;
     QComboBox* combo = nullptr;
     CellTable* table = nullptr;
@@ -77,6 +85,8 @@ class RecordPage : public QWidget {
   void syncRow(Row& row, bool all);
   void syncCombo(Row& row, const QString& value, bool all);
   void showAside(Row& row);
+  void place(Row& row);
+  void fitTo(int width);
   void showProblems(Row& row);
   void announce(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;
@@ -88,6 +98,7 @@ class RecordPage : public QWidget {
   QLabel* reason_ = nullptr;
   QPushButton* other_units_ = nullptr;  ///< beside kUnit
   bool shows_other_units_ = false;
+  bool narrow_ = false;  ///< names stand above their values, not beside them
   QPlainTextEdit* lines_ = nullptr;
 };
 
