@@ -187,12 +187,17 @@ bool Document::changed_on_disk(const fs::path& path) const {
          bytes_of(path) != original_;
 }
 
-void Document::save(const fs::path& path) {
+std::vector<Issue> Document::errors() {
   end_step();
   check_model();
   std::vector<Issue> reasons;
   for (const Problem& problem : problems_)
     if (problem.issue.severity == Severity::Error) reasons.push_back(problem.issue);
+  return reasons;
+}
+
+void Document::save(const fs::path& path) {
+  std::vector<Issue> reasons = errors();
   // The file's own text goes on, as far as it can; foreign letters as UTF-8.
   deck::KeptText kept{deck::write_deck(state_.deck), original_.empty(), {}};
   if (!original_.empty())
@@ -214,7 +219,8 @@ void Document::save(const fs::path& path) {
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
   const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept));
-  if (lost && same_file(path, path_)) keep_copy(path, original_);
+  kept_copy_.clear();
+  if (lost && same_file(path, path_)) kept_copy_ = keep_copy(path, original_);
   save_options(path);
   write_file_atomically(path, text);
   path_ = path;

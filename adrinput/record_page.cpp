@@ -259,6 +259,8 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit->setWordWrap(true);
   if (row.line != nullptr && !deck::usual_units(variable.unit).empty())
     side->addWidget(row.choice = makeUnitChoice(variable));
+  if (record_ == kOptionsPage && variable.name == "effectsOff")
+    side->addWidget(row.names = makeEffectNames(cellOf(v)));
   // Limits stand beside a field; below a table, which may be as wide as the page.
   auto* whole = new QVBoxLayout;
   whole->setSpacing(2);
@@ -352,14 +354,59 @@ bool RecordPage::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-/// By mouse; by keyboard under View. Tab goes from value to value.
+/// Effects of this deck's motion by name, each to be left out or not.
+QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
+  auto* button = new QToolButton(this);
+  button->setObjectName("effect-names");
+  button->setText(tr("Choose"));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setToolTip(tr("Effects of this deck that a run can leave out (Alt+Down in the field)"));
+  button->setAccessibleName(tr("Effects that a run leaves out"));
+  auto* menu = new QMenu(button);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, cell] {
+    menu->clear();
+    document_.end_step();
+    QStringList out;
+    for (const QString& name : QString::fromStdString(document_.text(cell)).split(','))
+      if (!name.trimmed().isEmpty()) out << name.trimmed();
+    QStringList names = out;
+    for (const std::string& name : document_.effects())
+      if (!names.contains(QString::fromStdString(name))) names << QString::fromStdString(name);
+    names.sort();
+    if (names.isEmpty())
+      menu->addAction(tr("This deck has no motion, or errors: nothing to leave out"))
+          ->setEnabled(false);
+    for (const QString& name : names) {
+      QAction* action = menu->addAction(tr("without %1").arg(name));
+      action->setCheckable(true);
+      action->setChecked(out.contains(name));
+      connect(action, &QAction::toggled, this, [this, cell, out, name](bool left_out) {
+        QStringList chosen = out;
+        if (left_out)
+          chosen << name;
+        else
+          chosen.removeAll(name);
+        document_.edit(cell, chosen.join(",").toStdString());
+        document_.end_step();
+        sync(true);
+      });
+    }
+  });
+  button->setMenu(menu);
+  return button;
+}
+
+/// By mouse, or by Alt+Down in the field: Tab goes from value to value.
 QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
   auto* button = new QToolButton(this);
   button->setObjectName("unit-" + text_of(variable.name));
   button->setFocusPolicy(Qt::NoFocus);
   button->setAutoRaise(true);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(tr("Unit in which values of this kind are shown; the deck keeps its own"));
+  button->setToolTip(
+      tr("Unit in which values of this kind are shown; the deck keeps its own "
+         "(Alt+Down in the field)"));
   button->setAccessibleName(tr("Unit of %1").arg(text_of(variable.name)));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &variable] {
@@ -512,6 +559,8 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
       return true;
     }
   }
+  if (event->type() == QEvent::KeyPress && openMenuOf(field, *static_cast<QKeyEvent*>(event)))
+    return true;
   if (event->type() == QEvent::KeyPress && field->property("typing").toBool() &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {
     // A count may make the table that comes next: it has to be there before Tab looks for it.
@@ -523,6 +572,19 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   }
   if (event->type() == QEvent::FocusOut && lines_ == object) document_.end_step();
   return QWidget::eventFilter(object, event);
+}
+
+/// Alt+Down opens what the button behind a field would.
+bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
+  if (key.key() != Qt::Key_Down || !key.modifiers().testFlag(Qt::AltModifier)) return false;
+  for (const Row& row : rows_) {
+    QToolButton* button = row.choice != nullptr ? row.choice : row.names;
+    if (row.line == nullptr || row.line != field || button == nullptr || button->isHidden())
+      continue;
+    button->menu()->popup(button->mapToGlobal(button->rect().bottomLeft()));
+    return true;
+  }
+  return false;
 }
 
 void RecordPage::announce(const QWidget* field) {

@@ -67,6 +67,7 @@ class RecordPage : public QWidget {
     CellTable* table = nullptr;
     QLabel* unit = nullptr;
     QToolButton* choice = nullptr;  ///< of the unit that the value is shown in
+    QToolButton* names = nullptr;   ///< a list of names to choose from
     QLabel* name = nullptr;
     QLabel* other = nullptr;   ///< the value in other units, and what it stands for
     QLabel* unused = nullptr;  ///< why nothing uses the value
@@ -80,6 +81,8 @@ class RecordPage : public QWidget {
   QLineEdit* makeLine(const Cell& cell);
   QComboBox* makeCombo(const Cell& cell);
   QPushButton* makeUnitsButton();
+  bool openMenuOf(const QWidget* field, const QKeyEvent& key);
+  QToolButton* makeEffectNames(const Cell& cell);
   QToolButton* makeUnitChoice(const deck::VariableSpec& variable);
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
