@@ -111,7 +111,7 @@ class ChoiceBox : public QComboBox {
 
 /// Is a list shown narrower than what is chosen in it?
 bool is_cut(const QComboBox& combo) {
-  return combo.isVisible() &&
+  return combo.isVisible() && combo.width() < combo.sizeHint().width() &&
          combo.fontMetrics().horizontalAdvance(combo.currentText()) + kFrameAndArrow >
              combo.width();
 }
