@@ -277,17 +277,26 @@ void CellTable::sync() {
   verticalHeader()->setMinimumWidth(verticalHeader()->sizeHint().width());
   int height = 2 * frameWidth() + horizontalHeader()->sizeHint().height() + 2;
   for (int row = 0; row < rowCount(); ++row) height += rowHeight(row);
-  // A wide table scrolls; a narrow one is as wide as its cells.
-  constexpr int kFits = 6;
-  const bool narrow = columns <= kFits;
+  // A table is as wide as its cells, and scrolls where there is less room.
   const bool named = repeated_ || severalRecords();
   int width = 2 * frameWidth() + (named ? verticalHeader()->sizeHint().width() : 0) + 2;
   for (int column = 0; column < columns; ++column) width += columnWidth(column);
-  setMaximumWidth(narrow ? width : QWIDGETSIZE_MAX);
-  setMinimumWidth(narrow ? width : 0);
-  setHorizontalScrollBarPolicy(narrow ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAlwaysOn);
-  setFixedHeight(height + (narrow ? 0 : horizontalScrollBar()->sizeHint().height()));
+  cells_ = {width, height};
+  setMaximumWidth(width);
+  fitHeight();
   setVisible(columns > 0);
+}
+
+/// Room for the bar where the table scrolls sideways.
+void CellTable::fitHeight() {
+  const bool scrolls = width() < cells_.width();
+  setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+  setFixedHeight(cells_.height() + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0));
+}
+
+void CellTable::resizeEvent(QResizeEvent* event) {
+  QTableWidget::resizeEvent(event);
+  if (cells_.isValid()) fitHeight();
 }
 
 bool CellTable::focusCell(const Cell& cell) {

@@ -32,6 +32,7 @@ class CellTable : public QTableWidget {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   bool focusNextPrevChild(bool next) override;
+  void resizeEvent(QResizeEvent* event) override;
   void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
 
  private:
@@ -42,6 +43,7 @@ class CellTable : public QTableWidget {
   explicit CellTable(Document& document, QWidget* parent);
   void setUp();
   void fillCell(int row, int column);
+  void fitHeight();
   [[nodiscard]] bool atEnd(bool next) const;
   void pasteInOrder(const QString& text);
   [[nodiscard]] bool severalRecords() const { return !lines_.front().record.empty(); }
@@ -51,6 +53,7 @@ class CellTable : public QTableWidget {
   bool repeated_ = false;
   bool shows_other_units_ = false;
   std::vector<Line> lines_;  ///< rows
+  QSize cells_;              ///< all of them, without a bar
 };
 
 }  // namespace adore::adrinput

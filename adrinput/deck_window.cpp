@@ -244,6 +244,12 @@ void DeckWindow::makeDrawing() {
   charts_dock_->hide();  // until there is a solution
   drawing_dock_->raise();
   connect(statics_, &EvaluationPanel::finished, this, &DeckWindow::showCharts);
+  drawing_->wording = [this](const std::string& name, int instance, int index) {
+    const deck::VariableRef ref = deck::find_present(document_.deck(), name, instance);
+    if (ref.record == nullptr || document_.instances(ref.record->id) == 0) return QString();
+    return named_value(document_, {std::string(ref.record->id), instance, ref.position,
+                                   static_cast<std::size_t>(index - 1)});
+  };
   connect(
       drawing_, &DrawingPanel::fieldWanted, this,
       [this](const QString& name, int instance, int index) {
@@ -293,7 +299,7 @@ void DeckWindow::showRecord(const std::string& record) {
   connect(page_, &RecordPage::focusMoved, this,
           [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
   connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
-  connect(page_, &RecordPage::unitChosen, this, [this] { page_->sync(true); });
+  connect(page_, &RecordPage::unitChosen, this, [this] { showUnits(); });
   page_->setOtherUnits(other_units_->isChecked());
   connect(page_, &RecordPage::cellFocused, this, [this](const Cell& cell) {
     drawing_->setFocusOn({cell.record, std::string(variable_of(cell)->name), cell.instance,
@@ -307,6 +313,12 @@ void DeckWindow::showRecord(const std::string& record) {
   scroll_->ensureVisible(0, 0);
   askForScales();
   emit pageShown();
+}
+
+/// Other units of view were chosen.
+void DeckWindow::showUnits() {
+  page_->sync(true);
+  drawing_->nameAnew();
 }
 
 /// Tab goes from the last field of a page on to what stands below it; Qt puts a new page last.

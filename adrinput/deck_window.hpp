@@ -139,12 +139,14 @@ class DeckWindow : public QMainWindow {
   /// Goes on with a deck that has no errors and is saved.
   void withSavedDeck(std::function<void()> then);
   void orderTabs();
+  void showUnits();
   void refresh();
   void refreshProblems();
   void showPanel(const QWidget* panel);
   void goToProblem(int row);
   void stepProblem(int by);
   void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);
+  void refuseToSave(const std::vector<Issue>& issues, const QString& otherwise);
   bool writeTo(const std::filesystem::path& path);
   void askForName(std::function<void()> then);
   /// Goes on at once, or after the user has saved or given up what is not saved.

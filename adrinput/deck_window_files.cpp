@@ -99,8 +99,9 @@ void DeckWindow::makeFileMenu() {
 void DeckWindow::makeOtherMenus() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   undo_ = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, &DeckWindow::undo);
-  redo_ = edit->addAction(tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), this,
-                          &DeckWindow::redo);
+  redo_ = edit->addAction(tr("&Redo"), this, &DeckWindow::redo);
+  redo_->setShortcuts(
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addSeparator();
   edit->addAction(tr("Propose the &inside from bore, outside diameter and width"), this,
                   &DeckWindow::proposeInside);
@@ -116,17 +117,21 @@ void DeckWindow::makeOtherMenus() {
   go->addAction(tr("Previous pr&oblem"), QKeySequence(Qt::SHIFT | Qt::Key_F8), this,
                 &DeckWindow::previousProblem);
 
+  QMenu* run = menuBar()->addMenu(tr("&Run"));
+  run->setObjectName("run-menu");
+  run->addAction(tr("&Plan of this deck"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
+  run->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
+                 &DeckWindow::runQuasiStatic);
+  run->addSeparator();
+  run->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
+  run->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
+                 &DeckWindow::runInNewFolder);
+  run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  run->addSeparator();
+  run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
+  run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
+
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  view->addAction(tr("&Plan of this deck"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
-  view->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
-                  &DeckWindow::runQuasiStatic);
-  view->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
-  view->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
-                  &DeckWindow::runInNewFolder);
-  view->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
-  view->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
-  view->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this,
-                  &DeckWindow::studyAccuracy);
   QAction* drawing = dock_action(drawing_dock_, tr("Drawin&g"));
   drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
   view->addAction(drawing);
@@ -301,23 +306,14 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
   try {
     document_.save(path);
     remember(path);
-    statusBar()->showMessage(tr("Saved %1").arg(QString::fromStdString(path.string())), 5000);
+    QString said = tr("Saved %1").arg(QString::fromStdString(path.string()));
+    if (!document_.kept_copy().empty())
+      said += tr("; the file as it was is kept as %1")
+                  .arg(QString::fromStdString(document_.kept_copy().filename().string()));
+    statusBar()->showMessage(said, 8000);
     return true;
   } catch (const InputError& error) {
-    QString text = tr("The deck was not saved.");
-    for (const Issue& issue : error.issues()) text += "\n\n" + QString::fromStdString(issue.text());
-    if (error.issues().empty()) text += "\n\n" + QString::fromUtf8(error.what());
-    auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput", text, QMessageBox::Ok, this);
-    box->setObjectName("message");
-    box->setTextFormat(Qt::PlainText);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
-    QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
-    park->setObjectName("park-draft");
-    connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {
-      if (button == park) parkDraft();
-    });
-    box->open();
+    refuseToSave(error.issues(), QString::fromUtf8(error.what()));
   } catch (const std::exception& error) {
     desktop::show_message(
         this, tr("The deck was not saved.\n\n%1").arg(QString::fromUtf8(error.what())), true);
@@ -325,7 +321,28 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
   return false;
 }
 
+/// The reasons, and the offer to park the deck.
+void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& otherwise) {
+  QString text = tr("The deck was not saved.");
+  for (const Issue& issue : issues) text += "\n\n" + QString::fromStdString(issue.text());
+  if (issues.empty()) text += "\n\n" + otherwise;
+  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput", text, QMessageBox::Ok, this);
+  box->setObjectName("message");
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
+  QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
+  park->setObjectName("park-draft");
+  connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {
+    if (button == park) parkDraft();
+  });
+  box->open();
+}
+
 void DeckWindow::askForName(std::function<void()> then) {
+  // No name mends a deck.
+  if (const std::vector<Issue> errors = document_.errors(); !errors.empty())
+    return refuseToSave(errors, {});
   auto* dialog = new QFileDialog(this, tr("Save deck"), settings().value("folder").toString(),
                                  tr("Decks (*.txt);;All files (*)"));
   dialog->setObjectName("save");

@@ -80,7 +80,7 @@ void DeckWindow::makeUnitChoices(QMenu* view) {
       const auto add = [&](const QString& text, const QString& unit) {
         QAction* action = menu->addAction(text, this, [this, si, unit] {
           choose_unit(si, unit);
-          page_->sync(true);
+          showUnits();
         });
         action->setCheckable(true);
         action->setChecked(chosen_unit(si) == unit);

@@ -45,6 +45,8 @@ void Document::start(State state) {
   start_refusals_.clear();
   rehearsed_.reset();
   unused_.clear();
+  effects_.clear();
+  kept_copy_.clear();
   numbers_in_.reset();
   model_issues_.clear();
   settle();
@@ -419,6 +421,7 @@ void Document::check_model() {
   }
   model_issues_ = std::move(found.issues);
   if (examined) refusals_ = std::move(found.refusals);
+  if (examined) effects_ = std::move(found.effects);
   if (examined) unused_.clear();  // else it stays as it was when the deck was last right
   for (const deck::NoPart& value : found.unused) {
     Issue named;

@@ -66,6 +66,10 @@ class Document {
   /// the ADORE.json beside it when they differ from what it says.
   /// @throws InputError with every reason against it; no file is touched then.
   void save(const std::filesystem::path& path);
+  /// Errors for which save() would refuse the deck whatever the file.
+  [[nodiscard]] std::vector<Issue> errors();
+  /// Where the last save() left the file that was there before; empty when it did not.
+  [[nodiscard]] const std::filesystem::path& kept_copy() const { return kept_copy_; }
   /// Parks the document, whatever is wrong with it, in a file that only AdrInput reads: open()
   /// takes it back as it stands here. It counts as saved. @throws InputError
   void save_draft(const std::filesystem::path& path);
@@ -91,6 +95,9 @@ class Document {
 
   /// Run options as the page shows them, those that differ from their defaults.
   [[nodiscard]] std::map<std::string, std::string> options() const;
+  /// Effects of this deck's motion that run option effectsOff can leave out; empty when nobody
+  /// knows because the deck cannot be run.
+  [[nodiscard]] const std::vector<std::string>& effects() const { return effects_; }
 
   /// What the deck's dimensionless times are, as far as somebody found out for the deck as it is
   /// (step control and name apart).
@@ -208,11 +215,12 @@ class Document {
   std::vector<Issue> start_refusals_;  ///< what a run of `rehearsed_` would end with
   std::optional<Candidate> rehearsed_;
   std::map<Cell, std::string> unused_;  ///< values without a part, and why
+  std::vector<std::string> effects_;
   std::vector<Problem> problems_;
   std::vector<Step> undo_, redo_;
   std::optional<Cell> step_cell_, typing_;
   bool together_ = false;  ///< changes of other cells belong to the step that is open
-  std::filesystem::path draft_;
+  std::filesystem::path draft_, kept_copy_;
   std::optional<facade::RunScales> scales_;
   std::vector<deck::RecordData> scaled_;  ///< records that the scales are of
 };

@@ -95,6 +95,20 @@ bool holds_draft(const fs::path& path) {
   return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kDraftHead;
 }
 
+/// Of a remark that was written when the deck was in other units.
+Issue doubtful_units(const std::string& record, deck::UnitSystem now) {
+  const bool si = now == deck::UnitSystem::SI;
+  Issue issue;
+  issue.severity = Severity::Note;
+  issue.record = record;
+  issue.message = fmt::format(
+      "the remark behind its values speaks of {} units and is kept as it is; "
+      "the deck is in {} units now",
+      si ? "English" : "SI", si ? "SI" : "English");
+  issue.remedy = "change the remark in a text editor";
+  return issue;
+}
+
 void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) {
   for (const Issue& issue : issues)
     if (issue.severity == Severity::Error) reasons.push_back(issue);
@@ -173,14 +187,19 @@ bool Document::changed_on_disk(const fs::path& path) const {
          bytes_of(path) != original_;
 }
 
-void Document::save(const fs::path& path) {
+std::vector<Issue> Document::errors() {
   end_step();
   check_model();
   std::vector<Issue> reasons;
   for (const Problem& problem : problems_)
     if (problem.issue.severity == Severity::Error) reasons.push_back(problem.issue);
+  return reasons;
+}
+
+void Document::save(const fs::path& path) {
+  std::vector<Issue> reasons = errors();
   // The file's own text goes on, as far as it can; foreign letters as UTF-8.
-  deck::KeptText kept{deck::write_deck(state_.deck), original_.empty()};
+  deck::KeptText kept{deck::write_deck(state_.deck), original_.empty(), {}};
   if (!original_.empty())
     kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), state_.deck);
   const std::string& text = kept.text;
@@ -200,7 +219,8 @@ void Document::save(const fs::path& path) {
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
   const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept));
-  if (lost && same_file(path, path_)) keep_copy(path, original_);
+  kept_copy_.clear();
+  if (lost && same_file(path, path_)) kept_copy_ = keep_copy(path, original_);
   save_options(path);
   write_file_atomically(path, text);
   path_ = path;
@@ -208,6 +228,8 @@ void Document::save(const fs::path& path) {
   original_kept_ = text == deck::write_deck(state_.deck);
   foreign_ = broken_ = false;
   file_issues_.clear();
+  for (const std::string& record : kept.doubtful_units)
+    file_issues_.push_back(doubtful_units(record, state_.deck.units()));
   if (!draft_.empty()) {  // it became this deck
     std::error_code ignored;
     fs::remove(draft_, ignored);

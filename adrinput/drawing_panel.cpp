@@ -93,6 +93,11 @@ void DrawingPanel::drawNow() {
   label();
   const drawing::View now = view();
   drawing::Drawing drawing = draw_or_reason(now, deck_);
+  for (drawing::Pane& pane : drawing.panes) {
+    for (drawing::Dimension& d : pane.dimensions)
+      d.label = worded(d.label, d.variable, d.instance, d.index);
+    for (drawing::Arrow& a : pane.arrows) a.label = worded(a.label, a.variable, 1, 1);
+  }
   if (drawing.reason.empty()) {
     good_[now] = drawing;
     picture_->setDrawing(std::move(drawing));
@@ -105,10 +110,18 @@ void DrawingPanel::drawNow() {
 
 void DrawingPanel::label() {
   const DrawingFocus& focus = picture_->focusOn();
-  picture_->setFocusLabel(focus.variable.empty()
-                              ? QString()
-                              : QString::fromStdString(drawing::label_of(
-                                    deck_, focus.variable, focus.instance, focus.index)));
+  picture_->setFocusLabel(
+      focus.variable.empty()
+          ? QString()
+          : QString::fromStdString(
+                worded(drawing::label_of(deck_, focus.variable, focus.instance, focus.index),
+                       focus.variable, focus.instance, focus.index)));
+}
+
+std::string DrawingPanel::worded(const std::string& label, const std::string& variable,
+                                 int instance, int index) const {
+  const QString own = wording ? wording(variable, instance, index) : QString();
+  return own.isEmpty() ? label : own.toStdString();
 }
 
 void DrawingPanel::setFocusOn(DrawingFocus focus) {

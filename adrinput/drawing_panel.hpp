@@ -4,8 +4,10 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <string>
 
 class QComboBox;
 class QTimer;
@@ -20,6 +22,10 @@ class DrawingPanel : public QWidget {
   explicit DrawingPanel(QWidget* parent = nullptr);
 
   /// Draws after a short pause in typing.
+  /// What a field is called in a figure; without it the deck's own number and unit. Empty: that.
+  std::function<QString(const std::string& variable, int instance, int index)> wording;
+  /// Names everything anew, in the units that are shown from now on.
+  void nameAnew() { drawNow(); }
   void setDeck(const deck::Deck& deck);
   /// Shows the view that the field belongs to, unless the user chose another one for it.
   void setFocusOn(DrawingFocus focus);
@@ -36,6 +42,8 @@ class DrawingPanel : public QWidget {
  private:
   void fillViews();
   void label();
+  [[nodiscard]] std::string worded(const std::string& label, const std::string& variable,
+                                   int instance, int index) const;
 
   deck::Deck deck_;
   drawing::View preferred_ = drawing::View::CrossSection;  ///< of the field in focus

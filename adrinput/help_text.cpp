@@ -129,12 +129,12 @@ QString format_help() {
 QString keyboard_help() {
   const std::pair<const char*, const char*> keys[] = {
       {"Tab, Shift+Tab", "next and previous field"},
-      {"Alt+Down", "list of the choices of a field"},
+      {"Alt+Down", "list of the choices of a field, or of the units that it can be shown in"},
       {"Page Down or Alt+Right", "Next Rec"},
       {"Page Up or Alt+Left", "Go Back"},
       {"Ctrl+F", "find a variable; Down and Enter choose one, Esc returns to the records"},
       {"F8, Shift+F8", "next and previous problem"},
-      {"Ctrl+Z, Ctrl+Shift+Z", "undo, redo"},
+      {"Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y", "undo, redo"},
       {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save under another name"},
       {"F1", "help on this record"},
       {"F5", "plan of this deck"},

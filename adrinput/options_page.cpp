@@ -5,6 +5,8 @@
 #include "adrinput/window_words.hpp"
 #include "base/atomic_file.hpp"
 #include "base/kept_copy.hpp"
+#include "deck/quantity.hpp"
+#include "deck/units.hpp"
 #include "facade/option_file.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +17,17 @@ namespace adore::adrinput {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// "[s]" in the meaning of an option is the unit of its number.
+bool is_time(std::string_view meaning) { return meaning.find("[s]") != std::string_view::npos; }
+
+/// "500 ms" as the seconds that the file holds; any other text as it is.
+std::string in_seconds(const deck::VariableSpec& option, const std::string& text) {
+  double value = 0.0, seconds = 0.0;
+  if (!is_time(option.help) || !deck::parse_real(text, value)) return text;
+  if (deck::parse_quantity(text, deck::unit::kTime, deck::UnitSystem::SI, seconds)) return text;
+  return fmt::format("{}", seconds);
+}
 
 using Options = std::map<std::string, std::string>;
 
@@ -93,7 +106,8 @@ Options Document::options() const { return that_differ(state_.options); }
 /// An empty field means the default.
 void Document::edit_option(const Cell& cell, std::string_view typed) {
   const std::string name(options_record().variables.at(cell.variable).name);
-  const std::string value = plain_text(typed);
+  const std::string value =
+      in_seconds(options_record().variables.at(cell.variable), plain_text(typed));
   const auto given = state_.options.find(name);
   if (given == state_.options.end() ? value.empty() || value == text(cell) : value == given->second)
     return;

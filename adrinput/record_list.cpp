@@ -172,6 +172,8 @@ RecordList::RecordList(Document& document, QWidget* parent)
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(state_, &QToolButton::clicked, this, &RecordList::stateChosen);
   connect(query_, &QLineEdit::textChanged, this, &RecordList::search);
+  for (QToolButton* cross : query_->findChildren<QToolButton*>())  // at its end
+    connect(cross, &QToolButton::clicked, this, [this] { records_->setFocus(); });
   connect(records_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item != nullptr) emit recordChosen(item->data(kRecordRole).toString());
   });
@@ -293,6 +295,13 @@ void RecordList::chooseFound(int row) {
 }
 
 bool RecordList::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && object == query_ && query_->text().isEmpty()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();  // an empty search has nothing of its own to undo: the deck has
+      return true;
+    }
+  }
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Escape) {

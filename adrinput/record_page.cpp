@@ -10,6 +10,7 @@
 #include "deck/unit_change.hpp"
 #include "desktop/theme.hpp"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
@@ -62,6 +63,67 @@ QString open_codes(const deck::VariableSpec& variable) {
 
 bool is_diameter_record(const std::string& record) { return record.starts_with("5G.1D."); }
 
+constexpr int kTextWidth = 330, kNumberWidth = 200, kLeastWidth = 90;  // of fields
+constexpr int kBetween = 14;                                           // name and value
+constexpr int kLeastLetters = 8;    // of a list that must be narrow
+constexpr int kGridRows = 6;        // of a variable
+constexpr int kFrameAndArrow = 44;  // of a list
+
+/// A field as wide as its values want it, less where there is no room.
+class ValueLine : public QLineEdit {
+ public:
+  ValueLine(int usual, QWidget* parent) : QLineEdit(parent), usual_(usual) {
+    setMinimumWidth(kLeastWidth);
+    setMaximumWidth(usual);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  }
+  [[nodiscard]] QSize sizeHint() const override { return {usual_, QLineEdit::sizeHint().height()}; }
+
+ private:
+  int usual_;
+};
+
+/// As wide as its longest text, less where there is no room; the open list is never narrower.
+class ChoiceBox : public QComboBox {
+ public:
+  explicit ChoiceBox(QWidget* parent) : QComboBox(parent) {
+    setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    setMinimumContentsLength(kLeastLetters);
+    setMaxVisibleItems(24);
+    setInsertPolicy(QComboBox::NoInsert);
+  }
+  /// A text that is not in the list, and must fit too.
+  void makeRoomFor(const QString& text) {
+    widest_ = std::max(widest_, fontMetrics().horizontalAdvance(text) + kFrameAndArrow);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    return QComboBox::sizeHint().expandedTo({widest_, 0});
+  }
+  void showPopup() override {
+    constexpr int kMargins = 24;
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) + kMargins);
+    QComboBox::showPopup();
+  }
+
+ private:
+  int widest_ = 0;
+};
+
+/// Is a list shown narrower than what is chosen in it?
+bool is_cut(const QComboBox& combo) {
+  return combo.isVisible() && combo.width() < combo.sizeHint().width() &&
+         combo.fontMetrics().horizontalAdvance(combo.currentText()) + kFrameAndArrow >
+             combo.width();
+}
+
+QGridLayout* make_grid() {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(kBetween);
+  grid->setVerticalSpacing(2);
+  grid->setColumnStretch(1, 1);
+  return grid;
+}
+
 /// Shows a text that is longer than its field from its beginning.
 void combo_home(QComboBox* combo) { combo->lineEdit()->setCursorPosition(0); }
 
@@ -86,10 +148,7 @@ RecordPage::RecordPage(Document& document, const std::string& record, QWidget* p
   } else if (!spec_.repeat.empty()) {
     addInstances(layout);
   } else {
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(14);
-    grid->setVerticalSpacing(2);
-    grid->setColumnStretch(1, 1);
+    auto* grid = make_grid();
     for (std::size_t v = 0; v < spec_.variables.size(); ++v) addVariable(grid, v);
     layout->addLayout(grid);
   }
@@ -122,9 +181,8 @@ void RecordPage::finish(QWidget* field) {
 }
 
 QLineEdit* RecordPage::makeLine(const Cell& cell) {
-  auto* line = new QLineEdit(this);
   const bool text = variable_of(cell)->type == deck::VarType::String;
-  line->setFixedWidth(text ? 330 : 200);
+  auto* line = new ValueLine(text ? kTextWidth : kNumberWidth, this);
   connect(line, &QLineEdit::textEdited, this, [this, cell, line](const QString& typed) {
     line->setProperty("typing", true);
     document_.type(cell, typed.toStdString());
@@ -140,12 +198,9 @@ QLineEdit* RecordPage::makeLine(const Cell& cell) {
 
 QComboBox* RecordPage::makeCombo(const Cell& cell) {
   const deck::VariableSpec& variable = *variable_of(cell);
-  auto* combo = new QComboBox(this);
-  combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  combo->setMaxVisibleItems(24);
+  auto* combo = new ChoiceBox(this);
   const bool open = !open_codes(variable).isEmpty();
   combo->setEditable(open);
-  combo->setInsertPolicy(QComboBox::NoInsert);
   for (const deck::OptionSpec& option : choices_of(variable))
     if (option.code != "n" && option.code != "-n")
       combo->addItem(choice_text(option.code, option.meaning), text_of(option.code));
@@ -157,13 +212,8 @@ QComboBox* RecordPage::makeCombo(const Cell& cell) {
   });
   if (open) {
     combo->setCompleter(nullptr);
-    // A count is shown with its meaning; it must fit too.
-    int widest = combo->sizeHint().width();
-    for (const char* any : {"n", "-n"})
-      widest = std::max(widest, combo->fontMetrics().horizontalAdvance(
-                                    choice_text("-100000", meaning_of(variable, any))) +
-                                    44);
-    combo->setMinimumWidth(widest);
+    for (const char* any : {"n", "-n"})  // a count is shown with its meaning
+      combo->makeRoomFor(choice_text("-100000", meaning_of(variable, any)));
     connect(combo->lineEdit(), &QLineEdit::textEdited, this, [this, combo, cell](const QString& t) {
       combo->lineEdit()->setProperty("typing", true);
       document_.type(cell, t.section(QChar(0x2014), 0, 0).trimmed().toStdString());
@@ -206,20 +256,24 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit = new QLabel(this);
   row.unit->setTextFormat(Qt::PlainText);
   side->addWidget(field, row.table != nullptr ? 100 : 0);
-  if (variable.name == "kUnit") side->addWidget(other_units_ = makeUnitsButton());
   row.unit->setWordWrap(true);
   if (row.line != nullptr && !deck::usual_units(variable.unit).empty())
     side->addWidget(row.choice = makeUnitChoice(variable));
-  // Beside a field; below a table, which may be as wide as the page.
+  if (record_ == kOptionsPage && variable.name == "effectsOff")
+    side->addWidget(row.names = makeEffectNames(cellOf(v)));
+  // Limits stand beside a field; below a table, which may be as wide as the page.
   auto* whole = new QVBoxLayout;
   whole->setSpacing(2);
   whole->addLayout(side);
+  if (variable.name == "kUnit")
+    whole->addWidget(other_units_ = makeUnitsButton(), 0, Qt::AlignLeft);
   if (row.table != nullptr)
     whole->addWidget(row.unit);
   else
-    side->addWidget(row.unit, 1000);
+    row.side = side;
   row.other = new QLabel(this);
   row.other->setTextFormat(Qt::PlainText);
+  row.other->setWordWrap(true);
   row.other->setObjectName("other-" + text_of(variable.name));
   row.other->setStyleSheet(QString("color: %1").arg(theme.accent.name()));
   side->addStretch(1);
@@ -227,27 +281,132 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";
   row.problem = make_text({}, theme.red, this);
   row.problem->setObjectName("problem-" + text_of(variable.name));
-  const int at = grid->rowCount();
-  grid->addWidget(name, at, 0, row.table != nullptr ? Qt::AlignTop : Qt::AlignVCenter);
-  grid->addLayout(whole, at, 1);
-  grid->addWidget(row.other, at + 1, 1);
-  grid->addWidget(row.problem, at + 2, 1);
-  grid->addWidget(make_text(help, theme.muted, this), at + 3, 1);
+  row.value = whole;
+  row.help = make_text(help, theme.muted, this);
   row.unused = make_text({}, theme.muted, this);
   row.unused->setObjectName("unused-" + text_of(variable.name));
-  grid->addWidget(row.unused, at + 4, 1);
-  grid->setRowMinimumHeight(at + 5, 8);
+  row.grid = grid;
+  row.at = grid->rowCount();
+  place(row);
   rows_.push_back(row);
 }
 
-/// By mouse; by keyboard under View. Tab goes from value to value.
+/// The name beside the value or, where the page is narrow, above it.
+void RecordPage::place(Row& row) {
+  const int column = narrow_ ? 0 : 1, span = narrow_ ? 2 : 1;
+  // Where one table holds all variables, a grid below it tells of each.
+  const std::vector<QLabel*> below =
+      row.value != nullptr ? std::vector<QLabel*>{row.other, row.problem, row.help, row.unused}
+                           : std::vector<QLabel*>{row.help, row.unit, row.problem};
+  row.grid->removeWidget(row.name);
+  for (QLabel* label : below) row.grid->removeWidget(label);
+  if (row.value != nullptr) row.grid->removeItem(row.value);
+  row.grid->addWidget(row.name, narrow_ ? row.at : row.at + 1, 0, 1, span,
+                      row.table != nullptr ? Qt::AlignTop : Qt::AlignVCenter);
+  int at = row.at + 1;
+  if (row.value != nullptr) row.grid->addLayout(row.value, at++, column, 1, span);
+  if (row.side != nullptr) {
+    row.side->removeWidget(row.unit);
+    row.value->removeWidget(row.unit);
+    if (narrow_)
+      row.value->insertWidget(1, row.unit);
+    else
+      row.side->insertWidget(row.side->count() - 1, row.unit, 1000);
+  }
+  for (QLabel* label : below) row.grid->addWidget(label, at++, column, 1, span);
+  row.grid->setRowMinimumHeight(row.at + kGridRows, 8);
+}
+
+/// Sideways scrolling is worse than a longer page.
+void RecordPage::fitTo(int width) {
+  constexpr int kLetters = 42;  // that a value wants beside its name
+  int names = 0, least = 0;
+  for (const Row& row : rows_) {
+    if (row.grid == nullptr) continue;
+    names = std::max(names, row.name->sizeHint().width());
+    least = std::max(least, kLetters * row.help->fontMetrics().averageCharWidth());
+    least = std::max(least, row.help->minimumSizeHint().width());
+    if (row.side != nullptr)
+      least = std::max(least, row.side->minimumSize().width() +
+                                  (narrow_ ? row.unit->minimumSizeHint().width() : 0));
+  }
+  const QMargins margins = layout()->contentsMargins();
+  const int room = width - margins.left() - margins.right() - names - kBetween;
+  const bool narrow = room < least;
+  if (narrow != narrow_) {
+    narrow_ = narrow;
+    for (Row& row : rows_)
+      if (row.grid != nullptr) place(row);
+  }
+}
+
+void RecordPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  for (Row& row : rows_)
+    if (row.combo != nullptr) showAside(row);  // a list that became narrow says what it hides
+}
+
+bool RecordPage::event(QEvent* event) {
+  if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
+    parentWidget()->installEventFilter(this);  // what can be seen of the page
+    fitTo(parentWidget()->width());
+  }
+  return QWidget::event(event);
+}
+
+/// Effects of this deck's motion by name, each to be left out or not.
+QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
+  auto* button = new QToolButton(this);
+  button->setObjectName("effect-names");
+  button->setText(tr("Choose"));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setToolTip(tr("Effects of this deck that a run can leave out (Alt+Down in the field)"));
+  button->setAccessibleName(tr("Effects that a run leaves out"));
+  auto* menu = new QMenu(button);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, cell] {
+    menu->clear();
+    document_.end_step();
+    QStringList out;
+    for (const QString& name : QString::fromStdString(document_.text(cell)).split(','))
+      if (!name.trimmed().isEmpty()) out << name.trimmed();
+    QStringList names = out;
+    for (const std::string& name : document_.effects())
+      if (!names.contains(QString::fromStdString(name))) names << QString::fromStdString(name);
+    names.sort();
+    if (names.isEmpty())
+      menu->addAction(tr("This deck has no motion, or errors: nothing to leave out"))
+          ->setEnabled(false);
+    for (const QString& name : names) {
+      QAction* action = menu->addAction(tr("without %1").arg(name));
+      action->setCheckable(true);
+      action->setChecked(out.contains(name));
+      connect(action, &QAction::toggled, this, [this, cell, out, name](bool left_out) {
+        QStringList chosen = out;
+        if (left_out)
+          chosen << name;
+        else
+          chosen.removeAll(name);
+        document_.edit(cell, chosen.join(",").toStdString());
+        document_.end_step();
+        sync(true);
+      });
+    }
+  });
+  button->setMenu(menu);
+  return button;
+}
+
+/// By mouse, or by Alt+Down in the field: Tab goes from value to value.
 QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
   auto* button = new QToolButton(this);
   button->setObjectName("unit-" + text_of(variable.name));
   button->setFocusPolicy(Qt::NoFocus);
   button->setAutoRaise(true);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(tr("Unit in which values of this kind are shown; the deck keeps its own"));
+  button->setToolTip(
+      tr("Unit in which values of this kind are shown; the deck keeps its own "
+         "(Alt+Down in the field)"));
   button->setAccessibleName(tr("Unit of %1").arg(text_of(variable.name)));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &variable] {
@@ -294,27 +453,23 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
   table->installEventFilter(this);
   connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
   layout->addWidget(table);
-  auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(14);
-  grid->setVerticalSpacing(2);
-  grid->setColumnStretch(1, 1);
+  auto* grid = make_grid();
   for (std::size_t v = 0; v < spec_.variables.size(); ++v) {
     const deck::VariableSpec& variable = spec_.variables[v];
     Row row;
     row.variable = v;
     row.table = table;
-    auto* name = new QLabel(text_of(variable.name), this);
-    name->setFont(desktop::ui_font(13, true));
+    row.name = new QLabel(text_of(variable.name), this);
+    row.name->setFont(desktop::ui_font(13, true));
     row.unit = new QLabel(this);
     row.unit->setTextFormat(Qt::PlainText);
+    row.unit->setWordWrap(true);
     row.problem = make_text({}, theme.red, this);
     row.problem->setObjectName("problem-" + text_of(variable.name));
-    const int at = grid->rowCount();
-    grid->addWidget(name, at, 0, Qt::AlignTop);
-    grid->addWidget(make_text(text_of(variable.help), theme.muted, this), at, 1);
-    grid->addWidget(row.unit, at + 1, 1);
-    grid->addWidget(row.problem, at + 2, 1);
-    grid->setRowMinimumHeight(at + 3, 6);
+    row.help = make_text(text_of(variable.help), theme.muted, this);
+    row.grid = grid;
+    row.at = grid->rowCount();
+    place(row);
     rows_.push_back(row);
   }
   layout->addLayout(grid);
@@ -338,11 +493,8 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
   line->setObjectName("recID");
   line->setAccessibleName(tr("Label of this record"));
   label->setBuddy(line);
-  auto* first = new QHBoxLayout;
-  first->addWidget(label);
-  first->addWidget(line);
-  first->addStretch(1);
-  layout->addLayout(first);
+  layout->addWidget(label);
+  layout->addWidget(line);
   layout->addWidget(table);
   auto* grid = new QGridLayout;
   grid->setColumnStretch(0, 1);
@@ -391,6 +543,10 @@ void RecordPage::addUserLines(QVBoxLayout* layout) {
 
 bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   auto* field = qobject_cast<QWidget*>(object);
+  if (object == parentWidget()) {
+    if (event->type() == QEvent::Resize) fitTo(field->width());
+    return false;
+  }
   if (event->type() == QEvent::Wheel && !field->hasFocus() &&
       qobject_cast<QComboBox*>(field) != nullptr) {
     event->ignore();  // scrolling over a form must not change it
@@ -403,6 +559,8 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
       return true;
     }
   }
+  if (event->type() == QEvent::KeyPress && openMenuOf(field, *static_cast<QKeyEvent*>(event)))
+    return true;
   if (event->type() == QEvent::KeyPress && field->property("typing").toBool() &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {
     // A count may make the table that comes next: it has to be there before Tab looks for it.
@@ -414,6 +572,19 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   }
   if (event->type() == QEvent::FocusOut && lines_ == object) document_.end_step();
   return QWidget::eventFilter(object, event);
+}
+
+/// Alt+Down opens what the button behind a field would.
+bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
+  if (key.key() != Qt::Key_Down || !key.modifiers().testFlag(Qt::AltModifier)) return false;
+  for (const Row& row : rows_) {
+    QToolButton* button = row.choice != nullptr ? row.choice : row.names;
+    if (row.line == nullptr || row.line != field || button == nullptr || button->isHidden())
+      continue;
+    button->menu()->popup(button->mapToGlobal(button->rect().bottomLeft()));
+    return true;
+  }
+  return false;
 }
 
 void RecordPage::announce(const QWidget* field) {
@@ -482,6 +653,7 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
         combo_home(row.combo);
       }
     }
+    row.combo->setToolTip(row.combo->currentText());  // whole, where the page is narrow
   }
 }
 
@@ -519,6 +691,7 @@ void RecordPage::showAside(Row& row) {
     if (row.table == nullptr) texts << typed_value(document_, cell);
     if (shows_other_units_ && row.table == nullptr) texts << in_other_units(document_, cell);
     texts << run_time(document_, cell);
+    if (row.combo != nullptr && is_cut(*row.combo)) texts << row.combo->currentText();
     texts.removeAll(QString());
     row.other->setText(texts.isEmpty() ? QString() : "= " + texts.join(" = "));
     row.other->setVisible(!texts.isEmpty());

@@ -8,6 +8,7 @@
 #include <vector>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QComboBox;
@@ -49,16 +50,24 @@ class RecordPage : public QWidget {
   void cellFocused(const Cell& cell);
 
  protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   struct Row {
     std::size_t variable = 0;
+    QGridLayout* grid = nullptr;
+    int at = 0;                    ///< the first of its rows in the grid
+    QVBoxLayout* value = nullptr;  ///< field and what belongs to it
+    QHBoxLayout* side = nullptr;   ///< field, unit and, where there is room, its limits
+    QLabel* help = nullptr;
     QLineEdit* line = nullptr;
     QComboBox* combo = nullptr;
     CellTable* table = nullptr;
     QLabel* unit = nullptr;
     QToolButton* choice = nullptr;  ///< of the unit that the value is shown in
+    QToolButton* names = nullptr;   ///< a list of names to choose from
     QLabel* name = nullptr;
     QLabel* other = nullptr;   ///< the value in other units, and what it stands for
     QLabel* unused = nullptr;  ///< why nothing uses the value
@@ -72,11 +81,15 @@ class RecordPage : public QWidget {
   QLineEdit* makeLine(const Cell& cell);
   QComboBox* makeCombo(const Cell& cell);
   QPushButton* makeUnitsButton();
+  bool openMenuOf(const QWidget* field, const QKeyEvent& key);
+  QToolButton* makeEffectNames(const Cell& cell);
   QToolButton* makeUnitChoice(const deck::VariableSpec& variable);
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
   void syncCombo(Row& row, const QString& value, bool all);
   void showAside(Row& row);
+  void place(Row& row);
+  void fitTo(int width);
   void showProblems(Row& row);
   void announce(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;
@@ -88,6 +101,7 @@ class RecordPage : public QWidget {
   QLabel* reason_ = nullptr;
   QPushButton* other_units_ = nullptr;  ///< beside kUnit
   bool shows_other_units_ = false;
+  bool narrow_ = false;  ///< names stand above their values, not beside them
   QPlainTextEdit* lines_ = nullptr;
 };
 

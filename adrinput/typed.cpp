@@ -45,6 +45,15 @@ bool could_be_difference(std::string_view number) {
   return sign != std::string_view::npos && number.find_first_of("eEdD*/() ") == std::string::npos;
 }
 
+/// "1e-": a number that is not finished.
+bool ends_in_exponent(std::string_view number) {
+  const std::size_t e = number.find_last_of("eEdD");
+  if (e == std::string_view::npos || e == 0) return false;
+  const bool digits = number.find_first_not_of("+-.0123456789") == e;
+  const std::string_view rest = number.substr(e + 1);
+  return digits && (rest.empty() || rest == "+" || rest == "-");
+}
+
 std::string ending_of(const deck::VariableSpec& variable) {
   const std::string codes = deck::describe_codes(variable);
   return codes.empty() ? "" : "valid are " + codes;
@@ -87,6 +96,11 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
              fmt::format("write {}e{} or {} {} {}", number.substr(0, sign), number.substr(sign),
                          number.substr(0, sign), number[sign], number.substr(sign + 1))}};
   }
+  if (ends_in_exponent(number))
+    return {{},
+            {"ends within its exponent",
+             fmt::format("write {}e-6 or {}", number.substr(0, number.find_last_of("eEdD")),
+                         number.substr(0, number.find_last_of("eEdD")))}};
   const bool pure = unit_of(deck, variable).empty();  // by the deck's codes, or always
   const deck::UnitPair unit = pure ? deck::UnitPair{"-", "-"} : variable.unit;
   deck::NumberProblem problem = deck::parse_quantity(number, unit, deck.units(), value);

@@ -89,6 +89,12 @@ QString shown_value(const Document& document, const Cell& cell) {
          " " + unit;
 }
 
+QString named_value(const Document& document, const Cell& cell) {
+  const deck::VariableSpec* variable = variable_of(cell);
+  if (variable == nullptr || unit_in_view(document, *variable).isEmpty()) return {};
+  return QString::fromStdString(std::string(variable->name)) + " = " + shown_value(document, cell);
+}
+
 std::string as_meant(const Document& document, const Cell& cell, const std::string& typed) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->type != deck::VarType::Real) return typed;

@@ -25,6 +25,9 @@ void choose_unit(std::string_view si, const QString& unit);
 /// that is none.
 [[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
 
+/// "appLoadX = 3 kN" where a unit of view is chosen for the variable; else empty.
+[[nodiscard]] QString named_value(const Document& document, const Cell& cell);
+
 /// What a text means that is typed where shown_value() shows it: a number without a unit is in the
 /// unit that the field is shown in, "3" is "3 kN".
 [[nodiscard]] std::string as_meant(const Document& document, const Cell& cell,

@@ -6,6 +6,7 @@
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
+#include "deck/remarks.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
 
@@ -259,6 +260,16 @@ double middle_clearance(BearingType type, std::string_view group, double bore) {
 
 std::string clearance_reason(std::string_view group) {
   return fmt::format("middle of {} (ISO 5753-1)", group);
+}
+
+/// "K", "EK", "CCK/W33", "E1-XL-K", "K30": of roller bearings the bore is a cone.
+bool says_tapered_bore(BearingType type, const std::string& suffix) {
+  if (type != BearingType::Spherical && type != BearingType::Cylindrical) return false;
+  for (std::size_t at = suffix.find('K'); at != std::string::npos; at = suffix.find('K', at + 1)) {
+    const std::string_view rest = std::string_view(suffix).substr(at + 1);
+    if (rest.empty() || std::isalpha(static_cast<unsigned char>(rest[0])) == 0) return true;
+  }
+  return false;
 }
 
 /// A clearance group that stands anywhere in a suffix ("-2RSC3", "ECP/C3"), taken out of it.
@@ -521,6 +532,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
         out.clearance = std::move(group);
       else
         suffix += group;
+      out.tapered_bore = says_tapered_bore(out.type, suffix);
       out.left_out =
           maker + (maker.empty() || trimmed(suffix).empty() ? "" : " ") + trimmed(suffix);
       if (series.type == BearingType::Tapered) {
@@ -633,7 +645,7 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
     const std::string& id = deck.records[r].id;
     std::string remark;
     if (id == "4")
-      remark = "bore, OD, shaft bore, housing OD (an estimate), race widths [m]: " + outside;
+      remark = std::string(kCatalogueOutside) + " [m]: " + outside;
     else if (id == "3.1")
       remark = "name of the run";
     else if (id == "5A" || id == "5B.1" || id == "5C" || id == "5D.1")
@@ -693,6 +705,11 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
                     "clearance group of deep groove, cylindrical and spherical bearings "
                     "go into it.",
                     bearing.left_out));
+  if (bearing.tapered_bore)
+    out.push_back(
+        fmt::format("A tapered bore (K) has clearance groups of its own, which are not known here: "
+                    "the clearance is that of {} for cylindrical bores.",
+                    bearing.clearance));
   if (bearing.type == BearingType::Spherical)
     out.emplace_back(
         "The deck is ONE row of the two: give it half of the bearing's radial load; the bearing's "

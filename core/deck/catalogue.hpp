@@ -34,6 +34,7 @@ struct CatalogueBearing {
                        ///< the clearance
   bool angle_given = false;      ///< by the designation or a standard, not by a habit
   std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
+  bool tapered_bore = false;     ///< "K", of rollers: no deck has it, and its groups are others
   std::string left_out;          ///< what else the designation says, "-2RS": no deck has it
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "deck/lookup.hpp"
+#include "deck/remarks.hpp"
 #include "deck/scanner.hpp"
 
 #include <algorithm>
@@ -73,26 +74,6 @@ std::string written(const RecordData& record) {
   std::string line = write_deck(alone);
   line.pop_back();
   return line;
-}
-
-/// Where the values of a record end: the line (0-based), and what stands behind them there.
-struct RecordEnd {
-  std::size_t line = 0;
-  std::string_view remark;
-};
-
-RecordEnd end_of(const Scanner& start, const RecordData& record) {
-  Scanner scanner = start;
-  scanner.go_to_line(static_cast<std::size_t>(record.line) - 1);
-  std::size_t values = 0;
-  for (const auto& elements : record.values) values += elements.size();
-  for (std::size_t taken = 0; taken < values;) {
-    const Token token = scanner.next();
-    if (token.kind == Token::Kind::Slash || token.kind == Token::Kind::End) break;
-    taken += static_cast<std::size_t>(std::max(1LL, token.repeat));
-  }
-  std::size_t line = std::min(scanner.position().line, scanner.lines().size() - 1);
-  return {line, scanner.position().line < scanner.lines().size() ? scanner.rest_of_line() : ""};
 }
 
 /// Text from the start of one line to the start of another (0-based), line ends included.
@@ -178,6 +159,13 @@ KeptText between_marks(std::string_view text, const Make& make) {
   return made;
 }
 
+/// Remarks behind the values follow a change of kUnit, as far as they are Adore's own.
+KeptText kept_text(std::string text, UnitSystem before, const Deck& after) {
+  if (before == after.units()) return {std::move(text), true, {}};
+  FollowedUnits units = with_units_followed(text, before);
+  return {std::move(units.text), true, std::move(units.doubtful)};
+}
+
 KeptText deck_in(std::string_view text, const Deck& after) {
   const Deck before = read_deck_text(text, "deck").deck;
   for (const auto& make : {&exchanged, &joined}) {
@@ -185,9 +173,9 @@ KeptText deck_in(std::string_view text, const Deck& after) {
     const std::optional<std::string> kept = make(text, before, after);
     if (!kept) continue;
     const ReadResult again = read_deck_text(*kept, "deck");
-    if (again.deck == after) return {*kept, true};
+    if (again.deck == after) return kept_text(*kept, before.units(), after);
   }
-  return {write_deck(after), false};
+  return {write_deck(after), false, {}};
 }
 
 KeptText values_in(std::string_view text,
@@ -197,9 +185,10 @@ KeptText values_in(std::string_view text,
   after.set_all(sets);
   if (std::optional<std::string> kept = exchanged(text, before.deck, after)) {
     const ReadResult again = read_deck_text(*kept, "deck");
-    if (again.ok() && again.deck == after) return {std::move(*kept), true};
+    if (again.ok() && again.deck == after)
+      return kept_text(std::move(*kept), before.deck.units(), after);
   }
-  return {write_deck(after), false};
+  return {write_deck(after), false, {}};
 }
 
 }  // namespace

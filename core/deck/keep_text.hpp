@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace adore::deck {
 
@@ -14,6 +15,8 @@ namespace adore::deck {
 struct KeptText {
   std::string text;
   bool kept = true;  ///< false: the writer's own text, which has no remarks
+  /// Records whose remarks a change of kUnit makes doubtful (deck/remarks.hpp).
+  std::vector<std::string> doubtful_units;
 };
 
 /// The text of `after` made from that of another deck. A record whose values cannot be exchanged

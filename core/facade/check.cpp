@@ -8,6 +8,7 @@
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
 #include "setup/run_control.hpp"
+#include "setup/scene_plan.hpp"
 #include "statics/ball_model.hpp"
 #include "statics/roller_model.hpp"
 #include "thermal/operating.hpp"
@@ -57,6 +58,22 @@ std::optional<Issue> nothing_moves(const deck::Deck& deck) {
 
 }  // namespace
 
+namespace {
+
+/// Names of the plan's effects that are on and that run option effectsOff can leave out.
+std::vector<std::string> effects_to_leave_out(const deck::Deck& deck,
+                                              const bearing::Bearing& bearing) {
+  std::vector<std::string> out;
+  const setup::RunControl control = setup::build_run_control(deck);
+  if (!control.dynamic) return out;
+  const scene::ScenePlan plan = setup::make_scene_plan(deck, bearing, control, {});
+  for (const scene::EffectEntry& entry : plan.effects)
+    if (entry.on && setup::can_be_left_out(plan, entry.effect)) out.push_back(entry.name);
+  return out;
+}
+
+}  // namespace
+
 std::vector<Issue> check_model(const deck::Deck& deck) { return examine_model(deck).issues; }
 
 ModelCheck examine_model(const deck::Deck& deck) {
@@ -87,6 +104,7 @@ ModelCheck examine_model(const deck::Deck& deck) {
       out.unused = setup::values_without_part(model);
       if (std::optional<Issue> note = setup::note_of(out.unused, model, issues))
         issues.push_back(std::move(*note));
+      out.effects = effects_to_leave_out(model, operating);
     }
   } catch (const InputError& error) {
     for (Issue issue : error.issues()) {

@@ -38,6 +38,7 @@ struct ModelCheck {
   std::vector<Issue> refusals;       ///< those of `issues` for which `adore run` refuses the deck
   std::vector<deck::NoPart> unused;  ///< values that a run of this deck does not use, and why;
                                      ///< empty when it cannot be run
+  std::vector<std::string> effects;  ///< of a motion, by the names that run option effectsOff takes
 };
 [[nodiscard]] ModelCheck examine_model(const deck::Deck& deck);
 

@@ -375,7 +375,10 @@ std::vector<std::string> option_choices(std::string_view name) {
         out.push_back(std::string(model) + std::string(suffix));
   if (name == "hertzConstants") return {"moving", "frozen"};
   if (name == "rollerContact") return {"sliced", "point"};
-  if (name == "resultsH5" || name == "centrifugalGrowth") return {"1", "0"};
+  for (const char* on_or_off : {"resultsH5", "centrifugalGrowth", "userProcess"})
+    if (name == on_or_off) return {"1", "0"};
+  if (name == "filmStress") return {"surface", "direct"};
+  if (name == "filmPrecision") return {"single", "double"};
   if (name == "lifeElements") return {"gz", "all", "none"};
   if (name == "lifeElementTracks") return {"separate", "shared"};
   if (name == "lifeLimitForm") return {"peak", "integral"};

@@ -2,6 +2,7 @@
 #include "adrinput/catalogue_dialog.hpp"
 #include "adrinput/cell_table.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/drawing_view.hpp"
 #include "adrinput/driver.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/notice_bar.hpp"
@@ -24,6 +25,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -184,6 +187,39 @@ TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinpu
   CHECK(text.find("D, dm, contact angle") != std::string::npos);
   CHECK_FALSE(fs::exists(path.string() + ".bak"));
   CHECK(deck::read_deck(path).deck == window.document().deck());
+}
+
+TEST_CASE("after a change of units the remarks name the new ones, or a note says whose do not",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::string text(deck::template_text("ball"));
+  const std::string own = "bore, OD, shaft bore, housing OD, race widths [m]";
+  REQUIRE(text.find(own) != std::string::npos);
+  text.replace(text.find(own), own.size(), "bore 40 mm, from our drawing");
+  std::ofstream(path) << text;
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(path));
+  const auto notes = [&] {
+    std::vector<std::string> records;
+    for (const Problem& problem : window.document().problems())
+      if (problem.issue.message.find("remark behind its values") != std::string::npos)
+        records.push_back(problem.page);
+    return records;
+  };
+  window.document().edit(cell("kUnit"), "2");
+  window.document().convert_values();
+  window.save();
+  CHECK(bytes_of(path).find("displacements [lbf, in]") != std::string::npos);
+  CHECK(bytes_of(path).find("bore 40 mm, from our drawing") != std::string::npos);
+  CHECK(notes() == std::vector<std::string>{"4"});
+  window.document().edit(cell("kUnit"), "1");
+  window.document().convert_values();
+  window.save();
+  CHECK(bytes_of(path).find("displacements [N, m]") != std::string::npos);
+  CHECK(notes().empty());
 }
 
 TEST_CASE("forty deviations are one table, and a pasted row or column fills it",
@@ -652,4 +688,121 @@ TEST_CASE("an answer in the background does not keep an edit from being checked"
   window.document().end_step();
   check->found(refused, {});
   CHECK(says("Ready to run"));
+}
+
+TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  for (const char* name : {"tol", "bReDia", "appLoadX"})
+    for (const char* text : {"1e-", "1e", "2.5E+", "3d"}) {
+      CAPTURE(name, text);
+      replace_text(line_of(window, name), text);
+      const QString said = window.page()->findChild<QLabel*>(QString("problem-") + name)->text();
+      CHECK(said.contains("ends within its exponent"));
+      CHECK_FALSE(said.contains("unit"));
+      window.undo();
+    }
+}
+
+TEST_CASE(
+    "runs have a menu of their own, redo both of its keys, and an empty search the deck's undo",
+    "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  const auto* menu = window.findChild<QMenu*>("run-menu");
+  REQUIRE(menu != nullptr);
+  QStringList entries;
+  for (const QAction* action : menu->actions()) entries << action->text().remove('&');
+  for (const char* entry :
+       {"Plan of this deck", "Quasi-static solution", "Run", "Run into a new folder",
+        "Continue the run", "Sweep a variable …", "Study accuracy"})
+    CHECK(entries.contains(QString::fromUtf8(entry)));
+
+  QLineEdit* line = line_of(window, "bReDia");
+  replace_text(line, "0.0128");
+  auto* query = window.findChild<QLineEdit*>("search");
+  query->setFocus();
+  QTest::keyClicks(query, "load");
+  for (QToolButton* cross : query->findChildren<QToolButton*>()) cross->click();
+  CHECK(query->text().isEmpty());
+  CHECK_FALSE(query->hasFocus());
+  query->setFocus();
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClick(query, Qt::Key_Y, Qt::ControlModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+}
+
+TEST_CASE(
+    "a deck with an error is refused before its name is asked, and a copy that is kept is told",
+    "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  {
+    DeckWindow window;
+    window.show();
+    replace_text(line_of(window, "bReDia"), "unknown");
+    for (const bool as : {false, true}) {
+      if (as)
+        window.saveAs();
+      else
+        window.save();
+      CHECK(window.findChild<QFileDialog*>("save") == nullptr);
+      CHECK(take_message(window).contains("bReDia"));
+    }
+  }
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::string text(deck::template_text("ball"));
+  text.replace(text.find("0.0127"), 6, "x.0127");
+  std::ofstream(path) << text;
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(path));
+  replace_text(line_of(window, "bReDia"), "12.7 mm");
+  window.save();
+  CHECK(take_message(window).isEmpty());
+  CHECK(window.statusBar()->currentMessage().contains("DATA.txt.bak"));
+  CHECK(bytes_of(path.string() + ".bak") == text);
+  replace_text(line_of(window, "bReDia"), "12.8 mm");
+  window.save();
+  CHECK_FALSE(window.statusBar()->currentMessage().contains(".bak"));
+}
+
+TEST_CASE("names in the drawing and the menu of a field go by the units of view",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("9.1.1");
+  auto* drawing = window.findChild<DrawingView*>("drawing");
+  const auto labels = [&] {
+    QStringList out;
+    for (const drawing::Pane& pane : drawing->drawing().panes) {
+      for (const drawing::Arrow& arrow : pane.arrows) out << QString::fromStdString(arrow.label);
+      for (const drawing::Dimension& one : pane.dimensions)
+        out << QString::fromStdString(one.label);
+    }
+    return out;
+  };
+  QTest::qWait(300);
+  REQUIRE(labels().contains("appLoadX = 1500.0 N"));
+  QLineEdit* line = line_of(window, "appLoadX");
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Down, Qt::AltModifier);
+  auto* button = window.page()->findChild<QToolButton*>("unit-appLoadX");
+  REQUIRE(button->menu()->isVisible());
+  for (QAction* action : button->menu()->actions())
+    if (action->text() == "kN") action->trigger();
+  button->menu()->hide();
+  CHECK(line->text() == "1.5 kN");
+  CHECK(labels().contains("appLoadX = 1.5 kN"));
+  CHECK_FALSE(labels().contains("appLoadX = 1500.0 N"));
+  choose_unit("N", {});
 }

@@ -7,6 +7,7 @@
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
+#include "facade/plan.hpp"
 #include "facade/prepare.hpp"
 #include "support/qt_app.hpp"
 
@@ -23,6 +24,7 @@
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -305,6 +307,76 @@ TEST_CASE("run options: a page, a file beside the deck, unknown names kept", "[g
     CHECK(bytes_of(file.string() + ".bak") == "{ not json");
     CHECK(facade::options_beside(path).at("landSlices") == "7");
   }
+}
+
+TEST_CASE("run options that take words are chosen, times have units, effects have names",
+          "[gui][adrinput]") {
+  test::use_qt();
+  for (const facade::RunOptionInfo& info : facade::run_options()) {
+    INFO(info.name);
+    const bool number = info.default_value.find_first_not_of("0123456789.") == std::string::npos;
+    if (info.name != "effectsOff" && !number) CHECK_FALSE(info.choices.empty());
+    // A number that only 0 and 1 are valid for is a switch.
+    if (number && facade::option_problem(info.name, "1").empty() &&
+        facade::option_problem(info.name, "0").empty() &&
+        !facade::option_problem(info.name, "2").empty())
+      CHECK(info.choices == std::vector<std::string>{"1", "0"});
+    for (const std::string& choice : info.choices)
+      CHECK(facade::option_problem(info.name, choice) == "");
+  }
+  DeckWindow window;
+  window.show();
+  window.document().check_model();
+  window.showRecord(std::string(kOptionsPage));
+  const auto typed = [&](const char* name, const char* text) {
+    replace_text(line_of(window, option(name)), text);
+    return line_of(window, option(name))->text().toStdString();
+  };
+  CHECK(typed("userTimeout", "500 ms") == "0.5");
+  CHECK(typed("checkpointSeconds", "2 min") == "120");
+  CHECK(typed("userTimeout", "3 mm") == "3 mm");
+  CHECK(window.document().has_errors());
+  CHECK(typed("userTimeout", "4") == "4");
+  CHECK_FALSE(window.document().has_errors());
+
+  const auto names = [&] {
+    QStringList out;
+    auto* button = window.page()->findChild<QToolButton*>("effect-names");
+    emit button->menu()->aboutToShow();
+    for (const QAction* action : button->menu()->actions()) out << action->text();
+    return out;
+  };
+  CHECK(names().contains("without gravity"));
+  CHECK_FALSE(names().contains("without ball / race contact"));  // that makes the scene
+  const auto toggle = [&](const QString& text) {
+    auto* button = window.page()->findChild<QToolButton*>("effect-names");
+    emit button->menu()->aboutToShow();
+    for (QAction* action : button->menu()->actions())
+      if (action->text() == text) return action->trigger();
+  };
+  // Every name that is offered is one that a run takes.
+  for (const QString& name : names()) {
+    toggle(name);
+    window.document().check_model();
+    CHECK(window.document().options().at("effectsOff") == name.mid(8).toStdString());
+    const auto ready = [&] {
+      facade::DeckRequest request;
+      request.text = deck::write_deck(window.document().deck());
+      request.in_memory = true;
+      for (const auto& [option_name, value] : window.document().options())
+        request.options.emplace_back(option_name, value);
+      return facade::plan(request);
+    };
+    CHECK_NOTHROW(ready());
+    toggle(name);
+  }
+  CHECK(window.document().options().count("effectsOff") == 0);
+  toggle("without gravity");
+  toggle("without momentum ledger");
+  CHECK(line_of(window, option("effectsOff"))->text() == "gravity,momentum ledger");
+  window.document().edit(cell("mode"), "-1");
+  window.document().check_model();
+  CHECK(names().size() == 2);  // what is left out already can be taken back
 }
 
 TEST_CASE("lines of user routines are edited as they are and written unchanged",

@@ -5,13 +5,18 @@
 #include "support/qt_app.hpp"
 #include "support/reachable.hpp"
 
+#include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTest>
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace adore;
 using namespace adore::adrinput;
@@ -36,6 +41,71 @@ TEST_CASE("adrinput: no page of an example scrolls sideways on a screen of 1280x
       window.showRecord(record);
       CHECK(window.page()->minimumSizeHint().width() <= form->viewport()->width());
     }
+  }
+}
+
+namespace {
+
+/// What is not whole within the width of a page's view.
+QStringList cut_in(const QWidget& page, int width) {
+  QStringList cut;
+  for (const QWidget* widget : page.findChildren<const QWidget*>()) {
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    const bool field = widget->focusPolicy() != Qt::NoFocus && widget->parentWidget() == &page;
+    if (!widget->isVisibleTo(&page) || (label == nullptr && !field)) continue;
+    const QRect place(widget->mapTo(&page, QPoint()), widget->size());
+    const QString name = label != nullptr ? label->text().left(40) : widget->objectName();
+    if (place.left() < 0 || place.right() >= width)
+      cut << QString("%1 ends at %2 of %3").arg(name).arg(place.right()).arg(width);
+    if (label != nullptr && label->minimumSizeHint().width() > label->width())
+      cut << QString("%1 has %2 of %3")
+                 .arg(name)
+                 .arg(label->width())
+                 .arg(label->minimumSizeHint().width());
+    if (label != nullptr && label->wordWrap() &&
+        label->heightForWidth(label->width()) > label->height())
+      cut << QString("%1 is %2 high of %3")
+                 .arg(name)
+                 .arg(label->height())
+                 .arg(label->heightForWidth(label->width()));
+  }
+  return cut;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "adrinput: no page is cut or scrolls sideways at 320 to 700 pixels, letters at once and "
+    "half as large again",
+    "[gui][adrinput][slow]") {
+  test::use_qt();
+  for (const char* deck : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    Document document;
+    document.start_new(deck);
+    document.edit(cell("kReGeoImp"), "2");  // a table that is wide
+    for (const std::string& record : document.pages())
+      for (const double factor : {1.0, 1.5}) {
+        QScrollArea area;
+        area.setWidgetResizable(true);
+        area.setFrameShape(QFrame::NoFrame);
+        area.resize(700, 500);
+        auto* page = new RecordPage(document, record);
+        page->setOtherUnits(true);
+        for (QWidget* widget : page->findChildren<QWidget*>()) {
+          QFont font = widget->font();
+          font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() * factor)));
+          if (factor > 1.0) widget->setFont(font);
+        }
+        area.setWidget(page);
+        area.show();
+        for (int width = 700; width >= 320; width -= 20) {
+          area.resize(width, 500);
+          for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();  // heights follow widths
+          INFO(deck << ", record " << record << ", " << width << " pixels, letters x " << factor);
+          CHECK(area.horizontalScrollBar()->maximum() == 0);
+          CHECK(cut_in(*page, area.viewport()->width()).join("; ").toStdString() == "");
+        }
+      }
   }
 }
 

@@ -1,7 +1,11 @@
+#include "deck/catalogue.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/templates.hpp"
+#include "deck/unit_change.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <map>
 
 using namespace adore;
 using Sets = std::vector<std::pair<std::string, std::string>>;
@@ -148,4 +152,123 @@ TEST_CASE("lines of user routines and line ends survive too", "[unit][deck]") {
   CHECK(other.kept);
   CHECK(other.text.find("stpInit stpMin") != std::string::npos);
   CHECK(deck::read_deck_text(other.text, "after").deck == after);
+}
+
+namespace {
+
+/// What stands in square brackets, line by line.
+std::vector<std::string> brackets(const std::string& text) {
+  std::vector<std::string> out;
+  for (const std::string& line : lines(text)) {
+    const std::size_t open = line.find('['), close = line.find(']', open);
+    if (close != std::string::npos) out.push_back(line.substr(open + 1, close - open - 1));
+  }
+  return out;
+}
+
+std::vector<std::string> entries(const std::string& list) {
+  std::vector<std::string> out;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t end = std::min(list.find(", ", from), list.size());
+    out.push_back(list.substr(from, end - from));
+    from = end + 2;
+  }
+  return out;
+}
+
+/// Words behind the values: what is left of a text when every value is taken away.
+std::string remark_words(const std::string& text) {
+  std::string out;
+  for (const std::string& line : lines(text)) {
+    const std::size_t blanks = line.rfind("   ");
+    out += (blanks == std::string::npos ? "" : line.substr(blanks)) + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("units in the remarks of every example follow a change of units, and back",
+          "[unit][deck]") {
+  const std::map<std::string, std::string> english = {
+      {"m", "in"},     {"N", "lbf"},        {"N.m", "lbf.in"}, {"K", "R"},
+      {"m/s", "in/s"}, {"m/s^2", "in/s^2"}, {"s/m", "s/in"},   {"Pa", "lbf/in^2"},
+      {"deg", "deg"},  {"rad", "rad"},      {"rpm", "rpm"}};
+  std::vector<std::string> texts;
+  for (const deck::TemplateInfo& info : deck::templates())
+    texts.emplace_back(deck::template_text(info.name));
+  for (const char* name : {"6205 C3", "7208 B", "NU209", "30208", "22210", "tapered 40x80x20"})
+    texts.push_back(deck::catalogue_deck(deck::find_bearing(name)));
+  for (const std::string& text : texts) {
+    const deck::Deck deck = deck::read_deck_text(text, "text").deck;
+    const bool si = deck.units() == deck::UnitSystem::SI;
+    CAPTURE(text.substr(0, 400));
+    const deck::Deck other = deck::in_units(deck, deck::other_system(deck.units()));
+    const deck::KeptText there = deck::with_deck(text, other);
+    REQUIRE(there.kept);
+    CHECK(there.doubtful_units.empty());
+    CHECK(deck::read_deck_text(there.text, "there").deck == other);
+    const auto a = brackets(text), b = brackets(there.text);
+    REQUIRE(a.size() == b.size());
+    REQUIRE_FALSE(a.empty());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const auto was = entries(si ? a[k] : b[k]), is = entries(si ? b[k] : a[k]);
+      CAPTURE(a[k], b[k]);
+      REQUIRE(was.size() == is.size());
+      for (std::size_t e = 0; e < was.size(); ++e) {
+        if (english.count(was[e]) == 0) {  // "[1]": a pure number in both
+          CHECK(was[e] == is[e]);
+          continue;
+        }
+        CHECK(is[e] == english.at(was[e]));
+      }
+    }
+    const deck::KeptText back = deck::with_deck(there.text, deck);
+    REQUIRE(back.kept);
+    CHECK(back.doubtful_units.empty());
+    CHECK(remark_words(back.text) == remark_words(text));
+  }
+}
+
+TEST_CASE("remarks of other people stay as they are when units change, and are named",
+          "[unit][deck]") {
+  const std::string text = example();
+  const auto with_remark = [&](const std::string& id, const std::string& remark) {
+    std::string out;
+    for (const std::string& line : lines(text))
+      out +=
+          (line.starts_with("'Rec " + id + "'") ? line.substr(0, line.rfind("   ")) + "   " + remark
+                                                : line) +
+          "\n";
+    out.pop_back();
+    return out;
+  };
+  struct Remark {
+    const char* words;
+    bool speaks_of_si;
+  };
+  for (const Remark& remark : {Remark{"bore from drawing 4711, 40 mm", true},
+                               {"bore 12.7mm", true},
+                               {"our bearing [m]", true},
+                               {"sizes (m, deg)", true},
+                               {"as in the report, item N", false},
+                               {"see a.m. of Monday", false},
+                               {"in 1/2 in. steps", false},
+                               {"0.04 m", true},
+                               {"3 parts of 4711", false}}) {
+    CAPTURE(remark.words);
+    const std::string file = with_remark("4", remark.words);
+    REQUIRE(file.find(remark.words) != std::string::npos);
+    const deck::Deck deck = deck::read_deck_text(file, "file").deck;
+    const deck::KeptText after =
+        deck::with_deck(file, deck::in_units(deck, deck::UnitSystem::English));
+    REQUIRE(after.kept);
+    CHECK(after.text.find(remark.words) != std::string::npos);
+    CHECK(after.doubtful_units ==
+          (remark.speaks_of_si ? std::vector<std::string>{"4"} : std::vector<std::string>{}));
+  }
+  // Numbers that are kept are in the new units as well; so are the units that are named.
+  const deck::KeptText kept = deck::with_values(text, Sets{{"kUnit", "2"}});
+  REQUIRE(kept.kept);
+  CHECK(kept.text.find("displacements [lbf, in]") != std::string::npos);
 }

@@ -94,6 +94,25 @@ TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][
   }
 }
 
+TEST_CASE("a tapered bore is told to have the clearance of a cylindrical one",
+          "[unit][catalogue]") {
+  const auto told = [](std::string_view name) {
+    for (const std::string& sentence : deck::catalogue_story(deck::find_bearing(name)))
+      if (sentence.starts_with("A tapered bore (K)")) return true;
+    return false;
+  };
+  for (const char* name : {"22210 K", "22210 EK", "22210 EK/C3", "SKF 22210 CCK/W33", "22210 K30",
+                           "22210-E1-XL-K", "NU209 K"}) {
+    CAPTURE(name);
+    CHECK(told(name));
+  }
+  for (const char* name : {"22210", "NSK 22210", "SKF 22210 E/C3", "22210 CC/W33", "6205-2RSK",
+                           "NU209 ECP", "30208"}) {
+    CAPTURE(name);
+    CHECK_FALSE(told(name));
+  }
+}
+
 TEST_CASE("an outside may be typed with blanks and the sign of multiplication",
           "[unit][catalogue]") {
   for (const char* typed : {"deep-groove 25 x 52 x 15", "deep-groove 25\u00d752\u00d715",

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "deck/deck.hpp"
+#include "deck/scanner.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What stands behind the values of records in a deck's text, which no reader takes.
+namespace adore::deck {
+
+/// Where the values of a record end: the line (0-based), and what stands behind them there.
+struct RecordEnd {
+  std::size_t line = 0;
+  std::string_view remark;
+};
+/// @param record as read from the scanner's text
+[[nodiscard]] RecordEnd end_of(const Scanner& start, const RecordData& record);
+
+struct FollowedUnits {
+  std::string text;
+  /// Records, each once, whose remark speaks of a unit that the deck does not have now, and is not
+  /// known here: it stays as it is.
+  std::vector<std::string> doubtful;
+};
+
+/// Remarks of the example decks and of the catalogue end with the units of their values, "[N, m]".
+/// After a change of kUnit these follow: "[lbf, in]". What others wrote stays as it is.
+/// @param text of a deck that is in its new units
+/// @param before the units that its remarks speak of
+[[nodiscard]] FollowedUnits with_units_followed(std::string_view text, UnitSystem before);
+
+/// Words before the units in a remark that Adore writes, "forces on the inner race, displacements".
+[[nodiscard]] bool is_own_remark(std::string_view words);
+
+/// The catalogue's words for record 4, which no example has.
+inline constexpr std::string_view kCatalogueOutside =
+    "bore, OD, shaft bore, housing OD (an estimate), race widths";
+
+}  // namespace adore::deck
