@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/race_contacts.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -70,9 +71,9 @@ inline tribology::ContactSurface surface_of(const std::string& name) {
 
 inline ThrustScene thrust_scene(const std::string& id, std::size_t n,
                                 const tribology::EllipseRule& rule, double spread) {
-  std::ifstream file(adore::test::source_dir().string() +
-                     "/tests/reference/dynamics_ball_thrust.json");
-  const nlohmann::json all = nlohmann::json::parse(file);
+  // Read once: without optimization it takes a hundredth of a second.
+  static const nlohmann::json all = nlohmann::json::parse(
+      test::bytes_of(test::source_dir() / "tests/reference/dynamics_ball_thrust.json"));
   for (const nlohmann::json& one : all.at("cases")) {
     if (one.at("id") != id) continue;
     const nlohmann::json &in = one.at("inputs"), &bearing = in.at("bearing"),
