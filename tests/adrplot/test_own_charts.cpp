@@ -216,6 +216,34 @@ TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no freque
   }
 }
 
+TEST_CASE("own charts: the spectrum of a difference ends at what both runs can show", "[unit]") {
+  // 2 kHz in both, stored every 20 us and every 23 us: nothing is drawn above 21.7 kHz.
+  const auto run = [](double step, double size) {
+    test::SyntheticRun made;
+    made.steps = 2000;
+    results::SolFile file = test::synthetic_sol(SolKind::Power, made);
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const double t = step * static_cast<double>(i);
+      file.steps[i].time = t;
+      file.steps[i].values[0] = size * std::sin(2.0 * std::numbers::pi * 2000.0 * t);
+    }
+    return make_document(std::move(file));
+  };
+  const PlotDocument fine = run(20e-6, 1.0), coarse = run(23e-6, 3.0);
+  const std::vector<CurvePick> picks{{&fine, 1, 0, 0}, {&coarse, 1, 0, 0}};
+  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    PageOptions options;
+    options.domain = domain;
+    const auto page = combine_curves(picks, Combine::Difference, options);
+    INFO(page.note);
+    REQUIRE(page.panels.size() == 1);
+    CHECK(page.x.back() <= 0.5 / 23e-6 * (1.0 + 1e-9));
+    CHECK(page.x.back() > 0.48 / 23e-6);
+    CHECK(page.note.find("straight lines every 23 ") != std::string::npos);
+    CHECK(page.note.find("stored steps of") == std::string::npos);
+  }
+}
+
 TEST_CASE("waterfall: a speed is written without a power of ten", "[unit]") {
   CHECK(rpm_text(10000.0 / 60.0) == "10000 rpm");
   CHECK(rpm_text(123456.0 / 60.0) == "123456 rpm");
