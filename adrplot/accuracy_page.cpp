@@ -43,8 +43,7 @@ desktop::ChartPage page_of(const std::vector<Point>& points, const std::string& 
                            const std::string& error_title) {
   desktop::ChartPage page;
   page.title = title;
-  page.note =
-      "A point for each run that came to its end; low and left is good. Both axes are logarithmic.";
+  page.note = "A point for each run that came to its end; low and left is good.";
   page.x_title = "Computing time";
   page.x_unit = "s";
   page.log_x = page.points = true;

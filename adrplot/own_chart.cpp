@@ -3,6 +3,7 @@
 #include "adrplot/spectrum_page.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
+#include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
 
@@ -77,8 +78,42 @@ std::vector<double> all_places(const std::vector<Taken>& curves) {
   return x;
 }
 
+/// Shortest and longest step between places.
+std::pair<double, double> steps_of(const std::vector<double>& x) {
+  std::pair<double, double> out{std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    out.first = std::min(out.first, x[i] - x[i - 1]);
+    out.second = std::max(out.second, x[i] - x[i - 1]);
+  }
+  return out;
+}
+
+/// Places for the spectrum of a difference: those of both where they are the same, else equal steps
+/// as long as the longest of either. Between its stored values a run knows nothing: straight lines
+/// read off more often would have frequencies of their own.
+std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop::ChartPage& page) {
+  const std::vector<double> both = all_places({a, b});
+  if (a.x == b.x || a.x.empty() || b.x.empty()) return both;
+  const double from = std::max(a.x.front(), b.x.front()), to = std::min(a.x.back(), b.x.back());
+  const auto of_a = steps_of(a.x), of_b = steps_of(b.x);
+  const double step = std::max(of_a.second, of_b.second);
+  if (!(to > from) || !(step > 0.0)) return both;
+  std::vector<double> out;
+  const auto count = static_cast<std::size_t>((to - from) / step);
+  for (std::size_t i = 0; i <= count; ++i)
+    out.push_back(std::min(to, from + step * static_cast<double>(i)));
+  const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
+  add_note(page, fmt::format("Resampled: the runs' own steps are {} to {} and {} to {}; both are "
+                             "read off straight lines every {}, so that lines end at {}.",
+                             seconds(of_a.first), seconds(of_a.second), seconds(of_b.first),
+                             seconds(of_b.second), seconds(step),
+                             desktop::pretty_quantity(0.5 / step, "Hz", 3)));
+  return out;
+}
+
 /// Every curve but the first one less that, over the places of both.
-std::vector<Taken> differences(const std::vector<Taken>& taken) {
+std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra,
+                               desktop::ChartPage& page) {
   const Taken& first = taken.front();
   std::vector<Taken> out;
   for (std::size_t i = 1; i < taken.size(); ++i) {
@@ -87,7 +122,8 @@ std::vector<Taken> differences(const std::vector<Taken>& taken) {
       throw InputError(fmt::format("{} is in {}, {} in {}: there is no difference of them",
                                    one.name, one.unit.empty() ? "no unit" : one.unit, first.name,
                                    first.unit.empty() ? "no unit" : first.unit));
-    one.x = all_places({first, taken[i]});
+    one.x =
+        for_spectra ? places_for_spectrum(first, taken[i], page) : all_places({first, taken[i]});
     one.y = read_off(taken[i].x, taken[i].y, one.x);
     const std::vector<double> less = read_off(first.x, first.y, one.x);
     for (std::size_t k = 0; k < one.y.size(); ++k) one.y[k] -= less[k];
@@ -193,7 +229,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     // One difference has no legend that would name it.
     page.note =
         (curves.size() == 2 ? curves.back().name + ", less " : "Less ") + curves.front().name + ".";
-    curves = differences(curves);
+    curves = differences(curves, domain != Domain::History, page);
   }
   if (domain != options.domain)
     add_note(page, "Spectra are of curves over time; these are over another abscissa.");

@@ -38,6 +38,25 @@ double alias_interval(const SolFile& file, double frequency) {
   return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
 }
 
+/// "Aliased: ..." of a run that is stored too seldom for its fastest contact, else empty.
+std::string aliasing(const SolFile& file, const PageContext& context) {
+  const double interval = alias_interval(file, context.fastest_frequency);
+  if (!(interval > 0.0)) return {};
+  return fmt::format("Aliased: the fastest contact vibrates at {}, and steps are stored at {}",
+                     desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+                     desktop::pretty_quantity(1.0 / interval, "Hz", 3));
+}
+
+/// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
+void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {
+  const std::string aliased = aliasing(file, context);
+  if (aliased.empty()) return;
+  chart.note =
+      aliased + ": what is faster is folded into the lines below " +
+      desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
+      ", which cannot be told from it." + (chart.note.empty() ? "" : " ") + chart.note;
+}
+
 std::vector<double> times(const SolFile& file) {
   std::vector<double> numbers;
   for (const auto& step : file.steps) numbers.push_back(step.time);
@@ -299,13 +318,9 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
                  "Pale areas reach from the lowest to the highest value between the stored "
                  "steps.");
     }
-  const double aliased = alias_interval(file, context.fastest_frequency);
-  if (aliased > 0.0)
-    add_note(chart,
-             fmt::format("Aliased: the fastest contact vibrates at {}, and steps are stored at "
-                         "{}; faster motion between them is not seen in the lines.",
-                         desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-                         desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
+  const std::string aliased = aliasing(file, context);
+  if (!aliased.empty())
+    add_note(chart, aliased + "; faster motion between them is not seen in the lines.");
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,
@@ -359,6 +374,13 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   limit_detail(chart);
   if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
+  const std::vector<double> turns = accumulated_turns(file);
+  if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
+    const auto [low, high] = speed_range(times(file), turns);
+    add_note(chart, fmt::format("The shaft's speed varies from {} to {}: marks are of the mean "
+                                "over the run.",
+                                rpm_text(low), rpm_text(high)));
+  }
   to_spectra(chart, times(file), options);
   // Nothing to read without a curve.
   const bool drawn =
@@ -369,6 +391,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   if (drawn) tell_lines(chart, {chart.x.front()}, options);
   first_view_of_spectra(chart, options.scale);
   drop_low_marks(chart);
+  lead_with_aliasing(chart, file, context);
 }
 
 }  // namespace
@@ -416,6 +439,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
         if (keeps_speed(times(file), turns)) add_marks(chart, file, context);
         to_waterfall(chart, times(file), turns, options.spectrum);
         drop_low_marks(chart);
+        lead_with_aliasing(chart, file, context);
       } else {
         add_history(chart, file, page, options.abscissa, context);
       }

@@ -20,6 +20,27 @@
 namespace adore::adrplot {
 namespace {
 
+/// A file that leaves out steps of the run keeps no extremes of them but those drawn as bands:
+/// what is to be said of a page with other curves.
+std::string between_steps(const desktop::ChartPage& page, const results::SolFile& file) {
+  if (file.steps.size() < 2) return {};
+  std::vector<long> apart;
+  for (std::size_t i = 1; i < file.steps.size(); ++i)
+    apart.push_back(file.steps[i].step - file.steps[i - 1].step);
+  std::nth_element(apart.begin(), apart.begin() + std::ssize(apart) / 2, apart.end());
+  const long every = apart[apart.size() / 2];
+  const auto unknown = [](const desktop::ChartCurve& curve) {
+    return curve.high.empty() && !curve.y.empty();
+  };
+  if (every < 2 || std::none_of(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(), unknown);
+      }))
+    return {};
+  return fmt::format(
+      "Of every {} steps of the run one is stored: peaks between stored steps are not in the file.",
+      every);
+}
+
 /// A file whose pages do not depend on the view.
 PlotDocument document_of(const std::filesystem::path& path, std::string subject,
                          std::vector<desktop::ChartPage> pages) {
@@ -72,6 +93,11 @@ class StepPages {
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
     };
+    const bool history = pages_[static_cast<std::size_t>(number - 1)].kind == PageKind::History &&
+                         options.domain == Domain::History;
+    if (const std::string lost = between_steps(page, file_);
+        history && range_.every == 1 && !lost.empty())
+      note(lost);
     if (range_.every > 1)
       note(fmt::format(
           "These are {} of the file's steps, every {}th one: shorter peaks are left out.",

@@ -17,6 +17,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
 
 namespace adore::adrplot {
@@ -145,7 +146,7 @@ void PlotWindow::setAbscissa(Abscissa abscissa) {
 
 void PlotWindow::setDomain(Domain domain) { domain_->setCurrentIndex(static_cast<int>(domain)); }
 
-void PlotWindow::setLogAxes(std::optional<bool> abscissa, bool values) {
+void PlotWindow::setLogAxes(std::optional<bool> abscissa, std::optional<bool> values) {
   log_x_ = abscissa;
   log_y_ = values;
   showCurrent();
@@ -155,7 +156,7 @@ desktop::ChartPage PlotWindow::currentPageChart() {
   desktop::ChartPage chart = document()->build(page_, options_);
   if (!chart.equal_axes) {
     chart.log_x = log_x_.value_or(chart.log_x);
-    for (auto& panel : chart.panels) panel.log = log_y_;
+    for (auto& panel : chart.panels) panel.log = log_y_.value_or(panel.log);
   }
   return chart;
 }
@@ -194,8 +195,10 @@ void PlotWindow::showCurrent() {
   }
   note_->setVisible(!note_->text().isEmpty());
   {
-    const QSignalBlocker quiet(log_x_action_);
+    const QSignalBlocker quiet_x(log_x_action_), quiet_y(log_y_action_);
     log_x_action_->setChecked(chart.log_x);
+    log_y_action_->setChecked(std::any_of(chart.panels.begin(), chart.panels.end(),
+                                          [](const auto& panel) { return panel.log; }));
   }
   view_->showPage(std::move(chart));
   fitReadout();

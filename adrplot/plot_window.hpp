@@ -54,7 +54,7 @@ class PlotWindow : public QMainWindow {
   void showPage(int number);
   void setAbscissa(Abscissa abscissa);
   void setDomain(Domain domain);
-  void setLogAxes(std::optional<bool> abscissa, bool values);
+  void setLogAxes(std::optional<bool> abscissa, std::optional<bool> values);
   /// Saves the page, or all pages of the file, by the name's suffix (desktop/page_export.hpp). Of
   /// all pages PDF makes one file, others one for each, numbered. Of `seen` numbers those in the
   /// view of curves that are shown are written, else all of them. False after a message.
@@ -124,9 +124,9 @@ class PlotWindow : public QMainWindow {
   QStringList values_;  ///< all of them, by part
   QTimer* growth_ = nullptr;
   std::unique_ptr<QProgressDialog> reading_;
-  std::optional<bool> log_x_;  ///< none: as the page begins
-  bool log_y_ = false;
+  std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
   QAction* log_x_action_ = nullptr;
+  QAction* log_y_action_ = nullptr;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;

@@ -90,6 +90,7 @@ void PlotWindow::makeMenus() {
     action->setCheckable(true);
   }
   log_x_action_ = log_x;
+  log_y_action_ = log_y;
   connect(log_x, &QAction::toggled, this, [this](bool on) { setLogAxes(on, log_y_); });
   connect(log_y, &QAction::toggled, this, [this](bool on) { setLogAxes(log_x_, on); });
   view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::adrplot {
 namespace {
@@ -52,21 +53,37 @@ double speed_at(const std::vector<double>& times, const std::vector<double>& tur
 
 }  // namespace
 
-bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns) {
-  if (turns.size() != times.size() || turns.size() < 2) return false;
-  const double span = times.back() - times.front();
-  const double mean = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
-  if (!(mean > 0.0)) return false;
+std::pair<double, double> speed_range(const std::vector<double>& times,
+                                      const std::vector<double>& turns) {
+  if (turns.size() != times.size() || turns.size() < 2) return {};
   // By parts of the run: single steps hold few digits.
   constexpr std::size_t kParts = 20;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t part = 0; part < kParts; ++part) {
     const std::size_t from = part * (times.size() - 1) / kParts,
                       to = (part + 1) * (times.size() - 1) / kParts;
     if (to == from || !(times[to] > times[from])) continue;
     const double speed = (turns[to] - turns[from]) / (times[to] - times[from]);
-    if (std::abs(speed - mean) > kSteady * mean) return false;
+    low = std::min(low, speed);
+    high = std::max(high, speed);
   }
-  return true;
+  return high >= low ? std::pair(low, high) : std::pair(0.0, 0.0);
+}
+
+bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns) {
+  if (turns.size() != times.size() || turns.size() < 2) return false;
+  const double span = times.back() - times.front();
+  const double mean = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
+  if (!(mean > 0.0)) return false;
+  const auto [low, high] = speed_range(times, turns);
+  return high - mean <= kSteady * mean && mean - low <= kSteady * mean;
+}
+
+std::string rpm_text(double speed) {
+  const double rpm = 60.0 * speed;
+  const double size = std::abs(rpm);
+  const int decimals = size >= 1000.0 ? 0 : size >= 100.0 ? 1 : size >= 10.0 ? 2 : 3;
+  return fmt::format("{:.{}f} rpm", rpm, decimals);
 }
 
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
@@ -120,8 +137,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
     desktop::ChartCurve curve{desktop::even_quantity(fall.time[i], "s", 3), {}, {}};
-    if (!steady)
-      curve.name += fmt::format(", {:.4g} rpm", 60.0 * speed_at(times, turns, fall.time[i]));
+    if (!steady) curve.name += ", " + rpm_text(speed_at(times, turns, fall.time[i]));
     curve.lift = distance * static_cast<double>(i);
     curve.foot = decibel ? -kDecibels : 0.0;
     for (const double a : fall.amplitude[i])
@@ -143,9 +159,8 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
       source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
       desktop::pretty_quantity(fall.time.back(), "s", 3) +
           (steady ? std::string()
-                  : fmt::format(" ({:.4g} to {:.4g} rpm)",
-                                60.0 * speed_at(times, turns, fall.time.front()),
-                                60.0 * speed_at(times, turns, fall.time.back()))),
+                  : fmt::format(" ({} to {})", rpm_text(speed_at(times, turns, fall.time.front())),
+                                rpm_text(speed_at(times, turns, fall.time.back())))),
       scale == SpectrumScale::Relative ? fmt::format("{:.1f} of the largest amplitude", distance)
                                        : desktop::pretty_quantity(distance, unit, 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));

@@ -306,7 +306,9 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
       emit runsChosen(runs);
     return;
   }
-  if (toggleLegend(position)) return;
+  // A cursor's click: what lies under the mouse may just have moved.
+  const bool for_cursor = (event->modifiers() & Qt::ControlModifier) != 0;
+  if (!for_cursor && toggleLegend(position)) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
     const int which = (event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0;
     constexpr qreal kAnywhere = 1e9;

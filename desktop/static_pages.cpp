@@ -356,13 +356,17 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (i % kPanelsPerPage == 0) {
       ChartPage& page = pages.emplace_back();
-      page.title = "Key results over " + sweep.variable;
       page.subtitle =
           fmt::format("{} runs{}", sweep.values.size(),
                       sweep.failed > 0 ? fmt::format(", {} without a result", sweep.failed) : "");
       page.x_title = sweep.variable;
       page.x_unit = sweep.unit;
       page.x = sweep.values;
+      page.points = true;  // what was computed; lines only join it
+      std::string names;
+      for (std::size_t k = i; k < std::min(i + kPanelsPerPage, panels.size()); ++k)
+        names += (names.empty() ? "" : ", ") + panels[k].title;
+      page.title = names + " over " + sweep.variable;
     }
     if (panels[i].title.starts_with("Life"))
       pages.back().note =

@@ -298,6 +298,17 @@ TEST_CASE("page_builder: what is stored too seldom for the fastest contact says 
   constexpr int kAcceleration = 4;  // a page without a note of its own
   CHECK(build_page(race, pages, kAcceleration, {}, {{}, 41e3, ""}).note.empty());
   CHECK(build_page(race, pages, kAcceleration, {}, {{}, 43e3, ""}).note.find("Aliased") == 0);
+  // Spectra and waterfalls too, above all else: there it is folded into what is drawn.
+  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    PageOptions options;
+    options.domain = domain;
+    const std::string note = build_page(race, pages, kAcceleration, options, {{}, 43e3, ""}).note;
+    INFO(note);
+    CHECK(note.find("Aliased: the fastest contact vibrates at 43 kHz") == 0);
+    CHECK(note.find("folded") != std::string::npos);
+    CHECK(build_page(race, pages, kAcceleration, options, {{}, 41e3, ""}).note.find("Aliased") ==
+          std::string::npos);
+  }
 }
 
 TEST_CASE("render_plots: every page of files on disk becomes a picture with curves in it",

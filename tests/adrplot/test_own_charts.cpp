@@ -2,6 +2,7 @@
 #include "adrplot/own_chart.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/run_beside.hpp"
+#include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 #include "core/results/synthetic.hpp"
 #include "desktop/axis_scale.hpp"
@@ -194,8 +195,14 @@ TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no freque
       file.steps[i].values[0] = std::sin(2.0 * std::numbers::pi * 900.0 * t);
     }
     PageOptions options;
+    options.domain = Domain::Spectrum;
+    const PlotDocument document = make_document(std::move(file));
+    const std::string told = document.build(1, options).note;
+    INFO(told);
+    CHECK((told.find("speed varies from") != std::string::npos) == runs_up);
+    if (runs_up) CHECK(told.find("marks are of the mean") != std::string::npos);
     options.domain = Domain::Waterfall;
-    const auto page = make_document(std::move(file)).build(1, options);
+    const auto page = document.build(1, options);
     REQUIRE(page.panels.size() == 1);
     const std::string& name = page.panels[0].curves.front().name;
     INFO(name << " | " << page.note);
@@ -207,6 +214,40 @@ TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no freque
     CHECK(rpm == Approx(60.0 * (50.0 + 500.0 * 0.00795)).epsilon(0.01));
     CHECK(page.note.find("rpm)") != std::string::npos);
   }
+}
+
+TEST_CASE("own charts: the spectrum of a difference ends at what both runs can show", "[unit]") {
+  // 2 kHz in both, stored every 20 us and every 23 us: nothing is drawn above 21.7 kHz.
+  const auto run = [](double step, double size) {
+    test::SyntheticRun made;
+    made.steps = 2000;
+    results::SolFile file = test::synthetic_sol(SolKind::Power, made);
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const double t = step * static_cast<double>(i);
+      file.steps[i].time = t;
+      file.steps[i].values[0] = size * std::sin(2.0 * std::numbers::pi * 2000.0 * t);
+    }
+    return make_document(std::move(file));
+  };
+  const PlotDocument fine = run(20e-6, 1.0), coarse = run(23e-6, 3.0);
+  const std::vector<CurvePick> picks{{&fine, 1, 0, 0}, {&coarse, 1, 0, 0}};
+  for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
+    PageOptions options;
+    options.domain = domain;
+    const auto page = combine_curves(picks, Combine::Difference, options);
+    INFO(page.note);
+    REQUIRE(page.panels.size() == 1);
+    CHECK(page.x.back() <= 0.5 / 23e-6 * (1.0 + 1e-9));
+    CHECK(page.x.back() > 0.48 / 23e-6);
+    CHECK(page.note.find("straight lines every 23 ") != std::string::npos);
+    CHECK(page.note.find("stored steps of") == std::string::npos);
+  }
+}
+
+TEST_CASE("waterfall: a speed is written without a power of ten", "[unit]") {
+  CHECK(rpm_text(10000.0 / 60.0) == "10000 rpm");
+  CHECK(rpm_text(123456.0 / 60.0) == "123456 rpm");
+  CHECK(rpm_text(12.34 / 60.0) == "12.34 rpm");
 }
 
 TEST_CASE("own charts: values between stored ones lie on straight lines, none outside", "[unit]") {

@@ -405,3 +405,26 @@ TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") 
   QTest::mouseDClick(view.viewport(), Qt::LeftButton, {}, middle);
   CHECK(scene.viewHigh() == Approx(3.0).epsilon(1e-6));
 }
+
+TEST_CASE("plot_window: axes that a page wants logarithmic are, until another is chosen", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path path =
+      std::filesystem::path(folder.path().toStdString()) / "ACCURACY.json";
+  test::write_text(path, R"({"screening": [{"curve": "rk4", "seconds": 0.5, "error": 1e-3},
+                                           {"curve": "rk4", "seconds": 0.2, "error": 1e-2}]})");
+  PlotWindow window;
+  REQUIRE(window.openFile(path));
+  const auto page = [&window] { return window.view().chartScene().page(); };
+  CHECK(page().log_x);
+  CHECK(page().panels.at(0).log);
+  CHECK(page().note.find("ogarithmic") == std::string::npos);  // the menu may make it untrue
+  QAction* values = nullptr;
+  for (QAction* action : window.findChildren<QAction*>())
+    if (action->text() == "Logarithmic &Values") values = action;
+  REQUIRE(values);
+  CHECK(values->isChecked());
+  values->trigger();
+  CHECK_FALSE(page().panels.at(0).log);
+  CHECK(page().log_x);
+}

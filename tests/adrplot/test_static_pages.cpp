@@ -140,6 +140,9 @@ TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are g
   CHECK(sweep.failed == 1);
   const auto pages = desktop::sweep_pages(sweep);
   REQUIRE(pages.size() == 2);
+  CHECK(pages[0].title != pages[1].title);
+  CHECK(pages[1].title == "Life, Gupta-Zaretsky type over appLoadX");
+  CHECK(pages[0].points);  // three runs, not a line
   CHECK(pages[0].x_title == "appLoadX");
   CHECK(pages[0].x_unit == "lbf");
   CHECK(pages[1].panels.at(0).title == "Life, Gupta-Zaretsky type");

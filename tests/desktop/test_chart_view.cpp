@@ -195,6 +195,10 @@ TEST_CASE("chart_view: a click in the legend hides a curve, and the axis follows
   CHECK(scene.valueAt(0, area.top()) < 25.0);  // the rising curve ends at 20
   click(view, entry(1));
   CHECK_FALSE(scene.page().panels[0].curves[1].hidden);
+  // A cursor's click never hides one.
+  click(view, entry(1), Qt::ControlModifier);
+  click(view, entry(1), Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK_FALSE(scene.page().panels[0].curves[1].hidden);
 }
 
 TEST_CASE("chart_scene: rounding below an atom's size fills no axis", "[gui]") {
