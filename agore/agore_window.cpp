@@ -174,6 +174,7 @@ void AgoreWindow::makeMenus() {
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &AgoreWindow::askForFile);
   desktop::add_recent_menu(*file, kApp,
                            [this](const QString& name) { openFile(name.toStdString()); });
+  file->addAction(tr("Re&load"), Qt::Key_F5, this, &AgoreWindow::reload);
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
   file->addAction(tr("Save &Film..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
@@ -204,7 +205,8 @@ void AgoreWindow::makeMenus() {
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
        {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
-       {tr("Ctrl+E"), tr("saves a film")}});
+       {tr("Ctrl+E"), tr("saves a film")},
+       {tr("F5"), tr("reads the file again, as far as a run has come")}});
 }
 
 void AgoreWindow::makeMotionMenu(QMenu* menu) {
@@ -464,6 +466,7 @@ bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) 
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
+  most_frames_ = most_frames;
   desktop::remember_file(kApp, QString::fromStdString(path.string()));
   const std::string &note = picture_->animation().file.note,
                     &gaps = picture_->animation().file.gaps;
@@ -474,6 +477,18 @@ bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) 
                                     .arg(QString::fromStdString(note))
                                     .arg(frameCount()));
   return true;
+}
+
+void AgoreWindow::reload() {
+  if (!picture_) return askForFile();
+  const double moment = picture_->animation().time[frame_];
+  const std::filesystem::path path = picture_->animation().file.path;  // the picture goes with it
+  if (!openFile(path, most_frames_)) return;
+  setFrame(picture_->frameAt(moment));
+  desktop::tell_in_foot(this, tr("Read again: %1 frames to %2.")
+                                  .arg(frameCount())
+                                  .arg(QString::fromStdString(desktop::pretty_quantity(
+                                      picture_->animation().time.back(), "s", 5))));
 }
 
 void AgoreWindow::setAnimation(Animation animation) {
@@ -500,7 +515,14 @@ void AgoreWindow::setView(View view, int element) {
   if (!picture_) return askForFile();
   const std::string reason = why_not(view, picture_->animation());
   if (!reason.empty()) return desktop::show_message(this, QString::fromStdString(reason));
-  if (view != options_.view) {  // a place in one view is none in another
+  const auto beside = std::find_if(options_.beside.begin(), options_.beside.end(),
+                                   [view](const SideView& side) { return side.view == view; });
+  if (view != options_.view && beside != options_.beside.end()) {  // the two change places
+    const SideView first{options_.view, options_.zoom, options_.pan};
+    options_.zoom = beside->zoom;
+    options_.pan = beside->pan;
+    *beside = first;
+  } else if (view != options_.view) {  // a place in one view is none in another
     options_.zoom = 1.0;
     options_.pan = {0.0, 0.0};
   }
@@ -659,7 +681,14 @@ QString AgoreWindow::proposedName(const QString& suffix) const {
 
 int AgoreWindow::filmRate() const {
   constexpr int kSlowRate = 25;
-  return slow_ > 0.0 ? kSlowRate : std::clamp(speed_->currentData().toInt(), 1, 50);
+  return slow_ > 0.0 ? kSlowRate : std::max(1, speed_->currentData().toInt() / filmEvery());
+}
+
+/// Players show 50 pictures a second; a faster one shows every n-th frame, so that it lasts as long
+/// as the window plays.
+int AgoreWindow::filmEvery() const {
+  constexpr int kMostRate = 50;
+  return slow_ > 0.0 ? 1 : (speed_->currentData().toInt() + kMostRate - 1) / kMostRate;
 }
 
 RenderOptions AgoreWindow::filmOptions() const {
@@ -688,14 +717,17 @@ void AgoreWindow::saveFilm() {
     RenderOptions part = render;
     part.first = static_cast<int>(first) + 1, part.last = static_cast<int>(last) + 1;
     try {
-      const auto pictures = static_cast<double>(film_frames(*picture_, 1, filmRate(), part).size());
+      const auto pictures =
+          static_cast<double>(film_frames(*picture_, filmEvery(), filmRate(), part).size());
       const auto seconds = [](double value) {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
-                           .arg(pictures)
-                           .arg(filmRate())
-                           .arg(seconds(pictures / filmRate()), seconds(each * pictures)),
+                               .arg(pictures)
+                               .arg(filmRate())
+                               .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
+                           (filmEvery() > 1 ? tr(" It has one of every %1 frames.").arg(filmEvery())
+                                            : QString()),
                        true};
     } catch (const std::exception& error) {
       return std::pair{QString::fromUtf8(error.what()), false};
@@ -753,16 +785,22 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
   bool stopped = false;
   render.stop = [&progress, &stopped] { return stopped = progress.wasCanceled(); };
   try {
-    render_movie(*picture_, 1, filmRate(), path.toStdString(), render);
+    // Numbered pictures have no rate.
+    const int every = QFileInfo(path).suffix().isEmpty() ? 1 : filmEvery();
+    render_movie(*picture_, every, filmRate(), path.toStdString(), render);
     const bool folder = QFileInfo(path).isDir();
     if (stopped)
       desktop::tell_in_foot(this,
                             folder ? tr("Stopped: %1 pictures are in %2.").arg(pictures).arg(path)
                                    : tr("Stopped: no film was saved."));
     else
-      desktop::tell_in_foot(this,
-                            folder ? tr("Saved %1 numbered pictures in %2.").arg(pictures).arg(path)
-                                   : tr("Saved %1: %2 pictures.").arg(path).arg(pictures));
+      desktop::tell_in_foot(
+          this, folder
+                    ? tr("Saved %1 numbered pictures in %2.").arg(pictures).arg(path)
+                    : tr("Saved %1: %2 pictures%3.")
+                          .arg(path)
+                          .arg(pictures)
+                          .arg(every > 1 ? tr(", one of every %1 frames").arg(every) : QString()));
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);

@@ -63,6 +63,8 @@ class AgoreWindow : public QMainWindow {
   /// Reads at most `most_frames` frames. False, after a message with the reason, when the file is
   /// refused.
   bool openFile(const std::filesystem::path& path, long most_frames = 1'000'000'000);
+  /// The same file once more, as far as it has grown, at the same moment and with the same views.
+  void reload();
   /// The same for an animation in memory.
   void setAnimation(Animation animation);
 
@@ -116,6 +118,7 @@ class AgoreWindow : public QMainWindow {
   QWidget* makeButtons();
   [[nodiscard]] RenderOptions filmOptions() const;
   [[nodiscard]] int filmRate() const;
+  [[nodiscard]] int filmEvery() const;  ///< every how many frames it has a picture
   void askForElement(View view);
   void play(int direction);
   void advance();
@@ -136,6 +139,7 @@ class AgoreWindow : public QMainWindow {
   double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
   int direction_ = 1;
   std::size_t frame_ = 0;
+  long most_frames_ = 1'000'000'000;  ///< as asked for when the file was opened
   ViewOptions options_;
 };
 

@@ -1,6 +1,7 @@
 #include "agore/animation.hpp"
 
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 
 #include <fmt/format.h>
 
@@ -175,6 +176,30 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
   return out;
 }
 
+/// What a RESULTS.h5 that ends before SOL8 leaves out; times of SOL8 are rounded.
+std::string cut_words(const results::Sol8Frame& last, double end) {
+  constexpr double kRounding = 1e-6, kMs = 1e3;
+  if (!(end - last.time > kRounding * std::abs(end))) return {};
+  return fmt::format("; it ends at step {}, {:.3g} ms before SOL8's end, which is not shown",
+                     last.step, kMs * (end - last.time));
+}
+
+/// Does a file SOL1 to SOL6 of the same run lie beside SOL8?
+bool curves_beside(const Animation& animation) {
+  for (int number = 1; number <= 6; ++number) {
+    const std::filesystem::path path =
+        animation.file.path.parent_path() / fmt::format("SOL{}", number);
+    if (!is_plain_file(path)) continue;
+    try {
+      const results::SolFile head = results::read_sol(path, results::SolRange{1, 1, 1});
+      if (head.header.run_id == animation.file.run_id) return true;
+    } catch (const std::exception&) {
+      continue;  // another file may be good
+    }
+  }
+  return false;
+}
+
 void check_frames(const results::Sol8File& file, const std::string& name) {
   if (file.frames.empty())
     throw InputError(name + " holds no complete frame" +
@@ -213,7 +238,9 @@ Animation finish(Animation animation) {
                           animation.motion->stored_steps())
             : "every stored step, all digits from RESULTS.h5";
   } else {
-    animation.source = "SOL8 alone: three digits, nothing between its frames";
+    animation.source = curves_beside(animation)
+                           ? "frames of SOL8: three digits, nothing between; curves of SOL files"
+                           : "SOL8 alone: three digits, nothing between its frames";
   }
   return animation;
 }
@@ -243,13 +270,17 @@ Animation prepare(results::Sol8File file, long most_frames) {
   const auto most = static_cast<std::size_t>(
       std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)));
   if (auto motion = results::MotionFile::beside(file, why_not, most)) {
+    const double end = file.frames.back().time;
     animation.motion = std::make_shared<const results::MotionFile>(std::move(*motion));
     animation.file = animation.motion->frames();
     check_frames(animation.file, name);
-  } else {
-    animation.file = std::move(file);
-    animation.no_contacts = why_not;
+    const std::string cut = cut_words(animation.file.frames.back(), end);
+    animation = finish(std::move(animation));
+    animation.source += cut;
+    return animation;
   }
+  animation.file = std::move(file);
+  animation.no_contacts = why_not;
   return finish(std::move(animation));
 }
 

@@ -38,8 +38,12 @@ void draw_cage(const Scene& s) {
                   s.cages.of(s.animation, s.pocket_radius(), part, outside * s.sketch.scale()));
 }
 
-QString exaggeration_remark(double factor) {
-  return factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(factor);
+/// A factor that was asked for and not given is named.
+QString exaggeration_remark(const Scene& s) {
+  const QString given =
+      s.factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(s.factor);
+  const double asked = s.options.exaggeration;
+  return asked > s.factor ? given + QString(" (× %1 asked: the most here)").arg(asked) : given;
 }
 
 /// Arrows from the centre of the cage, or of each segment, to where its busier land touches the
@@ -208,7 +212,7 @@ void bearing_view(const Scene& s) {
     add_cage_contacts(s, key);
     if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
   }
-  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
+  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements, ≤ 0.8 spacing"});
   if (s.options.contacts && s.animation.contacts) {
     const auto& largest = s.animation.contacts->largest_of_race;
     key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
@@ -220,7 +224,7 @@ void bearing_view(const Scene& s) {
     const std::vector<KeyEntry> ends = scale_entries(s);
     key.insert(key.begin(), ends.begin(), ends.end());
   }
-  draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
+  draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
 }
 
 void cage_view(const Scene& s) {
@@ -252,7 +256,7 @@ void cage_view(const Scene& s) {
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))
                             : QString("no orbit");
-  draw_key(s, key, scale + "  ·  " + exaggeration_remark(s.factor));
+  draw_key(s, key, scale + "  ·  " + exaggeration_remark(s));
 }
 
 }  // namespace adore::agore

@@ -182,7 +182,8 @@ int main(int argc, char** argv) {
       ->type_name("SCALE");
   cli.add_flag("--contacts", request.options.view.contacts,
                "arrows of the race loads on all elements");
-  cli.add_flag("--trails", request.options.view.trails, "the path of every element so far");
+  cli.add_flag("--trails", request.options.view.trails,
+               "the path of every element, back over 0.8 of their spacing");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   // A window that is there takes files alone.
   for (const char* of_first : {"--render", "--view", "--beside", "--race", "--element",

@@ -62,12 +62,54 @@ QStringList present_values(const desktop::ChartPage& page, double time, double w
   return fit ? lines : QStringList{metrics.elidedText(values.join(" · "), Qt::ElideRight, width)};
 }
 
-/// The run's own speed: the name of a deck may say that of another one.
+/// Speeds of the shaft over equal parts of the frames [rpm], with those at both ends, to which the
+/// outer two parts are continued straight.
+std::vector<double> shaft_speeds(const Animation& animation) {
+  constexpr std::size_t kParts = 20;
+  const auto& frames = animation.file.frames;
+  const std::size_t parts = std::min(kParts, frames.size() - 1);
+  std::vector<double> middle, speed;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const auto& from = frames[i * (frames.size() - 1) / parts];
+    const auto& to = frames[(i + 1) * (frames.size() - 1) / parts];
+    if (!(to.time > from.time)) continue;
+    middle.push_back(0.5 * (from.time + to.time));
+    speed.push_back(60.0 * (to.revolutions - from.revolutions) / (to.time - from.time));
+  }
+  if (speed.size() < 2) return speed;
+  const auto at = [&](double time, std::size_t i, std::size_t j) {
+    return speed[i] + (speed[j] - speed[i]) * (time - middle[i]) / (middle[j] - middle[i]);
+  };
+  const std::size_t last = speed.size() - 1;
+  const double begins = at(frames.front().time, 0, 1),
+               ends = at(frames.back().time, last, last - 1);
+  speed.insert(speed.begin(), begins);
+  speed.push_back(ends);
+  return speed;
+}
+
+/// The run's own speed: the name of a deck may say that of another one. One that varies has no
+/// single number: its ends are told or, where they are not its limits, the limits.
 std::string speed_text(const Animation& animation) {
-  constexpr double kRpm = 30.0 / std::numbers::pi;
-  const double speed = kRpm * shaft_speed(animation);
-  if (!(std::abs(speed) > 0.0)) return {};
-  return "   ·   runs at " + desktop::pretty_number(speed, 3) + " rpm";
+  constexpr double kRpm = 30.0 / std::numbers::pi, kSteady = 0.01;
+  const double mean = kRpm * shaft_speed(animation);
+  const std::vector<double> speeds = shaft_speeds(animation);
+  if (speeds.empty()) return {};
+  const auto [least, most] = std::minmax_element(speeds.begin(), speeds.end());
+  const double span = *most - *least, size = std::max(std::abs(*least), std::abs(*most));
+  // Three digits are what parts of a run can tell; where it stands still, rounding is left.
+  const auto words = [size](double value) {
+    if (std::abs(value) < 1e-3 * size) return desktop::pretty_number(0.0, 3);
+    const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
+    return desktop::pretty_number(digit * std::round(value / digit), 3);
+  };
+  if (span <= kSteady * size)
+    return std::abs(mean) > 0.0 ? "   ·   runs at " + desktop::pretty_number(mean, 3) + " rpm"
+                                : std::string();
+  const double begins = speeds.front(), ends = speeds.back();
+  if (std::abs(ends - begins) > (1.0 - kSteady) * span)
+    return "   ·   runs from " + words(begins) + " to " + words(ends) + " rpm";
+  return "   ·   runs between " + words(*least) + " and " + words(*most) + " rpm";
 }
 
 }  // namespace

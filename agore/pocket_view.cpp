@@ -250,8 +250,9 @@ void pocket_view(const Scene& s) {
   if (rollers && shape_known)
     key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
   const bool low = too_low(s.options, s.sketch.area().height());
-  std::string remark = fmt::format("{}{} of {}  ·  clearance × {}", low ? "" : "pocket ", k + 1,
-                                   s.frame.elements.size(), desktop::pretty_number(factor, 3));
+  std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
+                                   s.frame.elements.size(), desktop::pretty_number(factor, 3),
+                                   s.options.exaggeration > 0.0 ? " (this view's own)" : "");
   if (rollers) remark += skew_remark(lies.skew, pose.skew, low);
   if (!low) {
     remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);

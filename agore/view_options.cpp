@@ -1,5 +1,6 @@
 #include "agore/view_options.hpp"
 
+#include "agore/view_layout.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
@@ -184,10 +185,41 @@ double way_of_cage(const Animation& animation) {
   return out;
 }
 
+/// The largest factor that a picture can show: elements stand apart and within their races' rings,
+/// the cage lies over neither ring. Rounded down to what reads well.
+double most_exaggeration(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  const double pitch_radius = 0.5 * g.pitch_diameter, pocket = 0.5 * g.pocket_clearance_1;
+  double most = std::numeric_limits<double>::infinity();
+  const auto keep = [&most](double room, double way) {
+    if (room > 0.0 && way > 0.0) most = std::min(most, room / way);
+  };
+  const double half_pitch = std::numbers::pi * pitch_radius / animation.file.elements;
+  keep(0.94 * half_pitch - g.element_radius, pocket);
+  const double cage =
+      animation.guide_clearance > 0.0 ? animation.guide_clearance : way_of_cage(animation);
+  keep(g.outer_race_inner_radius - g.cage_outer_radius, cage);
+  keep(g.cage_inner_radius - g.inner_race_outer_radius, cage);
+  keep(outer_rim(g) - pitch_radius - g.element_radius, cage + pocket);
+  keep(pitch_radius - g.element_radius - g.inner_race_inner_radius, cage + pocket);
+  return most < 10.0 ? std::max(1.0, std::floor(10.0 * most) / 10.0) : std::floor(most);
+}
+
+double automatic_exaggeration(const Animation& animation);
+
 }  // namespace
 
 double used_exaggeration(const Animation& animation, const ViewOptions& options) {
-  if (options.exaggeration > 0.0) return options.exaggeration;
+  if (!(options.exaggeration > 0.0)) return automatic_exaggeration(animation);
+  if (!animation.has_cage || options.exaggeration <= 1.0) return options.exaggeration;
+  // What is chosen from the geometry can be shown, whatever the limits say.
+  return std::min(options.exaggeration,
+                  std::max(most_exaggeration(animation), automatic_exaggeration(animation)));
+}
+
+namespace {
+
+double automatic_exaggeration(const Animation& animation) {
   if (!animation.has_cage) return 1.0;
   const auto& g = animation.file.geometry;
   const double pitch_radius = 0.5 * g.pitch_diameter;
@@ -208,5 +240,7 @@ double used_exaggeration(const Animation& animation, const ViewOptions& options)
     if (candidate <= limit * 1.05) factor = candidate;
   return factor;
 }
+
+}  // namespace
 
 }  // namespace adore::agore

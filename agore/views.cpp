@@ -32,6 +32,9 @@ Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animati
           stamps};
 }
 
+/// A picture that is whole ends in its area by itself.
+bool is_clipped(const ViewOptions& options) { return options.zoom != 1.0 || !options.pan.isNull(); }
+
 void paint_still(const Scene& scene) {
   switch (scene.options.view) {
     case View::Bearing:
@@ -76,17 +79,18 @@ void paint_moving(const Scene& scene, Kept& kept) {
 
 StillKey still_key(const QRectF& area, const Animation& animation, std::size_t index,
                    const ViewOptions& options) {
-  StillKey key{area,        options.view, options.zoom,     used_exaggeration(animation, options),
-               options.pan, options.dark, options.contacts, {}};
-  if (options.view != View::Bearing && options.view != View::Element) return key;
   QImage nothing(1, 1, QImage::Format_RGB32);
   QPainter painter(&nothing);
-  const double scale = sketch_of(painter, area, animation, options).scale();
+  const Sketch sketch = sketch_of(painter, area, animation, options);
+  StillKey key{
+      area,         sketch.at(0.0, 0.0), sketch.scale(),      used_exaggeration(animation, options),
+      options.view, options.dark,        is_clipped(options), {}};
+  if (options.view != View::Bearing && options.view != View::Element) return key;
   for (std::size_t race = 0; race < 2; ++race)
     for (std::size_t c = 0; c < 2; ++c) {
       constexpr double kFar = 1e8;
       const double at =
-          4.0 * scale * key.factor * animation.frame(index).races[race].position[c + 1];
+          4.0 * key.scale * key.factor * animation.frame(index).races[race].position[c + 1];
       key.races[2 * race + c] = std::lround(std::isfinite(at) ? std::clamp(at, -kFar, kFar) : kFar);
     }
   return key;
@@ -99,7 +103,7 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
   if (kept == nullptr) kept = &once;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  if (options.zoom != 1.0 || !options.pan.isNull()) painter.setClipRect(area);
+  if (is_clipped(options)) painter.setClipRect(area);
   const Sketch sketch = sketch_of(painter, area, animation, options, &kept->stamps);
   const Scene scene{
       sketch,  animation,   index,    animation.frame(index), used_exaggeration(animation, options),

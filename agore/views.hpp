@@ -22,13 +22,15 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
                    std::size_t frame, const ViewOptions& options, Kept* kept = nullptr,
                    Layers layers = Layers::All);
 
-/// What the still layer of a picture depends on; the places of the races to a quarter of a pixel.
+/// What the still layer of a picture depends on: where its sketch is and how large it draws, which
+/// every option may change that changes the key's room, and the places of the races to a quarter
+/// of a pixel.
 struct StillKey {
   QRectF area;
+  QPointF centre;
+  double scale = 0.0, factor = 0.0;
   View view{};
-  double zoom = 0.0, factor = 0.0;
-  QPointF pan;
-  bool dark = false, contacts = false;
+  bool dark = false, clipped = false;
   std::array<long, 4> races{};
   bool operator==(const StillKey&) const = default;
 };

@@ -150,7 +150,8 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       ->capture_default_str()
       ->type_name("SCALE");
   command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
-  command->add_flag("--trails", request->trails, "the path of every element so far");
+  command->add_flag("--trails", request->trails,
+                    "the path of every element, back over 0.8 of their spacing");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(

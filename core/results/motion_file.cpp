@@ -98,11 +98,19 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
     }
     const UnitSystem units = units_of(file);
     // A few frames tell one run from another; the last one that both hold is among them.
+    // RESULTS.h5 of a run that was killed or goes on ends before SOL8: it is used as far as it
+    // goes.
     constexpr std::size_t kLooks = 16;
-    const std::size_t every = std::max<std::size_t>(1, file.frames.size() / kLooks);
+    const auto held = static_cast<std::size_t>(std::find_if(file.frames.begin(), file.frames.end(),
+                                                            [&](const Sol8Frame& frame) {
+                                                              return !numbers.empty() &&
+                                                                     frame.step > numbers.back();
+                                                            }) -
+                                               file.frames.begin());
+    const std::size_t every = std::max<std::size_t>(1, held / kLooks);
     bool any = false;
-    for (std::size_t i = 0; i < file.frames.size(); ++i) {
-      if (i % every != 0 && i + 1 != file.frames.size()) continue;
+    for (std::size_t i = 0; i < held; ++i) {
+      if (i % every != 0 && i + 1 != held) continue;
       const Sol8Frame& frame = file.frames[i];
       const auto found = at.find(frame.step);
       if (found == at.end()) {

@@ -159,6 +159,57 @@ TEST_CASE("agore_window: a film goes from a frame or a time to another, and says
         QStringList{"SOL8-frame-00019.png", "SOL8-frame-00020.png"});
   window.statusBar()->clearMessage();
   CHECK_FALSE(window.statusBar()->isVisible());
+  // Faster than players are: it lasts as long as the window plays.
+  for (const auto& [rate, count] : {std::pair{"50", 20}, {"100", 10}, {"250", 4}, {"1000", 1}}) {
+    window.findChild<QComboBox*>("speed")->setCurrentText(rate);
+    INFO(rate);
+    REQUIRE(window.writeFilm(film));
+    const QString said = window.statusBar()->currentMessage();
+    CHECK(said.startsWith(QString("Saved %1: %2 pictures").arg(film).arg(count)));
+    CHECK(said.contains("one of every") == (count < 20));
+  }
+}
+
+TEST_CASE("agore_window: a view that stands beside and is asked for changes places", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(5))));
+  window.setView(View::Bearing);
+  window.setBeside(View::Cage, true);
+  window.setBeside(View::Pocket, true);
+  window.setView(View::Pocket);
+  CHECK(window.options().view == View::Pocket);
+  REQUIRE(window.options().beside.size() == 2);
+  CHECK(window.options().beside[0].view == View::Cage);
+  CHECK(window.options().beside[1].view == View::Bearing);
+}
+
+TEST_CASE("agore_window: a run that goes on is read again at the same moment", "[gui]") {
+  test::use_qt();
+  QTemporaryDir base;
+  const std::filesystem::path sol8 = base.filePath("SOL8").toStdString();
+  test::write_text(sol8, test::sol8_text(test::synthetic_sol8(short_run(20))));
+  AgoreWindow window;
+  REQUIRE(window.openFile(sol8));
+  window.setView(View::Cage);
+  window.setTrails(true);
+  window.setFrame(7);
+  const double moment = window.picture()->animation().time[7];
+  test::write_text(sol8, test::sol8_text(test::synthetic_sol8(short_run(35))));
+  menu_action(window, "Reload")->trigger();
+  REQUIRE(window.frameCount() == 35);
+  // To the frame next to that time.
+  const auto& time = window.picture()->animation().time;
+  CHECK(window.currentFrame() > 0);
+  CHECK(time[window.currentFrame()] == Approx(moment).margin(0.5 * (time[1] - time[0])));
+  CHECK(window.options().view == View::Cage);
+  CHECK(window.options().trails);
+  CHECK(window.statusBar()->currentMessage().startsWith("Read again: 35 frames"));
+  // A file that is gone leaves what is shown.
+  std::filesystem::remove(sol8);
+  menu_action(window, "Reload")->trigger();
+  CHECK_FALSE(take_message(window).isEmpty());
+  CHECK(window.frameCount() == 35);
 }
 
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {

@@ -173,6 +173,20 @@ TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "
   const Animation a = prepare(test::synthetic_sol8(short_run(5)));
   CHECK(used_exaggeration(a, {}) == 5.0);
   ViewOptions options;
-  options.exaggeration = 12;
-  CHECK(used_exaggeration(a, options) == 12.0);
+  options.exaggeration = 1;
+  CHECK(used_exaggeration(a, options) == 1.0);
+  // Whatever is asked for, neighbours stand apart and the cage lies over no race's ring.
+  const auto& g = a.file.geometry;
+  const double half_pitch = std::numbers::pi * 0.5 * g.pitch_diameter / a.file.elements;
+  for (const double asked : {2.0, 5.0, 10.0, 20.0, 50.0, 1000.0}) {
+    options.exaggeration = asked;
+    const double factor = used_exaggeration(a, options);
+    INFO("asked " << asked << ", drawn " << factor);
+    CHECK(factor <= asked);
+    CHECK(g.element_radius + 0.5 * factor * g.pocket_clearance_1 < half_pitch);
+    CHECK(g.cage_outer_radius + factor * a.guide_clearance <= g.outer_race_inner_radius);
+    CHECK(g.cage_inner_radius - factor * a.guide_clearance >= g.inner_race_outer_radius);
+  }
+  CHECK(used_exaggeration(a, options) < 1000.0);
+  CHECK(used_exaggeration(a, options) >= 5.0);  // as chosen by itself, at least
 }

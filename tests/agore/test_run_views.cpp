@@ -11,6 +11,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 /// What the views show of RESULTS.h5, and what their keys name.
 using namespace adore;
@@ -189,13 +191,35 @@ TEST_CASE("views: the speed of a run has its sign", "[gui][agore]") {
   for (const double way : {1.0, -1.0}) {
     Animation animation = prepare(test::synthetic_sol8());
     auto& frames = animation.file.frames;
-    frames.front().revolutions = 0.0;
-    frames.back().revolutions = way * 100.0 * (frames.back().time - frames.front().time);
+    for (auto& frame : frames) frame.revolutions = way * 100.0 * (frame.time - frames.front().time);
     MotionPicture picture(std::move(animation));
     const QString svg = QString::fromUtf8(picture.svg({1280, 800}, 3, {}));
     CHECK(svg.contains("runs at 6000 rpm") == (way > 0.0));
     CHECK(svg.contains(QString("runs at \u22126000 rpm")) == (way < 0.0));
   }
+}
+
+TEST_CASE("views: a speed that varies is told by its ends or limits, not by a mean",
+          "[gui][agore]") {
+  test::use_qt();
+  const auto heading = [](const std::function<double(double)>& turned) {
+    Animation animation = prepare(test::synthetic_sol8());
+    auto& frames = animation.file.frames;
+    const double span = frames.back().time - frames.front().time;
+    for (auto& frame : frames)
+      frame.revolutions = span * turned((frame.time - frames.front().time) / span);
+    MotionPicture picture(std::move(animation));
+    return QString::fromUtf8(picture.svg({1280, 800}, 3, {}));
+  };
+  // From 10000 to 4000 rpm: 6500 and 7000 are no speeds of this run.
+  CHECK(heading([](double t) {
+          return (10000.0 * t - 3000.0 * t * t) / 60.0;
+        }).contains("runs from 10000 to 4000 rpm"));
+  CHECK(heading([](double t) { return 3000.0 * t * t / 60.0; }).contains("from 0 to 6000 rpm"));
+  const double turn = 2.0 * std::numbers::pi;
+  CHECK(heading([turn](double t) {
+          return (6000.0 * t - 1000.0 * std::cos(turn * t) / turn) / 60.0;
+        }).contains("runs between "));
 }
 
 TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agore]") {

@@ -123,7 +123,16 @@ TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][
   CHECK(file.steps[20].values != before.steps[20].values);
   CHECK(file.steps[21].values == before.steps[21].values);
   std::string why_not;
-  CHECK_FALSE(MotionFile::beside(read_sol8(folder / "SOL8"), why_not).has_value());
+  // A run that was killed: RESULTS.h5 is used as far as it goes.
+  const Sol8File longer = read_sol8(folder / "SOL8");
+  const auto motion = MotionFile::beside(longer, why_not);
+  INFO(why_not);
+  REQUIRE(motion);
+  CHECK(motion->frames().frames.back().step < longer.frames.back().step);
+  // A gap within it is no such end.
+  Sol8File gap = longer;
+  gap.frames.front().step = motion->frames().frames.front().step - 1;
+  CHECK_FALSE(MotionFile::beside(gap, why_not).has_value());
   CHECK_THAT(why_not, Contains("lacks step"));
 }
 
