@@ -183,7 +183,11 @@ class Document {
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
     std::map<std::string, std::string> options;                     ///< run options that are given
     std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; not yet answered
-    std::set<Cell> typed_since;                  ///< values in the new units already
+    /// Bodies monitored with other counts of elements and segments, for the day when these come
+    /// back; and those that the last change of a count left.
+    std::map<std::pair<long long, long long>, std::vector<long long>> monitored_with;
+    std::vector<long long> followed;
+    std::set<Cell> typed_since;  ///< values in the new units already
   };
   struct Step {
     State state;

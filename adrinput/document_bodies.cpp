@@ -55,6 +55,11 @@ void Document::follow_bodies(const deck::Deck& before) {
       return;  // wrong before: an error tells it
     monitored.push_back(*number);
   }
+  if (state_.followed != monitored) state_.monitored_with.clear();  // chosen anew since
+  state_.monitored_with[{old.elements, old.segments}] = monitored;
+  const auto known = state_.monitored_with.find({now.elements, now.segments});
+  const bool back = known != state_.monitored_with.end();
+  if (back) monitored = known->second;
   const Kind kinds[] = {
       {1, old.elements, 1, now.elements},
       {old.elements + 1, old.segments, now.elements + 1, now.segments},
@@ -63,7 +68,8 @@ void Document::follow_bodies(const deck::Deck& before) {
   };
   std::vector<long long> after;
   std::vector<std::pair<const Kind*, long long>> homeless;  // after those that stay as they are
-  for (const long long number : monitored)
+  if (back) after = monitored;
+  for (const long long number : back ? std::vector<long long>{} : monitored)
     for (const Kind& kind : kinds) {
       const long long place = number - kind.first_before + 1;
       if (place < 1 || place > kind.before) continue;
@@ -87,6 +93,7 @@ void Document::follow_bodies(const deck::Deck& before) {
     change_issues_.push_back(std::move(issue));
   }
   std::sort(after.begin(), after.end());
+  state_.followed = after;
   record->values[count] = {static_cast<long long>(after.size())};
   record->values[bodies].assign(after.begin(), after.end());
   settle();

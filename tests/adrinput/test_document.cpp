@@ -563,6 +563,11 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
         CHECK(deck == before);
         (void)document.redo();
         CHECK(monitored(document) == is);
+        document.edit(cell(variable), variable == std::string("nRe") ? std::to_string(elements)
+                                                                     : std::to_string(segments));
+        document.end_step();
+        CHECK(deck == before);  // the count comes back, and with it the bodies
+        (void)document.undo();
         // The same as one change of several values.
         (void)document.undo();
         document.change({{variable, std::to_string(now)}});
