@@ -4,7 +4,6 @@
 #include "adrinput/window_words.hpp"
 #include "deck/templates.hpp"
 #include "facade/rehearsal.hpp"
-#include "support/full_disk.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -451,39 +450,4 @@ TEST_CASE("a question whose other answer ends or deletes something is not answer
       }
     }
   CHECK(questions >= 6);
-}
-
-TEST_CASE("a run that a full disk ended tells how far it came and opens what it stored",
-          "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
-  shorten(window.document(), "100000");
-  window.document().save(folder.filePath("DATA.txt").toStdString());
-  {
-    const test::FullDisk full(1'500'000);
-    run_to_end(window);
-  }
-  const QString said = note(window);
-  INFO(said.toStdString());
-  CHECK(said.contains(QRegularExpression("^The run ended at \\d+ %, for this reason: .*written")));
-  CHECK(said.contains("can be opened"));
-  CHECK(window.findChild<QLabel*>("run-note")->wordWrap());
-  CHECK_FALSE(window.findChild<QPlainTextEdit*>("run-text")->isVisible());
-  CHECK(launches.empty());
-  for (const char* button : {"open-plots", "open-animation", "listing"}) {
-    INFO(button);
-    CHECK(window.findChild<QPushButton*>(button)->isEnabled());
-  }
-  press(window, "open-plots");
-  REQUIRE(launches.size() == 1);
-  CHECK(launches[0].second.contains(folder.filePath("SOL1")));
-  // A run that never began has nothing to open.
-  window.document().edit(cell("kDOF"), "6");
-  run_to_end(window);
-  CHECK(note(window).startsWith("The deck was not run"));
-  CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
