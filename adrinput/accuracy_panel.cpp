@@ -106,7 +106,7 @@ void AccuracyPanel::cancel() { background_.stop(); }
 void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
   studied_ = deck;
-  another_ = false;
+  dropped_ = reread_ = stale_ = false;
   sets_.clear();
   view_->clear();
   view_->show();
@@ -158,33 +158,42 @@ void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString&
     headline_ = tr("The study was ended before it was complete.");
   } else {
     bar_->setValue(kBarSteps);
-    if (!another_) sets_ = facade::recommended_sets(study_made);
+    if (!dropped_) sets_ = facade::recommended_sets(study_made);
     headline_ = QString::fromStdString(facade::recommendation(study_made));
-    QStringList changes;
-    for (const auto& [name, value] : sets_)
-      changes << QString::fromStdString(fmt::format("{} = {}", name, value));
-    if (!changes.isEmpty())
-      headline_ += tr(" \"Put into the deck\" sets %1.").arg(changes.join(", "));
     view_->setPlainText(QString::fromStdString(facade::accuracy_table(study_made)));
   }
-  note_->setText(headline_);
+  showNote();
   enableButtons();
   emit finished();
 }
 
-void AccuracyPanel::forget() {
-  another_ = !studied_.records.empty();
+void AccuracyPanel::showNote() {
+  QStringList changes;
+  for (const auto& [name, value] : sets_)
+    changes << QString::fromStdString(fmt::format("{} = {}", name, value));
+  note_->setText((reread_    ? tr("Of the deck as it was before its file was read again; a new "
+                                     "study tells the settings of this one. ")
+                  : dropped_ ? tr("Of another deck. ")
+                  : stale_   ? tr("Of the deck as it was before the last change. ")
+                             : QString()) +
+                 headline_ +
+                 (changes.isEmpty()
+                      ? QString()
+                      : tr(" \"Put into the deck\" sets %1.").arg(changes.join(", "))));
+}
+
+void AccuracyPanel::forget(bool reread) {
+  if (studied_.records.empty()) return;
+  reread_ = reread && (reread_ || !dropped_);
+  dropped_ = true;
   sets_.clear();
   enableButtons();
 }
 
 void AccuracyPanel::setDeck(const deck::Deck& deck) {
-  if (studied_.records.empty() || busy()) return;
-  note_->setText(deck == studied_
-                     ? headline_
-                     : (another_ ? tr("Of another deck. ")
-                                 : tr("Of the deck as it was before the last change. ")) +
-                           headline_);
+  if (studied_.records.empty()) return;
+  stale_ = !(deck == studied_);
+  if (!busy()) showNote();
 }
 
 }  // namespace adore::adrinput

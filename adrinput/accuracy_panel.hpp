@@ -40,8 +40,8 @@ class AccuracyPanel : public QWidget {
   void start(const deck::Deck& deck, const RunOptionValues& options);
   /// The deck is this one now: a study of an older one says so.
   void setDeck(const deck::Deck& deck);
-  /// Another deck was opened: what is recommended is not for it.
-  void forget();
+  /// Another deck was opened, or its file was read again: what is recommended is not for it.
+  void forget(bool reread);
   [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
   /// What is recommended; empty before, or when nothing is.
@@ -60,6 +60,7 @@ class AccuracyPanel : public QWidget {
  private:
   void showRow(const QString& line, double used);
   void show(const facade::AccuracyStudy& study, const QString& failure);
+  void showNote();
   void enableButtons();
 
   QPushButton *start_, *cancel_, *apply_;
@@ -69,7 +70,9 @@ class AccuracyPanel : public QWidget {
   QPlainTextEdit* view_;
   Background background_;
   deck::Deck studied_;
-  bool another_ = false;  ///< another deck was opened since
+  bool dropped_ = false;  ///< since the study began a deck was opened, perhaps
+  bool reread_ = false;   ///< of the same file
+  bool stale_ = false;    ///< the deck is not the one that is studied
   Sets sets_;
   QString headline_;
 };

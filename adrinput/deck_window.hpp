@@ -155,7 +155,7 @@ class DeckWindow : public QMainWindow {
   void leaveRun(std::function<void()> then);
   void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
-  void forgetResults();
+  void forgetResults(bool reread = false);
 
   Document document_;
   std::string visited_problem_;  ///< its text

@@ -182,19 +182,21 @@ void DeckWindow::showHelp(const QString& title, const QString& text) {
 }
 
 /// What was computed for the deck before is nothing of the one that is here now.
-void DeckWindow::forgetResults() {
+/// `reread`: it is the same file, which another program changed.
+void DeckWindow::forgetResults(bool reread) {
   plan_->forget();
   statics_->forget();
   charts_->forget();
-  accuracy_->forget();
-  run_->setAnother();
+  accuracy_->forget(reread);
+  run_->setAnother(document_.path());
 }
 
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   try {
     const std::filesystem::path file = facade::deck_path(path);
+    const bool reread = file == document_.path();
     document_.open(file);
-    forgetResults();
+    forgetResults(reread);
     checkNow();
     remember(file);
     current_.clear();

@@ -145,7 +145,8 @@ void DeckWindow::refreshNotices() {
     units_notice_->hide();
   } else if (!units_notice_->isVisibleTo(this)) {
     const bool si = document_.deck().units() == deck::UnitSystem::SI;
-    units_notice_->ask(tr("The deck is in %1 now. Its numbers are still those of %2.")
+    units_notice_->ask(tr("The deck is in %1 now. Its numbers are still those of %2, "
+                          "but for what is typed since.")
                            .arg(si ? tr("SI units") : tr("English units"),
                                 si ? tr("English units") : tr("SI units")),
                        {{"convert", tr("&Convert the values"),

@@ -47,8 +47,8 @@ void Document::start(State state) {
   unused_.clear();
   effects_.clear();
   kept_copy_.clear();
-  numbers_in_.reset();
   model_issues_.clear();
+  change_issues_.clear();
   settle();
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
@@ -94,10 +94,14 @@ void Document::change(const std::vector<std::pair<std::string, std::string>>& se
         cell.record.empty() && (old == nullptr || !(*old == record)))
       cell.record = record.id;
   begin_step(cell);
-  numbers_in_.reset();
   state_.drafts.clear();
-  state_.deck = std::move(changed_deck);
+  const deck::Deck before = std::exchange(state_.deck, std::move(changed_deck));
+  note_typed(before);
   settle();
+  if (std::none_of(sets.begin(), sets.end(), [](const auto& set) {
+        return std::string_view(set.first).starts_with("kPltElemInd");
+      }))
+    follow_bodies(before);
   step_cell_.reset();
   find_problems();
   notify();
@@ -141,6 +145,7 @@ void Document::begin_step(const Cell& cell) {
   redo_.clear();
   if (step_cell_ == cell || (together_ && step_cell_)) return;
   step_cell_ = cell;
+  change_issues_.clear();
   undo_.push_back({state_, cell.record});
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
 }
@@ -153,7 +158,6 @@ void Document::type(const Cell& cell, std::string_view typed) {
       (is_draft(cell) || !meaning || meaning(cell, std::string(typed)) == typed))
     return;
   begin_step(cell);
-  numbers_in_.reset();
   state_.drafts[cell] = typed;
   typing_ = cell;
   find_problems();
@@ -198,6 +202,7 @@ void Document::edit(const Cell& cell, std::string_view typed) {
   if (!value.problem && value.value == *old && state_.drafts.count(cell) == 0) return;
   begin_step(cell);
   const deck::UnitSystem units = state_.deck.units();
+  const deck::Deck before = state_.deck;
   if (value.problem) {
     state_.drafts[cell] = typed;
   } else {
@@ -205,8 +210,12 @@ void Document::edit(const Cell& cell, std::string_view typed) {
     deck::RecordData& record = *record_at(state_.deck, cell.record, cell.instance);
     record.values[cell.variable][cell.element] = std::move(value.value);
     std::erase(record.defaulted, deck::RecordData::Element{cell.variable, cell.element});
-    if (variable.type == deck::VarType::Integer) settle();
+    if (variable.type == deck::VarType::Integer) {
+      settle();
+      if (variable.name == "nRe" || variable.name == "nCseg") follow_bodies(before);
+    }
   }
+  if (state_.numbers_in && !value.problem) state_.typed_since.insert(cell);
   note_units(units);
   std::erase_if(file_issues_, [&](const Issue& issue) {
     const std::optional<Cell> at = cell_of(issue);
@@ -235,7 +244,6 @@ void Document::set_user_lines(std::vector<std::string> lines) {
   Cell cell;
   cell.record = kUserLines;
   begin_step(cell);
-  numbers_in_.reset();
   state_.deck.user_lines = std::move(lines);
   find_problems();
   notify();
@@ -277,10 +285,10 @@ std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {
   if (from.empty()) return {};
   Step step = std::move(from.back());
   from.pop_back();
+  change_issues_.clear();
   to.push_back({std::move(state_), step.page});
   state_ = std::move(step.state);
   step_cell_.reset();
-  numbers_in_.reset();
   find_problems();
   notify();
   return step.page;
@@ -346,6 +354,7 @@ void Document::find_problems() {
                                    [&](const Issue& refusal) { return refusal.text() == text; }));
   }
   if (!has_error(problems_)) add_refusals();
+  for (const Issue& issue : change_issues_) add_problem(issue);
   const std::vector<Problem> live = problems_;
   for (const Issue& from_file : file_issues_) {
     const std::optional<Cell> cell = cell_of(from_file);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -106,9 +107,11 @@ class Document {
   /// A text of a field as a value: also "5 rev" and "0.02 s" for times of a run.
   [[nodiscard]] Typed parse(const Cell& cell, std::string_view text) const;
 
-  /// The system of units that the numbers were given in, directly after kUnit was changed.
-  [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return numbers_in_; }
-  /// After such a change: turns every number into the new units, as part of the same step.
+  /// The system of units that the numbers were given in before kUnit was changed, until one of the
+  /// two answers below is given.
+  [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return state_.numbers_in; }
+  /// After such a change: turns every number into the new units, but for those that were given
+  /// since; part of the last step.
   void convert_values();
   /// After such a change: the numbers stay as they are.
   void keep_numbers();
@@ -179,6 +182,12 @@ class Document {
     std::map<Cell, std::string> drafts;  ///< typed texts that are no values
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
     std::map<std::string, std::string> options;                     ///< run options that are given
+    std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; not yet answered
+    /// Bodies monitored with other counts of elements and segments, for the day when these come
+    /// back; and those that the last change of a count left.
+    std::map<std::pair<long long, long long>, std::vector<long long>> monitored_with;
+    std::vector<long long> followed;
+    std::set<Cell> typed_since;  ///< values in the new units already
   };
   struct Step {
     State state;
@@ -190,8 +199,14 @@ class Document {
   void find_option_problems();
   void save_options(const std::filesystem::path& deck_file);
   void note_units(deck::UnitSystem before);
+  void note_typed(const deck::Deck& before);
+  void keep_numbers_given();
+  void convert_but_given(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
+                         deck::UnitSystem to) const;
   void settle();
+  void follow_bodies(const deck::Deck& before);
   void remember(const deck::RecordData& record);
+  void keep_issues_of_file_only();
   void keep_unread_values(const std::vector<Issue>& issues);
   void find_problems();
   void add_problem(Issue issue, bool refused = false);
@@ -204,13 +219,13 @@ class Document {
   std::map<Cell, std::string> saved_drafts_;
   std::map<std::string, std::string> saved_options_;
   facade::OptionFile option_file_;  ///< ADORE.json as read
-  std::optional<deck::UnitSystem> numbers_in_;
   std::filesystem::path path_;
   std::string original_;
   bool original_kept_ = false;  ///< the deck alone makes the same text
   bool foreign_ = false;        ///< the file holds what another program wrote
   bool broken_ = false;         ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
+  std::vector<Issue> change_issues_;   ///< what the last change took along
   std::vector<Issue> refusals_;        ///< of the model issues those that no run accepts
   std::vector<Issue> start_refusals_;  ///< what a run of `rehearsed_` would end with
   std::optional<Candidate> rehearsed_;

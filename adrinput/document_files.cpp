@@ -144,7 +144,13 @@ void Document::open(const fs::path& path) {
   keep_unread_values(read.issues);
   state = std::move(state_);
   start(std::move(state));
-  // What the deck itself says as long as it is so needs no remark of the file beside it.
+  keep_issues_of_file_only();
+  find_problems();
+  notify();
+}
+
+/// What the deck itself says as long as it is so needs no remark of the file beside it.
+void Document::keep_issues_of_file_only() {
   const std::vector<Issue> live = deck::check_deck(state_.deck);
   std::erase_if(file_issues_, [&](const Issue& issue) {
     return std::any_of(live.begin(), live.end(), [&](const Issue& other) {
@@ -152,8 +158,6 @@ void Document::open(const fs::path& path) {
              other.message == issue.message;
     });
   });
-  find_problems();
-  notify();
 }
 
 /// Texts in the file that are no values stay in their fields; so do integers that do not exist,
@@ -203,8 +207,9 @@ void Document::save(const fs::path& path) {
   if (!original_.empty())
     kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), state_.deck);
   const std::string& text = kept.text;
+  deck::ReadResult back;
   if (reasons.empty()) {
-    const deck::ReadResult back = deck::read_deck_text(text, path.string());
+    back = deck::read_deck_text(text, path.string());
     take_errors(reasons, back.issues);
     if (reasons.empty() && !(back.deck == state_.deck)) {
       Issue issue;
@@ -227,7 +232,8 @@ void Document::save(const fs::path& path) {
   original_ = text;
   original_kept_ = text == deck::write_deck(state_.deck);
   foreign_ = broken_ = false;
-  file_issues_.clear();
+  file_issues_ = std::move(back.issues);  // a reader of the new file is told them, too
+  keep_issues_of_file_only();
   for (const std::string& record : kept.doubtful_units)
     file_issues_.push_back(doubtful_units(record, state_.deck.units()));
   if (!draft_.empty()) {  // it became this deck

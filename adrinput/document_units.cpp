@@ -4,35 +4,64 @@
 /// What becomes of the numbers when kUnit changes.
 namespace adore::adrinput {
 
-/// Called after an edit: whether it was the one that changed the units.
+/// Called after an edit: whether it was the one that changed the units, or changed them back.
 void Document::note_units(deck::UnitSystem before) {
   const deck::UnitSystem now = state_.deck.units();
-  const bool back = numbers_in_ == now;
-  numbers_in_.reset();
-  if (now != before && !back) numbers_in_ = before;
+  if (now == before) return;
+  const bool back = state_.numbers_in == now;
+  keep_numbers_given();
+  if (!back) state_.numbers_in = before;
+}
+
+/// Called after a change of several values: those that are others than before are in the units of
+/// the deck.
+void Document::note_typed(const deck::Deck& before) {
+  if (!state_.numbers_in) return;
+  for (const deck::RecordData& record : state_.deck.records)
+    for (std::size_t v = 0; v < record.values.size(); ++v)
+      for (std::size_t k = 0; k < record.values[v].size(); ++k) {
+        const Cell cell{record.id, record.instance, v, k};
+        const deck::Value* old = value_at(before, cell);
+        if (old != nullptr && *old != record.values[v][k]) state_.typed_since.insert(cell);
+      }
+}
+
+void Document::keep_numbers_given() {
+  state_.numbers_in.reset();
+  state_.typed_since.clear();
 }
 
 void Document::keep_numbers() {
-  numbers_in_.reset();
+  keep_numbers_given();
   notify();
 }
 
 /// Also what is on the shelf, for the day when its record applies again.
 void Document::convert_values() {
-  if (!numbers_in_) return;
-  const deck::UnitSystem from = *numbers_in_, to = state_.deck.units();
+  if (!state_.numbers_in) return;
+  end_step();
+  const deck::UnitSystem from = *state_.numbers_in, to = state_.deck.units();
   deck::Deck ever;
   for (const auto& [place, record] : state_.shelf) ever.records.push_back(record);
   for (auto& [place, record] : state_.shelf)
-    deck::convert_values(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to);
+    convert_but_given(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to);
   const deck::Deck before = state_.deck;
-  for (deck::RecordData& record : state_.deck.records)
-    deck::convert_values(record, before, from, to);
+  for (deck::RecordData& record : state_.deck.records) convert_but_given(record, before, from, to);
   settle();
-  numbers_in_.reset();
+  keep_numbers_given();
   redo_.clear();
   find_problems();
   notify();
+}
+
+void Document::convert_but_given(deck::RecordData& record, const deck::Deck& deck,
+                                 deck::UnitSystem from, deck::UnitSystem to) const {
+  const deck::RecordData old = record;
+  deck::convert_values(record, deck, from, to);
+  for (const Cell& cell : state_.typed_since)
+    if (cell.record == record.id && cell.instance == record.instance &&
+        cell.element < record.values[cell.variable].size())
+      record.values[cell.variable][cell.element] = old.values[cell.variable][cell.element];
 }
 
 }  // namespace adore::adrinput

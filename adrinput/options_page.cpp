@@ -112,7 +112,6 @@ void Document::edit_option(const Cell& cell, std::string_view typed) {
   if (given == state_.options.end() ? value.empty() || value == text(cell) : value == given->second)
     return;
   begin_step(cell);
-  numbers_in_.reset();
   if (value.empty() || (saved_options_.count(name) == 0 &&
                         value == options_record().variables[cell.variable].default_value))
     state_.options.erase(name);

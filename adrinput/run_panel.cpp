@@ -235,6 +235,7 @@ void RunPanel::launchRun(bool overwrite) {
 
 void RunPanel::launchRequest(facade::RunRequest request) {
   began_ = std::filesystem::file_time_type::clock::now();
+  stored_ = false;
   view_->hide();
   view_->clear();
   bar_->setValue(0);
@@ -259,10 +260,28 @@ void RunPanel::askToReplace() {
                               QMessageBox::Cancel, this);
   box->setObjectName("replace-results");
   box->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* replace = box->addButton(tr("Replace them"), QMessageBox::DestructiveRole);
-  connect(box, &QMessageBox::buttonClicked, this, [this, replace](QAbstractButton* button) {
-    if (button == replace && !busy()) launchRun(true);
-  });
+  box->setDefaultButton(QMessageBox::Cancel);
+  const auto answer = [&](const QString& text, const char* name, QMessageBox::ButtonRole role) {
+    QPushButton* button = box->addButton(text, role);
+    button->setObjectName(name);
+    return button;
+  };
+  QPushButton* go_on = nullptr;
+  std::error_code ignored;
+  const std::string state = computed_.has_record("2.3") ? computed_.text("masName") : "MASTER";
+  if (std::filesystem::exists(resultFolder() / state, ignored))
+    go_on = answer(tr("C&ontinue the run"), "continue-instead", QMessageBox::ActionRole);
+  QPushButton* beside =
+      answer(tr("Run into a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
+  QPushButton* replace = answer(tr("&Replace them"), "replace-them", QMessageBox::DestructiveRole);
+  connect(box, &QMessageBox::buttonClicked, this,
+          [this, go_on, beside, replace](QAbstractButton* button) {
+            if (busy()) return;
+            if (button == replace) launchRun(true);
+            if (button == beside) startInNewFolder(file_, computed_, computed_options_);
+            if (go_on != nullptr && button == go_on)
+              continueRun(file_, computed_, computed_options_);
+          });
   box->open();
 }
 
@@ -280,6 +299,7 @@ void RunPanel::show(const facade::Progress& progress) {
       headline_ += from(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
     return showNote();
   }
+  stored_ = stored_ || progress.step > 0;
   plots_->setEnabled(!plotFiles().isEmpty());  // a viewer follows a run that goes on
   // Beside the bar stands what will end the run.
   const std::string left = duration_text(progress.remaining);
@@ -312,10 +332,17 @@ void RunPanel::show(const RunEnd& end) {
       text += from(in_window_words(issue.text())) + "\n";
     view_->setPlainText(text);
   } else {
-    headline_ = tr("The deck was not run, for this reason:");
-    view_->setPlainText(from(in_window_words(end.reason)));
+    const QString reason = from(in_window_words(end.reason));
+    // Progress is told now and then only: a short run may have stored steps before.
+    stored_ = stored_ || (!end.results_exist && !written("SOL1").isEmpty());
+    if (stored_) files_ = stored();
+    headline_ = stored_ ? tr("The run ended at %1 %, for this reason: %2")
+                              .arg(100 * bar_->value() / kBarSteps)
+                              .arg(reason)
+                        : tr("The deck was not run, for this reason: %1").arg(reason);
+    if (stored_ && !files_.isEmpty()) headline_ += tr(" What was stored up to then can be opened.");
   }
-  view_->show();
+  view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();
   enableButtons();
   if (end.results_exist) askToReplace();
@@ -333,27 +360,40 @@ void RunPanel::showNote() {
                             : tr("Of the deck as it was before the last change. ") + headline_);
 }
 
-void RunPanel::setAnother() {
+void RunPanel::setAnother(const std::filesystem::path& now) {
   if (computed_.records.empty()) return;
-  another_ = true;
+  another_ = now != file_;
   if (!busy()) showNote();
 }
 
 void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   if (computed_.records.empty()) return;
-  const bool stale = !(deck == computed_ && options == computed_options_);
+  // Results of another file are those of its folder, even where the values have become the same.
+  const bool stale = another_ || !(deck == computed_ && options == computed_options_);
   if (stale == stale_) return;
   stale_ = stale;
   showNote();
 }
 
+/// What the run that was started last has written so far.
+QString RunPanel::written(const QString& name) const {
+  const std::filesystem::path file = resultFolder() / name.toStdString();
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  return !error && time >= began_ ? from(file.string()) : QString();
+}
+
+/// Of a run that ended without an outcome: the files that are opened from here.
+QStringList RunPanel::stored() const {
+  QStringList found;
+  for (const char* name :
+       {"PRINT.txt", "SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7", "SOL8", "RESULTS.h5"})
+    if (const QString file = written(name); !file.isEmpty()) found << file;
+  return found;
+}
+
 QString RunPanel::fileNamed(const QString& name) const {
-  if (busy()) {  // what this run has written so far
-    const std::filesystem::path file = resultFolder() / name.toStdString();
-    std::error_code error;
-    const auto time = std::filesystem::last_write_time(file, error);
-    return !error && time >= began_ ? from(file.string()) : QString();
-  }
+  if (busy()) return written(name);
   for (const QString& file : files_)
     if (QFileInfo(file).fileName() == name && QFileInfo::exists(file)) return file;
   return {};

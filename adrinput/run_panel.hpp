@@ -44,8 +44,8 @@ class RunPanel : public QWidget {
   /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
-  /// Another deck was opened: results of the one before say so.
-  void setAnother();
+  /// The deck of the file `now` was opened: results of another one say so.
+  void setAnother(const std::filesystem::path& now);
   /// The deck is this one now: results of an older one say so.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
@@ -81,6 +81,8 @@ class RunPanel : public QWidget {
   void view(const QString& program, const QStringList& files);
   [[nodiscard]] QStringList plotFiles() const;
   [[nodiscard]] QString fileNamed(const QString& name) const;
+  [[nodiscard]] QString written(const QString& name) const;
+  [[nodiscard]] QStringList stored() const;
 
   QPushButton *start_, *cancel_, *plots_, *animation_, *listing_;
   QToolButton* more_;
@@ -97,7 +99,8 @@ class RunPanel : public QWidget {
   deck::Deck computed_;
   RunOptionValues computed_options_;
   bool stale_ = false, another_ = false;
-  SolverRun run_;  ///< last: ends before the widgets that it reports to
+  bool stored_ = false;  ///< the run has done a step
+  SolverRun run_;        ///< last: ends before the widgets that it reports to
 };
 
 }  // namespace adore::adrinput

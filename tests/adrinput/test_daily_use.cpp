@@ -33,7 +33,10 @@
 #include <QToolButton>
 #include <catch2/catch.hpp>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 using namespace adore;
 using namespace adore::adrinput;
@@ -569,6 +572,35 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   CHECK(window.document().deck().real("tol") == 1e-5);
   window.undo();
   CHECK(window.document().deck().integer("intMet") == 5);
+
+  // What changes while a study goes on leaves its end with the deck that it is of.
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath("DATA.txt").toStdString();
+  window.document().save(file);
+  const auto note = [&] { return window.findChild<QLabel*>("study-note")->text(); };
+  const QString advice = "\"Put into the deck\" sets";
+  const auto plain = panel.study;
+  for (const bool reread : {false, true}) {
+    INFO(reread);
+    std::atomic<bool> go_on = false;
+    panel.study = [&go_on, plain](const facade::AccuracyRequest& request,
+                                  const facade::AccuracySink& row_done, std::stop_token stop) {
+      while (!go_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      return plain(request, row_done, stop);
+    };
+    window.studyAccuracy();
+    REQUIRE(panel.busy());
+    window.document().edit(cell("appLoadZ"), reread ? "1234" : "1235");
+    window.document().save(file);
+    if (reread) REQUIRE(window.openFile(file));
+    go_on = true;
+    REQUIRE(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
+    INFO(note().toStdString());
+    CHECK(note().startsWith(reread ? "Of the deck as it was before its file was read again"
+                                   : "Of the deck as it was before the last change"));
+    CHECK(note().contains(advice) != reread);
+    CHECK(window.findChild<QPushButton*>("apply-accuracy")->isEnabled() != reread);
+  }
 }
 
 TEST_CASE("what only the run itself refuses is told beside the records, and leads to the reason",

@@ -1,6 +1,7 @@
 #include "adrinput/document.hpp"
 #include "adrinput/search.hpp"
 #include "adrinput/typed.hpp"
+#include "deck/element_names.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
@@ -507,4 +508,127 @@ TEST_CASE("search finds variables as people ask for them", "[unit][adrinput]") {
   CHECK(names("cotton phenolic").size() >= 1);
   CHECK(names("the of where").empty());
   CHECK(names("zebra").empty());
+}
+
+TEST_CASE("monitored bodies stay the same bodies when their count changes", "[unit][adrinput]") {
+  const auto monitored = [](const Document& document) {
+    std::vector<std::string> names;
+    const deck::Deck& deck = document.deck();
+    for (int i = 1; i <= deck.integer("kNumPltElem"); ++i)
+      names.push_back(deck::body_name(deck, deck.integer("kPltElemInd", i)));
+    return names;
+  };
+  int changes = 0;
+  for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
+    for (const char* variable : {"nRe", "nCseg"})
+      for (const int change : {-2, -1, 1, 2, 5}) {
+        Document document;
+        document.start_new(type);
+        const deck::Deck& deck = document.deck();
+        const long long elements = deck.integer("nRe"), segments = deck.integer("nCseg");
+        const long long now = deck.integer(variable) + change;
+        if (now < 0) continue;
+        // The first and the last element, the first segment, both races.
+        std::vector<long long> bodies{1, elements};
+        if (segments > 0) bodies.push_back(elements + 1);
+        bodies.push_back(elements + segments + 1);
+        bodies.push_back(elements + segments + 2);
+        document.edit(cell("kNumPltElem"), std::to_string(bodies.size()));
+        for (std::size_t k = 0; k < bodies.size(); ++k)
+          document.edit(cell("kPltElemInd", 1, k), std::to_string(bodies[k]));
+        document.end_step();
+        const deck::Deck before = deck;
+        const std::vector<std::string> was = monitored(document);
+        REQUIRE(was.size() == bodies.size());
+        document.edit(cell(variable), std::to_string(now));
+        document.end_step();
+        INFO(type << ": " << variable << " = " << now);
+        REQUIRE(deck.integer(variable) == now);
+        ++changes;
+        const std::vector<std::string> is = monitored(document);
+        const bool cage_gone = variable == std::string("nCseg") && now == 0 && segments > 0;
+        std::vector<std::string> expected{"rolling element 1"};
+        expected.push_back("rolling element " +
+                           std::to_string(std::min(elements, deck.integer("nRe"))));
+        if (segments > 0 && !cage_gone)
+          expected.push_back(deck.integer("nCseg") == 1 ? "cage" : "cage segment 1");
+        expected.insert(expected.end(), {"outer race", "inner race"});
+        CHECK(is == expected);
+        const auto told = std::count_if(
+            document.problems().begin(), document.problems().end(), [](const Problem& problem) {
+              return problem.issue.message == "the cage is gone and is no longer monitored";
+            });
+        CHECK(told == (cage_gone ? 1 : 0));
+        (void)document.undo();
+        CHECK(deck == before);
+        (void)document.redo();
+        CHECK(monitored(document) == is);
+        document.edit(cell(variable), variable == std::string("nRe") ? std::to_string(elements)
+                                                                     : std::to_string(segments));
+        document.end_step();
+        CHECK(deck == before);  // the count comes back, and with it the bodies
+        (void)document.undo();
+        // The same as one change of several values.
+        (void)document.undo();
+        document.change({{variable, std::to_string(now)}});
+        CHECK(monitored(document) == is);
+      }
+  CHECK(changes > 30);
+}
+
+TEST_CASE("numbers given after kUnit was changed are left out when the others are converted",
+          "[unit][adrinput]") {
+  Document document;
+  document.start_new("ball");
+  const double bore = document.deck().real("brgBore"), load = document.deck().real("appLoadZ");
+  document.edit(cell("kUnit"), "2");
+  document.end_step();
+  document.edit(cell("nCseg"), "0");
+  document.end_step();
+  document.type(cell("pitchDia"), "2.5");
+  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  document.end_step();
+  document.change({{"appLoadX", "12.5"}, {"tol", "1e-6"}});
+  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  (void)document.undo();
+  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  (void)document.redo();
+  document.convert_values();
+  CHECK_FALSE(document.numbers_in());
+  CHECK(document.deck().real("pitchDia") == 2.5);
+  CHECK(document.deck().real("appLoadX") == 12.5);
+  CHECK(document.deck().real("brgBore") == Approx(bore / 0.0254));
+  CHECK(document.deck().real("appLoadZ") == Approx(load / 4.4482216152605));
+  // Back to where it was asked, to where it was changed, and before.
+  (void)document.undo();
+  CHECK(document.numbers_in() == deck::UnitSystem::SI);
+  while (document.can_undo()) (void)document.undo();
+  CHECK_FALSE(document.numbers_in());
+  CHECK(document.deck().real("brgBore") == bore);
+}
+
+TEST_CASE("what a file says beside its deck is told after saving as it was before",
+          "[unit][adrinput]") {
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("DATA.txt").toStdString();
+  std::string text = deck::write_deck(deck::new_deck("ball"));
+  for (int line = 0; line < 20; ++line) text += "1 2 3 a line of somebody\n";
+  std::ofstream(file, std::ios::binary) << text;
+  Document document;
+  document.open(file);
+  const auto told = [&] {
+    return std::count_if(
+        document.problems().begin(), document.problems().end(), [](const Problem& problem) {
+          return problem.issue.message.find("after the last required record") != std::string::npos;
+        });
+  };
+  REQUIRE(told() == 1);
+  document.edit(cell("brgBore"), "0.041");
+  document.end_step();
+  document.save(file);
+  CHECK(told() == 1);
+  Document again;
+  again.open(file);
+  again.check_model();  // as saving does
+  CHECK(again.problems().size() == document.problems().size());
 }

@@ -2,43 +2,18 @@
 #include "adrinput/driver.hpp"
 #include "base/errors.hpp"
 #include "deck/templates.hpp"
+#include "support/full_disk.hpp"
 #include "support/qt_app.hpp"
 
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <sys/resource.h>
 
 using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// No file of this process grows beyond so many bytes: as on a disk that is full.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
-}  // namespace
 
 TEST_CASE("units switched to and fro a hundred times change no value", "[unit][adrinput][daily]") {
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
@@ -70,7 +45,7 @@ TEST_CASE("a disk that is full is said; the old deck and what was typed stay",
   window.document().edit(cell("brgBore"), "0.041");
   window.document().end_step();
   {
-    const FullDisk full(200);
+    const test::FullDisk full(200);
     window.save();
   }
   CHECK(take_message(window).contains("not saved"));

@@ -213,11 +213,14 @@ TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][ad
     press(window, "convert");
     CHECK(document.deck() == before);  // there and back
 
-    // The offer is for the moment: who goes on typing keeps the numbers.
+    // The question stays until it is answered; what is typed meanwhile is in the new units.
     switch_units();
     REQUIRE(bar->isVisible());
     document.edit(cell("appLoadX"), "77");
+    CHECK(bar->isVisible());
+    press(window, "convert");
     CHECK_FALSE(bar->isVisible());
+    CHECK(document.deck().real("appLoadX") == 77.0);
   }
 }
 

@@ -115,6 +115,14 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(note(window).contains("Of another deck"));
   REQUIRE(window.openFile(folder.filePath("DATA.txt").toStdString()));
   CHECK(note(window).startsWith("Done: 60 steps"));
+
+  // A copy has the same values, but none of the results.
+  fs::copy(folder.filePath("DATA.txt").toStdString(), folder.filePath("COPY.txt").toStdString());
+  REQUIRE(window.openFile(folder.filePath("COPY.txt").toStdString()));
+  CHECK(note(window).startsWith("Of another deck"));
+  window.document().edit(cell("rpm2"), "1234");
+  (void)window.document().undo();
+  CHECK(note(window).startsWith("Of another deck"));
 }
 
 TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
@@ -315,7 +323,7 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   launches.clear();
   run_to_end(window);
   CHECK(note(window).contains("not run"));
-  CHECK(window.runPanel().text().contains("user routine ADRX1"));
+  CHECK(note(window).contains("user routine ADRX1"));
   CHECK(launches.empty());
   CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
@@ -371,26 +379,75 @@ TEST_CASE("results that the window did not compute are replaced after a question
   Launches launches;
   open(window, launches);
   const auto before = fs::last_write_time(report);
-  const auto answer = [&](bool replace) {
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  const auto answer = [&](const char* name) {
+    run_to_end(window);
+    CHECK(note(window).contains("was not run"));
+    CHECK(note(window).contains("earlier run"));
     auto* box = window.findChild<QMessageBox*>("replace-results");
     REQUIRE(box != nullptr);
-    for (QAbstractButton* button : box->buttons())
-      if ((box->standardButton(button) == QMessageBox::Cancel) != replace)
-        QTest::mouseClick(button, Qt::LeftButton);
+    spy.clear();
+    if (name == nullptr)
+      QTest::keyClick(box, Qt::Key_Return);  // the habit of whoever does not read
+    else
+      QTest::mouseClick(box->findChild<QPushButton*>(name), Qt::LeftButton);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    CHECK(window.findChild<QMessageBox*>("replace-results") == nullptr);
   };
-  run_to_end(window);
-  CHECK(note(window).contains("was not run"));
-  CHECK(window.runPanel().text().contains("earlier run"));
-  answer(false);
+  const auto wait = [&] { REQUIRE((spy.count() == 1 || spy.wait(120000))); };
+  answer(nullptr);
   CHECK_FALSE(window.runPanel().busy());
   CHECK(fs::last_write_time(report) == before);
   CHECK(launches.empty());
 
-  run_to_end(window);
-  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
-  answer(true);
-  REQUIRE((spy.count() == 1 || spy.wait(120000)));
+  answer("new-folder-instead");
+  wait();
   CHECK(note(window).startsWith("Done: 20 steps"));
+  CHECK(fs::exists(folder.filePath("run-001/SOL1").toStdString()));
+  CHECK(fs::last_write_time(report) == before);
+
+  answer("continue-instead");
+  wait();
+  CHECK(note(window).contains("nothing left to do"));
+
+  // Where there is no state to go on from, that way is not offered.
+  fs::remove(folder.filePath("MASTER").toStdString());
+  DeckWindow third;
+  Launches none;
+  open(third, none);
+  run_to_end(third);
+  CHECK(third.findChild<QPushButton*>("continue-instead") == nullptr);
+  QTest::mouseClick(third.findChild<QPushButton*>("replace-them"), Qt::LeftButton);
+  REQUIRE(third.runPanel().busy());
+  QSignalSpy third_spy(&third.runPanel(), &RunPanel::finished);
+  REQUIRE(third_spy.wait(120000));
+  CHECK(note(third).startsWith("Done: 20 steps"));
   CHECK(fs::last_write_time(report) != before);
+}
+
+TEST_CASE("a question whose other answer ends or deletes something is not answered so by Enter",
+          "[gui][adrinput][questions]") {
+  // Every box with a choice names its default: Cancel, or Save where the other way is to discard.
+  const QRegularExpression choice("Destructive|Discard|::Save\\b|::Yes\\b|AcceptRole");
+  const QRegularExpression harmless(
+      "setDefaultButton\\(QMessageBox::(Cancel|No|Ok)\\)|"
+      "Discard[\\s\\S]*setDefaultButton\\(QMessageBox::Save\\)");
+  const QRegularExpression static_box("QMessageBox::(question|warning|critical)\\(");
+  int questions = 0;
+  for (const char* program : {"adrinput", "adrplot", "agore", "desktop"})
+    for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / program)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const QString source = QString::fromStdString(bytes_of(entry.path()));
+      INFO(entry.path().string());
+      CHECK_FALSE(source.contains(static_box));
+      const QStringList boxes = source.split("new QMessageBox(");
+      for (qsizetype i = 1; i < boxes.size(); ++i) {
+        const QString box = boxes[i].section("->open()", 0, 0);
+        if (!box.contains(choice)) continue;
+        ++questions;
+        INFO(box.toStdString());
+        CHECK(box.contains(harmless));
+      }
+    }
+  CHECK(questions >= 6);
 }
