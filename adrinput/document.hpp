@@ -201,8 +201,9 @@ class Document {
   void note_units(deck::UnitSystem before);
   void note_typed(const deck::Deck& before);
   void keep_numbers_given();
-  void convert_but_given(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
-                         deck::UnitSystem to) const;
+  enum class Given { Left, Alone };  ///< what was typed since kUnit changed
+  void convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
+               deck::UnitSystem to, Given given) const;
   void settle();
   void follow_bodies(const deck::Deck& before);
   void remember(const deck::RecordData& record);

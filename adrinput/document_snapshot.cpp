@@ -118,24 +118,29 @@ Issue issue_in(const Json& json) {
 }  // namespace
 
 std::string Document::snapshot(std::string_view page) const {
-  Json shelf = Json::array(), issues = Json::array();
+  Json shelf = Json::array(), issues = Json::array(), typed_since = Json::array();
+  for (const Cell& cell : state_.typed_since)
+    typed_since.push_back({cell.record, cell.instance, cell.variable, cell.element});
   for (const auto& [place, record] : state_.shelf) shelf.push_back(json_of(record));
   for (const Issue& issue : file_issues_) issues.push_back(json_of(issue));
-  const Json json = {{"adrinput", kVersion},
-                     {"page", page},
-                     {"path", path_.string()},
-                     {"deck", json_of(state_.deck)},
-                     {"shelf", std::move(shelf)},
-                     {"drafts", json_of(state_.drafts)},
-                     {"options", state_.options},
-                     {"saved_deck", json_of(saved_deck_)},
-                     {"saved_drafts", json_of(saved_drafts_)},
-                     {"saved_options", saved_options_},
-                     {"original", original_},
-                     {"original_kept", original_kept_},
-                     {"issues", std::move(issues)},
-                     {"option_file", option_file_.text()},
-                     {"has_option_file", option_file_.exists()}};
+  const Json json = {
+      {"adrinput", kVersion},
+      {"page", page},
+      {"path", path_.string()},
+      {"deck", json_of(state_.deck)},
+      {"shelf", std::move(shelf)},
+      {"drafts", json_of(state_.drafts)},
+      {"options", state_.options},
+      {"saved_deck", json_of(saved_deck_)},
+      {"saved_drafts", json_of(saved_drafts_)},
+      {"saved_options", saved_options_},
+      {"original", original_},
+      {"original_kept", original_kept_},
+      {"issues", std::move(issues)},
+      {"option_file", option_file_.text()},
+      {"has_option_file", option_file_.exists()},
+      {"numbers_in", state_.numbers_in ? Json(static_cast<int>(*state_.numbers_in)) : Json()},
+      {"typed_since", std::move(typed_since)}};
   std::string out;
   Json::to_cbor(json, out);
   return out;
@@ -154,6 +159,18 @@ std::string Document::restore(std::string_view bytes) {
       state.shelf[std::move(place)] = std::move(record);
     }
     state.drafts = drafts_in(json.at("drafts"));
+    // An earlier release had no question of units in its files.
+    const Json none = Json::array();
+    const Json numbers_in = json.value("numbers_in", Json());
+    if (!numbers_in.is_null())
+      state.numbers_in = numbers_in.get<int>() == static_cast<int>(deck::UnitSystem::English)
+                             ? deck::UnitSystem::English
+                             : deck::UnitSystem::SI;
+    for (const Json& item : json.value("typed_since", none)) {
+      const Cell cell{item.at(0).get<std::string>(), item.at(1).get<int>(),
+                      item.at(2).get<std::size_t>(), item.at(3).get<std::size_t>()};
+      if (variable_of(cell) != nullptr) state.typed_since.insert(cell);
+    }
     state.options = json.at("options").get<std::map<std::string, std::string>>();
     deck::Deck saved_deck = deck_in(json.at("saved_deck"));
     std::map<Cell, std::string> saved_drafts = drafts_in(json.at("saved_drafts"));

@@ -1,6 +1,8 @@
 #include "adrinput/document.hpp"
 #include "deck/unit_change.hpp"
 
+#include <algorithm>
+
 /// What becomes of the numbers when kUnit changes.
 namespace adore::adrinput {
 
@@ -9,6 +11,12 @@ void Document::note_units(deck::UnitSystem before) {
   const deck::UnitSystem now = state_.deck.units();
   if (now == before) return;
   const bool back = state_.numbers_in == now;
+  // What was typed in the other units in the meantime goes back with them.
+  if (back && !state_.typed_since.empty()) {
+    const deck::Deck other = state_.deck;
+    for (deck::RecordData& record : state_.deck.records)
+      convert(record, other, before, now, Given::Alone);
+  }
   keep_numbers_given();
   if (!back) state_.numbers_in = before;
 }
@@ -44,9 +52,10 @@ void Document::convert_values() {
   deck::Deck ever;
   for (const auto& [place, record] : state_.shelf) ever.records.push_back(record);
   for (auto& [place, record] : state_.shelf)
-    convert_but_given(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to);
+    convert(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to, Given::Left);
   const deck::Deck before = state_.deck;
-  for (deck::RecordData& record : state_.deck.records) convert_but_given(record, before, from, to);
+  for (deck::RecordData& record : state_.deck.records)
+    convert(record, before, from, to, Given::Left);
   settle();
   keep_numbers_given();
   redo_.clear();
@@ -54,14 +63,15 @@ void Document::convert_values() {
   notify();
 }
 
-void Document::convert_but_given(deck::RecordData& record, const deck::Deck& deck,
-                                 deck::UnitSystem from, deck::UnitSystem to) const {
+void Document::convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
+                       deck::UnitSystem to, Given given) const {
   const deck::RecordData old = record;
   deck::convert_values(record, deck, from, to);
-  for (const Cell& cell : state_.typed_since)
-    if (cell.record == record.id && cell.instance == record.instance &&
-        cell.element < record.values[cell.variable].size())
-      record.values[cell.variable][cell.element] = old.values[cell.variable][cell.element];
+  for (std::size_t v = 0; v < std::min(old.values.size(), record.values.size()); ++v)
+    for (std::size_t k = 0; k < std::min(old.values[v].size(), record.values[v].size()); ++k) {
+      const bool is_given = state_.typed_since.count({record.id, record.instance, v, k}) > 0;
+      if (is_given != (given == Given::Alone)) record.values[v][k] = old.values[v][k];
+    }
 }
 
 }  // namespace adore::adrinput

@@ -722,13 +722,15 @@ void AgoreWindow::saveFilm() {
       const auto seconds = [](double value) {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
-      return std::pair{tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
-                               .arg(pictures)
-                               .arg(filmRate())
-                               .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
-                           (filmEvery() > 1 ? tr(" It has one of every %1 frames.").arg(filmEvery())
-                                            : QString()),
-                       true};
+      return std::pair{
+          tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
+                  .arg(pictures)
+                  .arg(filmRate())
+                  .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
+              (filmEvery() > 1 ? tr(" It has one of every %1 frames; numbered pictures have all.")
+                                     .arg(filmEvery())
+                               : QString()),
+          true};
     } catch (const std::exception& error) {
       return std::pair{QString::fromUtf8(error.what()), false};
     }

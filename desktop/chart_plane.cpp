@@ -185,8 +185,9 @@ void ChartScene::addOrbit(const Metrics& m) {
                                              : half;
   const double parts = std::clamp(
       std::min(area.width(), area.height()) * half / std::min(half_x, half_y) / 90.0, 2.0, 8.0);
-  AxisScale x_axis = tight_axis(-largest, largest, panel.unit,
-                                static_cast<int>(std::floor(parts) * largest / half));
+  AxisScale x_axis =
+      tight_axis(-largest, largest, panel.unit,
+                 static_cast<int>(std::min(std::floor(parts) * largest / half, 1e6)));
   x_axis.offset = 0.0;
   AxisScale y_axis = x_axis;
   x_axis.min = x_axis.shown(seen.middle_x - half_x),

@@ -253,7 +253,9 @@ void ChartScene::studyDigits() {
 }
 
 int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
-  int digits = digits_.at(panel).at(curve);
+  // A panel without curves has places under the pointer, too.
+  if (panel >= digits_.size() || curve >= digits_[panel].size()) return kDigits;
+  int digits = digits_[panel][curve];
   if (panel < y_axes_.size() && !y_axes_[panel].log) {
     const AxisScale& axis = y_axes_[panel];
     digits = std::max(digits, digits_for(axis.value(axis.min), axis.value(axis.max)));

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScopedValueRollback>
 #include <QSettings>
 
 #include <utility>
@@ -25,7 +26,16 @@ QStringList recent_files(const QString& app) {
   return out;
 }
 
+namespace {
+bool as_folder = false;      // files that open now are of a folder that is remembered itself
+bool any_of_folder = false;  // one of them was opened
+}  // namespace
+
 void remember_file(const QString& app, const QString& path) {
+  if (as_folder) {
+    any_of_folder = true;
+    return;
+  }
   const QString name = QFileInfo(path).absoluteFilePath();
   QStringList names = QSettings("Adore", app).value(kRecent).toStringList();
   names.removeAll(name);
@@ -35,15 +45,12 @@ void remember_file(const QString& app, const QString& path) {
 
 void remember_as_folder(const QString& app, const QString& folder,
                         const std::function<void()>& open) {
-  QSettings settings("Adore", app);
-  const QStringList before = settings.value(kRecent).toStringList();
-  settings.setValue(kRecent, QStringList());
-  open();
-  settings.sync();
-  const bool any = !settings.value(kRecent).toStringList().isEmpty();
-  settings.setValue(kRecent, before);
-  settings.sync();
-  if (any) remember_file(app, folder);
+  any_of_folder = false;
+  {
+    const QScopedValueRollback<bool> within(as_folder, true);
+    open();
+  }
+  if (any_of_folder) remember_file(app, folder);
 }
 
 QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace adore::facade {
@@ -71,7 +72,11 @@ void RunFiles::check() const {
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
-std::pair<long, double> RunFiles::stored_end() const { return results::stored_end(sol_path(7)); }
+std::pair<long, double> RunFiles::stored_end() const {
+  const std::pair<long, double> plotted = results::stored_end(sol_path(7));
+  // RESULTS.h5 has the steps of both.
+  return writes_animation() ? std::max(plotted, results::stored_end(sol_path(8))) : plotted;
+}
 
 bool RunFiles::writes_sol9() const { return prepared_.user && prepared_.user->active(9); }
 

@@ -33,8 +33,8 @@ class RunFiles {
   [[nodiscard]] Outputs outputs() const;
   /// Refuses to continue files of another run or layout, before any of them is touched (N3).
   void check() const;
-  /// Step and time [s], to SOL's digits, of the last whole record in SOL7; zeros when there is
-  /// none.
+  /// Step and time [s], to SOL's digits, of the last whole record in SOL7 or SOL8; zeros when
+  /// there is none.
   /// @pre check()
   [[nodiscard]] std::pair<long, double> stored_end() const;
   /// The listing alone: of a quasi-static deck.

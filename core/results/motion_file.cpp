@@ -107,6 +107,12 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                                      frame.step > numbers.back();
                                                             }) -
                                                file.frames.begin());
+    // Of a run that has just begun it may hold next to nothing of what SOL8 has.
+    if (4 * held < 3 * file.frames.size()) {
+      why_not = fmt::format("RESULTS.h5 beside the file has {} of its {} frames", held,
+                            file.frames.size());
+      return std::nullopt;
+    }
     const std::size_t every = std::max<std::size_t>(1, held / kLooks);
     bool any = false;
     for (std::size_t i = 0; i < held; ++i) {

@@ -607,6 +607,33 @@ TEST_CASE("numbers given after kUnit was changed are left out when the others ar
   CHECK(document.deck().real("brgBore") == bore);
 }
 
+TEST_CASE("numbers given in other units go back with them, also from a draft of the deck",
+          "[unit][adrinput]") {
+  Document document;
+  document.start_new("ball");
+  const double bore = document.deck().real("brgBore");
+  document.edit(cell("kUnit"), "2");
+  document.type(cell("pitchDia"), "2.5");
+  document.end_step();
+  Document parked;
+  (void)parked.restore(document.snapshot("1"));
+  CHECK(parked.numbers_in() == deck::UnitSystem::SI);
+  for (Document* one : {&document, &parked}) {
+    one->edit(cell("kUnit"), "1");
+    CHECK_FALSE(one->numbers_in());
+    CHECK(one->deck().real("pitchDia") == Approx(2.5 * 0.0254));
+    CHECK(one->deck().real("brgBore") == bore);
+  }
+  // The question stands in the draft, too.
+  Document asked;
+  document.edit(cell("kUnit"), "2");
+  document.type(cell("pitchDia"), "2.5");
+  (void)asked.restore(document.snapshot("1"));
+  asked.convert_values();
+  CHECK(asked.deck().real("pitchDia") == 2.5);
+  CHECK(asked.deck().real("brgBore") == Approx(bore / 0.0254));
+}
+
 TEST_CASE("what a file says beside its deck is told after saving as it was before",
           "[unit][adrinput]") {
   const QTemporaryDir folder;
