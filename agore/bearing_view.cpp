@@ -212,7 +212,7 @@ void bearing_view(const Scene& s) {
     add_cage_contacts(s, key);
     if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
   }
-  if (s.options.trails) key.push_back({trail_colour(s), "last of their paths"});
+  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
   if (s.options.contacts && s.animation.contacts) {
     const auto& largest = s.animation.contacts->largest_of_race;
     key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});

@@ -108,7 +108,7 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                             }) -
                                                file.frames.begin());
     // Of a run that has just begun it may hold next to nothing of what SOL8 has.
-    if (4 * held < 3 * file.frames.size()) {
+    if (2 * held < file.frames.size()) {
       why_not = fmt::format("RESULTS.h5 beside the file has {} of its {} frames", held,
                             file.frames.size());
       return std::nullopt;

@@ -100,7 +100,7 @@ TEST_CASE(
         area.show();
         for (int width = 700; width >= 320; width -= 20) {
           area.resize(width, 500);
-          for (int k = 0; k < 3; ++k) QCoreApplication::processEvents();  // heights follow widths
+          for (int k = 0; k < 10; ++k) QCoreApplication::processEvents();  // heights follow widths
           INFO(deck << ", record " << record << ", " << width << " pixels, letters x " << factor);
           CHECK(area.horizontalScrollBar()->maximum() == 0);
           CHECK(cut_in(*page, area.viewport()->width()).join("; ").toStdString() == "");

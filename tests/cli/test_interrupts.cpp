@@ -344,7 +344,7 @@ TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to g
   check_increasing(stored(folder / "SOL1"));
   const results::H5Reader before(folder / "RESULTS.h5");
   CHECK(before.steps() > 10);
-  const Result more = run_adore(deck + " --continue --until 0.1rev");
+  const Result more = run_adore(deck + " --continue --until 2rev");
   INFO(more.out);
   CHECK(more.code == 0);
   check_increasing(stored(folder / "SOL1"));
