@@ -291,7 +291,7 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
                               capital(window_name(options.window)), apart));
 }
 
-void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends) {
+void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, double visible) {
   constexpr double kSqueezed = 8.0;
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const double end : ends) {
@@ -301,7 +301,8 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends) {
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart, fmt::format("Logarithmic frequency: the curves' lines end at {} to {}.",
+  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % end at {} to {}.",
+                              desktop::pretty_number(100.0 * visible, 2),
                               desktop::pretty_quantity(least, "Hz", 3),
                               desktop::pretty_quantity(most, "Hz", 3)));
 }
@@ -316,7 +317,7 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       relative.push_back(relative_amplitude(curve.y, scale));
       ends.push_back(last_above(chart.x, relative.back(), kVisible));
     }
-  choose_frequency_axis(chart, ends);
+  choose_frequency_axis(chart, ends, kVisible);
   if (scale == SpectrumScale::Decibel || chart.log_x) return;  // all of it has room
   // A little beyond the last line that is seen, and ten lines at least.
   double shown = 1.15 * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];

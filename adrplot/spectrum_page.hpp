@@ -49,10 +49,11 @@ void drop_low_marks(desktop::ChartPage& chart);
 [[nodiscard]] double last_above(const std::vector<double>& frequency,
                                 const std::vector<double>& amplitude, double level);
 
-/// Curves whose lines end at such frequencies are drawn over a logarithmic one at first where the
-/// lines of one of them would have less than an eighth of the width of the others', and the note
-/// says so.
-void choose_frequency_axis(desktop::ChartPage& chart, const std::vector<double>& ends);
+/// Curves whose lines above that part of their largest end at such frequencies are drawn over a
+/// logarithmic one at first where the lines of one of them would have less than an eighth of the
+/// width of the others', and the note says so.
+void choose_frequency_axis(desktop::ChartPage& chart, const std::vector<double>& ends,
+                           double visible);
 
 /// The first view ends a little beyond the last amplitude above 1 % of its curve's largest; the
 /// note says which is the largest of the lines beyond.

@@ -167,7 +167,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   if (decibel)
     page.note += " 0 dB is the largest amplitude of all; nothing below " +
                  desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
-  choose_frequency_axis(page, ends);
+  choose_frequency_axis(page, ends, kVisible);
   if (page.log_x) page.view_low = page.view_high = 0.0;  // all of it has room
   if (!page.log_x && page.view_high < page.x.back())
     page.note +=
