@@ -95,9 +95,7 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
         "the run to be continued has stored results up to step {}, {:.6g} s, and goes on from its "
         "last checkpoint at step {}, {:.6g} s; the end that is asked for, {}, is before those "
         "results and would drop them: give a later end with --until, fTime or maxStps, or start a "
-        "new "
-        "run, without --continue and with kIcOpt = 0, in another folder (--out) or over these "
-        "results (--overwrite)",
+        "new run (kIcOpt = 0) in another folder",
         start.stored_step, start.stored_time, start.step, start.time,
         ends_before ? fmt::format("{:.6g} s", span.end) : fmt::format("step {}", last_step)));
   return start.time >= span.end || last_step == start.step;
