@@ -1,5 +1,7 @@
 #include "adrplot/curve_dialog.hpp"
 
+#include "desktop/dialogs.hpp"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -43,7 +45,7 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
                          QWidget* parent)
     : QDialog(parent), files_(files) {
   setWindowTitle(tr("Curves for one chart"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   resize(620, 520);
   auto* column = new QVBoxLayout(this);
   column->addWidget(new QLabel(

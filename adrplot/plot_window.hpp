@@ -41,6 +41,8 @@ class PlotWindow : public QMainWindow {
 
   /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
   void openFolder(const QString& folder, const results::SolRange& range = {});
+  /// What a dialog or a drop names; of a single file it is asked which steps are wanted.
+  void openSeveral(const QStringList& paths);
   /// Files that another program wants shown: read again where they are open, and brought to the
   /// front.
   void showFiles(const QStringList& paths);
@@ -90,7 +92,6 @@ class PlotWindow : public QMainWindow {
   };
   [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
-  void openSeveral(const QStringList& paths);
   void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);

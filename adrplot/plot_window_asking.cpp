@@ -21,11 +21,12 @@ void PlotWindow::askForFolder() {
   auto* dialog = new QFileDialog(this, tr("Open the plot files of a folder"),
                                  QSettings("Adore", kApp).value("open/folder").toString());
   dialog->setObjectName("folder");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { openFolder(folder); });
+  connect(
+      dialog, &QFileDialog::fileSelected, this,
+      [this](const QString& folder) { openFolder(folder); }, Qt::QueuedConnection);
   dialog->open();
 }
 

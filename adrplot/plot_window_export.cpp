@@ -116,7 +116,7 @@ void PlotWindow::askForExport(bool all_pages) {
       tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;All numbers (*.csv)") +
           (all_pages ? QString() : ";;" + seen));
   dialog->setObjectName("export");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("pdf");
   connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {

@@ -1,5 +1,7 @@
 #include "adrplot/range_dialog.hpp"
 
+#include "desktop/dialogs.hpp"
+
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -12,7 +14,7 @@ namespace adore::adrplot {
 
 RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Plot parameters"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   const int last =
       static_cast<int>(std::clamp<long>(stored, 1, std::numeric_limits<int>::max() / 2));
   const auto box = [this, last](const char* name, int value) {

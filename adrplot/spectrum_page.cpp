@@ -323,7 +323,8 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
   double shown = 1.15 * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
   for (const double end : ends) shown = std::max(shown, 1.15 * end);
   for (const auto& mark : chart.marks)
-    if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
+    if (mark.label == "shaft" || mark.label == "rotation" || mark.label == "inner race")
+      shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
   double beyond = 0.0, at = 0.0;

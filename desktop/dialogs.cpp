@@ -48,6 +48,10 @@ bool join_message(QWidget* parent, const QString& text, bool error) {
 
 }  // namespace
 
+void delete_when_done(QDialog& dialog) {
+  QObject::connect(&dialog, &QDialog::finished, &dialog, &QObject::deleteLater);
+}
+
 void show_message(QWidget* parent, const QString& text, bool error) {
   if (join_message(parent, text, error)) return;
   auto* box =
@@ -56,7 +60,7 @@ void show_message(QWidget* parent, const QString& text, bool error) {
   box->setObjectName("message");
   box->setProperty(kTexts, QStringList{text});
   box->setTextFormat(Qt::PlainText);
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*box);
   box->open();
 }
 
@@ -64,7 +68,7 @@ void ask_number(QWidget* parent, const QString& title, const QString& label, int
                 int high, std::function<void(int)> answer) {
   auto* dialog = new QInputDialog(parent);
   dialog->setObjectName("number");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setWindowTitle(title);
   dialog->setLabelText(label);
   dialog->setInputMode(QInputDialog::IntInput);
@@ -80,14 +84,15 @@ void ask_file(QWidget* parent, const QString& app, const QString& title, const Q
   auto* dialog = new QFileDialog(parent, title, folder,
                                  QObject::tr("Result files (%1);;All files (*)").arg(names));
   dialog->setObjectName("open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
   QObject::connect(
       dialog, &QFileDialog::fileSelected, parent,
       [app, answer = std::move(answer)](const QString& name) {
         QSettings("Adore", app).setValue("open/folder", QFileInfo(name).absolutePath());
         answer(name);
-      });
+      },
+      Qt::QueuedConnection);
   dialog->open();
 }
 
@@ -97,7 +102,7 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
   auto* dialog = new QFileDialog(parent, title, folder,
                                  QObject::tr("Result files (%1);;All files (*)").arg(names));
   dialog->setObjectName("open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   QObject::connect(
       dialog, &QFileDialog::filesSelected, parent,
@@ -105,7 +110,8 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
         if (chosen.isEmpty()) return;
         QSettings("Adore", app).setValue("open/folder", QFileInfo(chosen.front()).absolutePath());
         answer(chosen);
-      });
+      },
+      Qt::QueuedConnection);
   dialog->open();
 }
 
@@ -122,7 +128,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                                  svg ? QObject::tr("Pictures (*.jpg *.jpeg *.png *.svg)")
                                      : QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
   dialog->setObjectName("save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("jpg");
   dialog->selectFile(proposed_image_name(app, fallback));
@@ -148,7 +154,7 @@ void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> d
   printer->setPageOrientation(QPageLayout::Landscape);
   auto* dialog = new QPrintDialog(printer.get(), parent);
   dialog->setObjectName("print");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   QObject::connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), parent,
                    [printer, draw = std::move(draw)](QPrinter*) {
                      QPainter painter(printer.get());

@@ -324,6 +324,13 @@ TEST_CASE("plot_window: a folder opens all its plot files, two folders are told 
   CHECK(tree->topLevelItem(3)->text(0).startsWith("fast/SOL7"));
   window.openFolder(base.filePath("fast"), {.from = 2, .to = 11});
   CHECK(window.findChild<desktop::ChartView*>()->chartScene().page().x.size() == 10);
+  // Record 2.3 of the deck had named its files.
+  base.mkdir("named");
+  QFile::copy(base.filePath("slow/SOL1"), base.filePath("named/ball.dat"));
+  test::write_text(base.filePath("named/RUN.json").toStdString(), R"({"files": ["ball.dat"]})");
+  window.openFolder(base.filePath("named"));
+  CHECK(window.findChild<QMessageBox*>("message") == nullptr);
+  CHECK(tree->topLevelItem(tree->topLevelItemCount() - 1)->text(0).startsWith("named/ball.dat"));
   base.mkdir("empty");
   window.openFolder(base.filePath("empty"));
   auto* box = window.findChild<QMessageBox*>("message");
@@ -447,10 +454,17 @@ TEST_CASE("run_beside: frequencies of a run are those of its mean speeds", "[uni
   h5.close();
   std::map<std::string, double> found;
   for (const auto& mark : bearing_frequencies(folder / "RESULTS.h5")) found[mark.label] = mark.x;
-  CHECK(found["shaft"] == Approx(1000.0 / kTurn));
+  // Both turn: neither at the 1000 rad/s of one against the other.
+  CHECK(found["inner race"] == Approx(900.0 / kTurn));
+  CHECK(found["outer race"] == Approx(100.0 / kTurn));
+  CHECK(found.count("shaft") == 0);
   CHECK(found["FTF"] == Approx(400.0 / kTurn));
   CHECK(found["BSF"] == Approx(2500.0 / kTurn));
   CHECK(found["BPFO"] == Approx(3 * 500.0 / kTurn));
   CHECK(found["BPFI"] == Approx(3 * 500.0 / kTurn));
-  CHECK(found["2 BPFO"] == Approx(6 * 500.0 / kTurn));
+  for (const char* name : {"FTF", "BSF", "BPFO", "BPFI"})
+    for (const int harmonic : {2, 3}) {
+      INFO(harmonic << " " << name);
+      CHECK(found[std::to_string(harmonic) + " " + name] == Approx(harmonic * found[name]));
+    }
 }

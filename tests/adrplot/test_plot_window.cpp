@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -206,6 +207,32 @@ TEST_CASE("plot_window: a dropped file asks for its range, several are opened at
   QMimeData words;
   words.setText("SOL1");
   CHECK_FALSE(test::drop_on(window, words, window.view().geometry().center()));
+}
+
+TEST_CASE("a file is opened by the question of its steps, however long the window lives meanwhile",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("SOL1").toStdString();
+  test::SyntheticRun run;
+  run.steps = 30;
+  test::write_text(path, test::sol_text(test::synthetic_sol(SolKind::Element, run)));
+  PlotWindow window;
+  window.show();
+  window.openSeveral({folder.filePath("SOL1")});
+  const QPointer<RangeDialog> dialog = window.findChild<RangeDialog*>();
+  REQUIRE(dialog);
+  bool there = false;
+  QObject::connect(dialog, &QDialog::accepted, &window, [&] {
+    // As the box of progress does, once a long file is read behind the same signal.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    there = !dialog.isNull();
+  });
+  dialog->accept();
+  CHECK(there);
+  CHECK(window.fileCount() == 1);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK(dialog.isNull());
 }
 
 TEST_CASE("range_dialog: starts with the whole run and keeps the end behind the start", "[gui]") {

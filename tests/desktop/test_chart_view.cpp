@@ -556,3 +556,20 @@ TEST_CASE("recent files: the newest first, each once, those that are gone left o
   CHECK(recent_files("recent-test") == one);
   QSettings("Adore", "recent-test").clear();
 }
+
+TEST_CASE("recent files: the files of one run do not take the places of others", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder, other;
+  QSettings("Adore", "recent-test").clear();
+  const auto open = [](const QString& path) {
+    QFile file(path);
+    REQUIRE(file.open(QIODevice::WriteOnly));
+    remember_part_of_run("recent-test", path);
+  };
+  open(other.filePath("SOL1"));
+  for (int i = 1; i <= 8; ++i) open(folder.filePath(QString("SOL%1").arg(i)));
+  CHECK(recent_files("recent-test") == QStringList{folder.filePath("SOL8"), folder.filePath("SOL7"),
+                                                   folder.filePath("SOL6"),
+                                                   other.filePath("SOL1")});
+  QSettings("Adore", "recent-test").clear();
+}
