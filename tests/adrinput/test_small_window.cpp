@@ -46,6 +46,8 @@ TEST_CASE("adrinput: no page of an example scrolls sideways on a screen of 1280x
 
 namespace {
 
+constexpr int kPatience = 2000;  // [ms] for a layout to come to rest
+
 /// What is not whole within the width of a page's view.
 QStringList cut_in(const QWidget& page, int width) {
   QStringList cut;
@@ -100,7 +102,14 @@ TEST_CASE(
         area.show();
         for (int width = 700; width >= 320; width -= 20) {
           area.resize(width, 500);
-          for (int k = 0; k < 10; ++k) QCoreApplication::processEvents();  // heights follow widths
+          QCoreApplication::processEvents();
+          // Heights follow widths in rounds, whose number nobody knows.
+          (void)QTest::qWaitFor(
+              [&] {
+                return area.horizontalScrollBar()->maximum() == 0 &&
+                       cut_in(*page, area.viewport()->width()).isEmpty();
+              },
+              kPatience);
           INFO(deck << ", record " << record << ", " << width << " pixels, letters x " << factor);
           CHECK(area.horizontalScrollBar()->maximum() == 0);
           CHECK(cut_in(*page, area.viewport()->width()).join("; ").toStdString() == "");

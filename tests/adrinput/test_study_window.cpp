@@ -211,6 +211,16 @@ TEST_CASE("a study over its budget starts only when the user wants it all the sa
   CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs, and the budget has 5"));
   auto* anyway = window.findChild<QPushButton*>("study-over-budget");
   REQUIRE(anyway->isVisible());
+  // The check that the save asked for comes a moment later, before or after the answer.
+  window.panel().checkNow();
+  CHECK(anyway->isVisible());
+  // Of another study nobody has said that it is too much.
+  window.document().set_field(*find_study_field("budget.runs"), "6");
+  window.panel().checkNow();
+  CHECK_FALSE(anyway->isVisible());
+  window.document().undo();
+  window.panel().checkNow();
+  REQUIRE(anyway->isVisible());
   anyway->click();
   REQUIRE(ended.wait(60000));
   CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs: 18 done"));
