@@ -546,6 +546,12 @@ void DeckWindow::showCharts() {
   }
 }
 
+void DeckWindow::hideEmptyPanels() {
+  if (statics_->tables() != nullptr || charts_dock_->isHidden()) return;
+  charts_dock_->hide();
+  if (!drawing_dock_->isHidden()) drawing_dock_->raise();
+}
+
 void DeckWindow::studyAccuracy() {
   showPanel(accuracy_);
   if (accuracy_->busy() || !readyToCompute()) return;

@@ -255,7 +255,9 @@ void RecordList::search(const QString& query) {
   found_->clear();
   stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : found_);
   if (query.trimmed().isEmpty()) return;
-  for (const Found& found : search_variables(query.toStdString())) {
+  for (const Found& found : search_variables(query.toStdString(), [this](const Cell& cell) {
+         return document_.instances(cell.record) > 0;
+       })) {
     auto* item = new QListWidgetItem(found_);
     item->setData(kRecordRole, QString::fromStdString(found.cell.record));
     item->setData(kVariableRole, static_cast<int>(found.cell.variable));

@@ -6,6 +6,7 @@
 #include "adrinput/page_parts.hpp"
 #include "desktop/theme.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
@@ -180,6 +181,8 @@ bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
     if (row.line == nullptr || row.line != field || button == nullptr || button->isHidden())
       continue;
     button->menu()->popup(button->mapToGlobal(button->rect().bottomLeft()));
+    for (QAction* action : button->menu()->actions())  // the keys start from what is chosen
+      if (action->isChecked() && row.choice != nullptr) button->menu()->setActiveAction(action);
     return true;
   }
   return false;

@@ -122,6 +122,7 @@ void Session::begin(bool deck_named) {
   const QByteArray geometry = settings().value("session/geometry").toByteArray();
   if (!geometry.isEmpty()) window_.restoreGeometry(geometry);
   window_.restoreState(settings().value("session/docks").toByteArray());
+  window_.hideEmptyPanels();
   if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
   lookForOrphans();
   offerNext();

@@ -137,3 +137,31 @@ TEST_CASE(
   window.save();
   CHECK_FALSE(window.statusBar()->currentMessage().contains(".bak"));
 }
+
+TEST_CASE("a deck that was opened by a relative name is proposed where it is, also as a draft",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const struct Elsewhere {
+    explicit Elsewhere(const fs::path& folder) { fs::current_path(folder); }
+    ~Elsewhere() { fs::current_path(before); }
+    fs::path before = fs::current_path();
+  } elsewhere(folder.path().toStdString());
+  fs::create_directory("deck");
+  std::ofstream("deck/DATA.txt") << deck::template_text("ball");
+  for (const char* name : {"deck/DATA.txt", "deck"}) {
+    DeckWindow window;
+    window.show();
+    REQUIRE(window.openFile(name));
+    window.saveAs();
+    auto* save = window.findChild<QFileDialog*>("save");
+    REQUIRE(save != nullptr);
+    CHECK(save->selectedFiles() == QStringList{folder.filePath("deck/DATA.txt")});
+    save->close();
+    window.parkDraft();
+    auto* park = window.findChild<QFileDialog*>("save-draft");
+    REQUIRE(park != nullptr);
+    CHECK(park->selectedFiles() == QStringList{folder.filePath("deck/DATA.draft")});
+    park->close();
+  }
+}

@@ -7,6 +7,7 @@
 #include "adrinput/study_window.hpp"
 #include "base/errors.hpp"
 #include "deck/templates.hpp"
+#include "deck/unit_change.hpp"
 #include "desktop/one_window.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_text.hpp"
@@ -315,4 +316,32 @@ TEST_CASE("the pages of a study are drawn without a window", "[gui][adrinput][st
   const auto pages = render_study(bench.path("a.json"), options);
   CHECK(pages.size() > 3);
   for (const fs::path& page : pages) CHECK(fs::file_size(page) > 5000);
+}
+
+TEST_CASE("a new study of any kind begins without a mistake, whatever the bearing and its units",
+          "[gui][adrinput][studies]") {
+  test::use_qt();
+  const Bench bench;
+  for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"})
+    for (const auto units : {deck::UnitSystem::SI, deck::UnitSystem::English}) {
+      const deck::Deck deck = deck::in_units(deck::new_deck(type), units);
+      std::ofstream(bench.path("DATA.txt")) << deck::write_deck(deck);
+      for (int kind = 0; kind < studies::kKinds; ++kind) {
+        const std::string name(studies::kind_name(static_cast<studies::Kind>(kind)));
+        INFO(type << ", " << name << ", kUnit " << deck.integer("kUnit"));
+        StudyDocument study;
+        study.start_new(bench.path(name + "-new.json"), name, bench.path("DATA.txt"));
+        const StudyDocument::Finding found = study.check();
+        CHECK(found.problem == "");
+        CHECK(found.runs > 1);
+      }
+      // What is varied is what this bearing carries, by numbers in its units.
+      StudyDocument sweep;
+      sweep.start_new(bench.path("s.json"), "sweep", bench.path("DATA.txt"));
+      const StudyJson row = sweep.values()->at("variables").at(0);
+      const double own = deck.real(row.at("name").get<std::string>());
+      CHECK(own != 0.0);
+      CHECK(std::abs(row.at("grid").at(0).get<double>()) < std::abs(own));
+      CHECK(std::abs(row.at("grid").at(1).get<double>()) > std::abs(own));
+    }
 }

@@ -9,13 +9,19 @@
 
 #include <QAbstractItemView>
 #include <QCompleter>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
 
 /// Search, menus and the catalogue.
 using namespace adore;
@@ -147,4 +153,51 @@ TEST_CASE(
   QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier);
   QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   CHECK(window.document().deck().real("bReDia") == 0.0128);
+}
+
+TEST_CASE("a name that several records have is found in the record of this deck first",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  int elsewhere = 0;
+  for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {
+    DeckWindow window;
+    window.show();
+    window.newDeck(type);
+    auto* query = window.findChild<QLineEdit*>("search");
+    std::set<std::string> names;
+    for (const deck::RecordData& record : window.document().deck().records)
+      for (const deck::VariableSpec& variable : deck::find_record(record.id)->variables)
+        if (variable.name != "recID" && deck::find_variable(variable.name).size() > 1)
+          names.emplace(variable.name);
+    for (const std::string& name : names) {
+      INFO(type << ": " << name);
+      query->setText(QString::fromStdString(name));
+      query->setFocus();
+      QTest::keyClick(query, Qt::Key_Return);
+      CHECK(window.document().instances(window.currentRecord()) > 0);
+      const auto refs = deck::find_variable(name);
+      CHECK(std::any_of(refs.begin(), refs.end(), [&](const deck::VariableRef& ref) {
+        return ref.record->id == window.currentRecord();
+      }));
+      elsewhere += deck::find_variable(name)[0].record->id != window.currentRecord() ? 1 : 0;
+    }
+  }
+  CHECK(elsewhere > 3);
+}
+
+TEST_CASE("what is told of a designation is in sight to its last word", "[gui][adrinput][daily]") {
+  test::use_qt();
+  CatalogueDialog dialog;
+  dialog.show();
+  auto* name = dialog.findChild<QLineEdit*>("designation");
+  const auto* story = dialog.findChild<QLabel*>("story");
+  const auto* area = dialog.findChild<QScrollArea*>();
+  for (const char* typed : {"", "62", "6205", "7208 B", "NU209 C3", "30208 C3", "22210 C4 W33",
+                            "deep-groove 25x52x15", "22210 K C3"}) {
+    name->setText(typed);
+    INFO(typed << ": " << story->text().toStdString());
+    CHECK(QTest::qWaitFor(
+        [&] { return area->viewport()->height() >= story->heightForWidth(story->width()); }, 2000));
+  }
+  CHECK(dialog.story().contains("tapered bore"));
 }
