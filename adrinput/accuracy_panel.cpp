@@ -1,5 +1,6 @@
 #include "adrinput/accuracy_panel.hpp"
 
+#include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/listing_view.hpp"
@@ -49,8 +50,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   };
   const auto number = [&](const QString& text, const char* name, double value, double low,
                           double high, const QString& unit) {
-    auto* label = new QLabel(text, this);
-    auto* box = new QDoubleSpinBox(this);
+    auto* pair = new QWidget(this);  // stays together where the row is broken
+    auto* label = new QLabel(text, pair);
+    auto* box = new QDoubleSpinBox(pair);
     box->setObjectName(name);
     box->setAccessibleName(text);
     box->setRange(low, high);
@@ -58,8 +60,12 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     box->setSuffix(unit);
     box->setValue(value);
     label->setBuddy(box);
-    row->addWidget(label);
-    row->addWidget(box);
+    new WheelGuard(box);
+    auto* both = new QHBoxLayout(pair);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->addWidget(label);
+    both->addWidget(box);
+    row->addWidget(pair);
     return box;
   };
   start_ = button(tr("Stud&y accuracy"), "study-accuracy",

@@ -14,9 +14,10 @@ namespace adore::adrinput {
 namespace {
 
 // In a low dock the charts scroll: titles of axes lower than these are cut.
-constexpr int kHead = 150;   // title, note and the axis below
-constexpr int kPanel = 145;  // of several below each other
-constexpr int kOne = 370;    // alone, with a long title
+constexpr int kHead = 150;        // title, note and the axis below
+constexpr int kPanel = 145;       // of several below each other
+constexpr int kOne = 370;         // alone, with a long title
+constexpr int kLeastWidth = 300;  // of a chart with its keys and titles
 
 }  // namespace
 
@@ -33,13 +34,12 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   note_->setMargin(6);
   view_->setObjectName("solution-chart");
   view_->setAccessibleName(tr("Chart of the quasi-static solution"));
-  view_->setMinimumWidth(200);
   area_ = new QScrollArea(this);
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
   area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area_->setFocusPolicy(Qt::NoFocus);
-  area_->setMinimumHeight(160);
+  area_->setMinimumSize(kLeastWidth, 160);
   area_->setWidget(view_);
   forget();
   auto* layout = new QVBoxLayout(this);

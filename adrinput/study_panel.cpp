@@ -1,5 +1,6 @@
 #include "adrinput/study_panel.hpp"
 
+#include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
@@ -84,6 +85,7 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   engine_->addItems({"local", "slurm"});
   engine_->setToolTip(tr("Who computes: processes here, or a cluster under Slurm"));
   engine_label->setBuddy(engine_);
+  new WheelGuard(engine_);
   auto* workers_label = new QLabel(tr("at a ti&me"), this);
   workers_ = new QSpinBox(this);
   workers_->setObjectName("study-workers");
@@ -92,6 +94,7 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   workers_->setSpecialValueText(tr("auto"));
   workers_->setToolTip(tr("Runs at a time; auto: as many as cores and memory allow"));
   workers_label->setBuddy(workers_);
+  new WheelGuard(workers_);
   row->addWidget(engine_label);
   row->addWidget(engine_);
   row->addWidget(workers_label);

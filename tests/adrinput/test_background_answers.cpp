@@ -9,6 +9,7 @@
 #include "facade/run.hpp"
 #include "support/qt_app.hpp"
 
+#include <QDoubleSpinBox>
 #include <QGraphicsSimpleTextItem>
 #include <QLabel>
 #include <QListWidget>
@@ -77,6 +78,34 @@ TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]
   CHECK(stale);
 }
 
+TEST_CASE("an accuracy study that goes on tells the turns of its round", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  AccuracyPanel& panel = window.accuracyPanel();
+  std::atomic<bool> go_on = false;
+  panel.study = [&go_on](const facade::AccuracyRequest&, const facade::AccuracySink& row_done,
+                         std::stop_token) {
+    facade::AccuracyStudy study;
+    facade::AccuracyRow row;
+    row.setting.name = "rkf5, tol 1e-06";
+    row.turns = 1.0;
+    study.screening.push_back(row);
+    row_done(row, study);
+    row.turns = 12.5;
+    study.finals.push_back(row);
+    row_done(row, study);
+    while (!go_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return study;
+  };
+  window.studyAccuracy();
+  CHECK(QTest::qWaitFor([&] { return panel.text().count("rkf5") == 2; }, 10000));
+  CHECK(panel.text().startsWith("first round, 1 turn\n"));
+  CHECK(panel.text().contains("second round, 12.5 turns\n"));
+  go_on = true;
+  CHECK(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
+}
+
 TEST_CASE("titles of axes beside the form are whole, however low the window is",
           "[gui][adrinput][daily]") {
   test::use_qt();
@@ -87,17 +116,20 @@ TEST_CASE("titles of axes beside the form are whole, however low the window is",
     window.runQuasiStatic();
     REQUIRE(QTest::qWaitFor([&] { return !window.staticsPanel().busy(); }, 60000));
     SolutionCharts& charts = window.solutionCharts();
-    for (const int height : {800, 560, 450}) {
-      window.resize(1010, height);
+    for (const QSize size : {QSize(1280, 800), QSize(1010, 560), QSize(944, 450)}) {
+      window.resize(size);
       for (int page = 0; page < charts.pages().size(); ++page) {
         charts.choosePage(page);
         QCoreApplication::processEvents();
-        INFO(deck << ", " << charts.pages()[page].toStdString() << ", " << height << " pixels");
+        INFO(deck << ", " << charts.pages()[page].toStdString() << ", " << size.height()
+                  << " pixels");
+        const qreal width = charts.view().chartScene().sceneRect().width();
         for (const QGraphicsItem* item : charts.view().chartScene().items())
           if (const auto* text = dynamic_cast<const QGraphicsSimpleTextItem*>(item);
-              text != nullptr && text->rotation() != 0.0) {
+              text != nullptr && text->isVisible()) {
             INFO(text->text().toStdString());
-            CHECK_FALSE(text->text().contains(QChar(0x2026)));
+            if (text->rotation() != 0.0) CHECK_FALSE(text->text().contains(QChar(0x2026)));
+            CHECK(text->sceneBoundingRect().right() <= width + 1.0);
           }
       }
     }
@@ -122,9 +154,11 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   DeckWindow window;
   window.show();
   AccuracyPanel& panel = window.accuracyPanel();
-  panel.study = [](const facade::AccuracyRequest& request, const facade::AccuracySink& row_done,
-                   std::stop_token) {
+  std::atomic<double> asked = 0.0;
+  panel.study = [&asked](const facade::AccuracyRequest& request,
+                         const facade::AccuracySink& row_done, std::stop_token) {
     CHECK(request.text.has_value());
+    asked = request.turns;
     facade::AccuracyStudy study;
     facade::AccuracyRow row;
     row.setting.name = "rkf6, tol 1e-05";
@@ -139,8 +173,10 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
     row_done(row, study);
     return study;
   };
+  panel.findChild<QDoubleSpinBox*>("accuracy-turns")->setValue(12.0);
   window.studyAccuracy();
   REQUIRE(QTest::qWaitFor([&] { return !panel.busy() && !panel.recommended().empty(); }, 10000));
+  CHECK(asked == 12.0);
   CHECK(panel.text().contains("rkf6"));
   press(window, "apply-accuracy");
   CHECK(window.document().deck().integer("intMet") == 6);
