@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,17 +52,32 @@ double load(const deck::Deck& deck, const std::string& name) {
   return deck.has(name) ? deck.real(name) : 0.0;
 }
 
-/// Ranges that do not hold what the deck has go about it.
-void about_own(StudyJson& row, double own) {
-  if (own == 0.0) return;
-  for (const auto& [law, low, high] :
-       {std::tuple{"grid", 0.5, 1.5}, std::tuple{"uniform", 0.8, 1.2}}) {
-    if (!row.contains(law)) continue;
-    StudyJson& range = row[law];
-    const double first = range.at(0).get<double>(), last = range.at(1).get<double>();
-    if (std::min(first, last) <= own && own <= std::max(first, last)) continue;
-    range[0] = deck::rounded_to_digits(low * own, kDigits);
-    range[1] = deck::rounded_to_digits(high * own, kDigits);
+/// Numbers that are not about what the deck has are scaled to it.
+void about_own(StudyJson& row, const deck::Deck& deck) {
+  const std::string name = variable_of_row(row);
+  const double own = name.empty() || !deck.has(name) ? 0.0 : deck.real(name);
+  for (const char* law : kLaws) {
+    if (own == 0.0 || !row.contains(law) || row[law].size() < 2) continue;
+    StudyJson& numbers = row[law];
+    const std::size_t count = law == std::string_view("grid") ? 2 : numbers.size();
+    const bool normal = law == std::string_view("normal");
+    double low = numbers[0].get<double>(), high = low;
+    for (std::size_t k = 1; k < count && !normal; ++k) {
+      low = std::min(low, numbers[k].get<double>());
+      high = std::max(high, numbers[k].get<double>());
+    }
+    if (normal && row.contains("within")) {
+      low = row["within"].at(0).get<double>();
+      high = row["within"].at(1).get<double>();
+    }
+    const double middle = 0.5 * (low + high);
+    if ((low <= own && own <= high) || middle == 0.0) continue;
+    const auto scale = [&](StudyJson& number) {
+      number = deck::rounded_to_digits(number.get<double>() * own / middle, kDigits);
+    };
+    for (std::size_t k = 0; k < count; ++k) scale(numbers[k]);
+    if (row.contains("within"))
+      for (StudyJson& number : row["within"]) scale(number);
   }
 }
 
@@ -86,7 +100,6 @@ void along_the_load(StudyJson& rows, const deck::Deck& deck) {
       if (varies(loaded)) continue;
       row["name"] = loaded;
     }
-    if (of_load) about_own(row, load(deck, row["name"].get<std::string>()));
     out.push_back(std::move(row));
   }
   rows = std::move(out);
@@ -136,6 +149,7 @@ StudyJson fitted_to(StudyJson example, const deck::Deck& base) {
         rows.push_back(std::move(row));
       }
     along_the_load(rows, deck);
+    for (StudyJson& row : rows) about_own(row, deck);
     if (example.value("kind", "") == "cage-map" && rows.size() == 1) add_pocket_play(rows, deck);
     example["variables"] = std::move(rows);
   }

@@ -334,6 +334,20 @@ TEST_CASE("a new study of any kind begins without a mistake, whatever the bearin
         const StudyDocument::Finding found = study.check();
         CHECK(found.problem == "");
         CHECK(found.runs > 1);
+        // Ranges hold what the deck has.
+        if (study.values()->contains("variables"))
+          for (const StudyJson& row : study.values()->at("variables"))
+            for (const char* law : {"grid", "list", "uniform"}) {
+              if (!row.contains(law) || !row.contains("name")) continue;
+              const auto of = row.at("name").get<std::string>();
+              if (!deck.has(of) || deck.real(of) == 0.0) continue;
+              const StudyJson& last =
+                  row.at(law).at(law == std::string("grid") ? 1 : row.at(law).size() - 1);
+              INFO(row.dump());
+              const double share = deck.real(of);
+              CHECK((row.at(law).at(0).get<double>() <= share || share < 0.0));
+              CHECK((last.get<double>() >= share || share < 0.0));
+            }
       }
       // What is varied is what this bearing carries, by numbers in its units.
       StudyDocument sweep;
