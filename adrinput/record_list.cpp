@@ -11,6 +11,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -285,6 +286,8 @@ void RecordList::describeFound() {
     QString text = QString("%1 · record %2\n%3")
                        .arg(text_of(variable.name), record_number(record), text_of(variable.help));
     if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
+    static const QRegularExpression joint("([,/(\\[])(?=\\S)");
+    text.replace(joint, "\\1\u200b");  // a narrow list may break there
     if (item->text() != text) item->setText(text);
     item->setForeground(here ? QBrush() : QBrush(desktop::current_theme().muted));
   }
