@@ -1,6 +1,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
 #include "adrinput/options_page.hpp"
+#include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
 #include "support/qt_app.hpp"
@@ -147,6 +148,8 @@ TEST_CASE("adrinput: what a search finds is not cut in a narrow list", "[gui][ad
   auto* query = window.findChild<QLineEdit*>("search");
   auto* list = window.findChild<QListWidget*>("found");
   REQUIRE(list != nullptr);
+  auto* panel = window.findChild<RecordList*>();
+  panel->setFixedWidth(panel->minimumWidth());  // as at scale factor 2 on 1920x1080
   constexpr int kMargins = 10;
   const QRegularExpression breaks("[\\s\\x{200b}-]");
   int words = 0;
