@@ -43,6 +43,10 @@ namespace {
 
 const QString kApp = "adrinput";
 
+QString whole_name(const std::filesystem::path& path) {
+  return QString::fromStdString(std::filesystem::absolute(path).string());
+}
+
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 /// Shows and hides a dock; one that stands behind another comes to the front first.
@@ -193,7 +197,8 @@ void DeckWindow::forgetResults(bool reread) {
 
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   try {
-    const std::filesystem::path file = facade::deck_path(path);
+    // A name from where the program was started means nothing in its dialogs.
+    const std::filesystem::path file = std::filesystem::absolute(facade::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
     forgetResults(reread);
@@ -351,8 +356,7 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("txt");
-  dialog->selectFile(document_.path().empty() ? QString("DATA.txt")
-                                              : QString::fromStdString(document_.path().string()));
+  dialog->selectFile(document_.path().empty() ? QString("DATA.txt") : whole_name(document_.path()));
   connect(
       dialog, &QFileDialog::fileSelected, this,
       [this, then = std::move(then)](const QString& name) { saveTo(name.toStdString(), then); });
@@ -373,7 +377,9 @@ void DeckWindow::parkDraft() {
     name = document_.path().empty()
                ? std::filesystem::path("DATA.draft")
                : std::filesystem::path(document_.path()).replace_extension("draft");
-  dialog->selectFile(QString::fromStdString(name.string()));
+  dialog->selectFile(document_.path().empty() && document_.draft().empty()
+                         ? QString::fromStdString(name.string())
+                         : whole_name(name));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());

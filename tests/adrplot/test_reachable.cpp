@@ -23,3 +23,14 @@ TEST_CASE(
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
 }
+
+TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.show();
+  CHECK(test::contested_letters_of_pages(window).join("; ").toStdString() == "");
+  int dialogs = 0;
+  CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
+  CHECK(dialogs >= 1);
+}

@@ -2,7 +2,11 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QDialog>
+#include <QFileDialog>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -10,8 +14,11 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QStringList>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -56,6 +63,83 @@ inline QStringList clashing_letters(const QMainWindow& window) {
       if (seen.contains(key)) out << seen[key] + " / " + action->text();
       seen[key] = action->text();
     }
+  }
+  return out;
+}
+
+/// Letters with Alt that several things of a window claim as it is shown now: such a key only moves
+/// the focus from one to the next. Buttons count that are grey at the moment.
+inline QStringList contested_letters(const QWidget& window) {
+  QMap<QString, QStringList> claims;
+  const auto claim = [&](const QString& text) {
+    static const QRegularExpression letter("&([^&])");
+    const QRegularExpressionMatch found = letter.match(QString(text).replace("&&", "  "));
+    if (found.hasMatch()) claims[found.captured(1).toLower()] << text;
+  };
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (widget->window() != &window || !widget->isVisibleTo(&window)) continue;
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) claim(button->text());
+    if (const auto* box = qobject_cast<const QGroupBox*>(widget)) claim(box->title());
+    if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->buddy())
+      claim(label->text());
+    if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
+      for (int k = 0; k < tabs->count(); ++k) claim(tabs->tabText(k));
+    if (const auto* bar = qobject_cast<const QMenuBar*>(widget))
+      for (const QAction* action : bar->actions())
+        if (action->isVisible()) claim(action->text());
+  }
+  QStringList out;
+  for (const QStringList& texts : claims)
+    if (texts.size() > 1) out << texts.join(" / ");
+  return out;
+}
+
+/// The same of a window with each page of its tabs in front, one after the other.
+inline QStringList contested_letters_of_pages(const QWidget& window) {
+  QStringList out = contested_letters(window);
+  for (QTabWidget* tabs : window.findChildren<QTabWidget*>()) {
+    const int before = tabs->currentIndex();
+    for (int k = 0; k < tabs->count(); ++k) {
+      tabs->setCurrentIndex(k);
+      for (const QString& clash : contested_letters(window))
+        out << clash + " (page " + tabs->tabText(k) + ")";
+    }
+    tabs->setCurrentIndex(before);
+  }
+  return out;
+}
+
+/// The dialogs and boxes that the entries of a window's menus open ("…" or "..."), each closed
+/// again, and the letters in them that are contested.
+inline QStringList contested_letters_of_dialogs(QMainWindow& window, int& dialogs) {
+  QStringList out;
+  const auto open_ones = [] {
+    QList<QWidget*> found;
+    for (QWidget* top : QApplication::topLevelWidgets())
+      if (top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) found << top;
+    return found;
+  };
+  for (const QPointer<QAction>& action : [&] {
+         QList<QPointer<QAction>> all;
+         for (QAction* one : window.findChildren<QAction*>()) all << one;
+         return all;
+       }()) {
+    if (!action || !action->isEnabled() || action->menu() != nullptr) continue;
+    const QString text = action->text();
+    if (!text.endsWith("...") && !text.endsWith(QChar(0x2026))) continue;
+    action->trigger();
+    QCoreApplication::processEvents();
+    for (QWidget* dialog : open_ones()) {
+      // A file dialog of Qt has letters of its own.
+      if (qobject_cast<QFileDialog*>(dialog) == nullptr) {
+        ++dialogs;
+        for (const QString& clash : contested_letters_of_pages(*dialog))
+          out << clash + " (" + text + ")";
+      }
+      dialog->close();
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::processEvents();
   }
   return out;
 }
