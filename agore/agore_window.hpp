@@ -18,6 +18,9 @@ class QMenu;
 
 namespace adore::agore {
 
+/// Of its settings and recent files.
+inline constexpr const char* kApp = "agore";
+
 /// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
 /// moment. The wheel zooms the picture under the pointer, dragging moves it (with Shift where it
 /// is the 3D view, whose eye dragging turns), a double click shows all of it.
