@@ -69,6 +69,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
             }
             showFrame();
           });
+  connect(canvas_, &PictureWidget::spanMarked, this, &AgoreWindow::setSpan);
   connect(canvas_, &PictureWidget::eyeMoved, this, [this](double yaw, double elevation) {
     options_.yaw = yaw;
     options_.elevation = elevation;
@@ -80,6 +81,8 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   } catch (const std::exception&) {
     options_.scale = {};  // settings of another program version
   }
+  connect(&growth_, &QTimer::timeout, this, &AgoreWindow::lookForGrowth);
+  follow_->setChecked(QSettings("Adore", kApp).value(kFollow, false).toBool());
   // The foot is there while it says something: its room is the picture's.
   statusBar()->setSizeGripEnabled(false);
   statusBar()->hide();
@@ -209,6 +212,7 @@ void AgoreWindow::askForElement(View view) {
 ViewOptions AgoreWindow::stillOptions() const {
   ViewOptions still = options_;
   still.moving = false;
+  still.span_from = still.span_to = std::nullopt;  // of the window alone
   return still;
 }
 
@@ -244,12 +248,21 @@ void AgoreWindow::refresh() {
     for (QAction* action : scales->actions())
       if (action->isCheckable())
         action->setChecked(action->data().toInt() == static_cast<int>(options_.scale.kind));
+  // What was chosen on the command line.
+  const auto check = [this](const char* menu, double chosen) {
+    for (QAction* action : findChild<QMenu*>(menu)->actions())
+      if (action->isCheckable()) action->setChecked(action->data().toDouble() == chosen);
+  };
+  check("colourMenu", static_cast<int>(options_.colour));
+  check("clearanceMenu", options_.exaggeration);
+  findChild<QAction*>("contactsAction")->setChecked(options_.contacts);
+  findChild<QAction*>("trailsAction")->setChecked(options_.trails);
   if (picture_) {
     // Runs are told apart by their folders, as in AdrInput.
     const std::filesystem::path& file = picture_->animation().file.path;
     const auto named = std::filesystem::absolute(file).parent_path().filename() / file.filename();
     setWindowTitle(QString::fromStdString(named.string() + " — " + view_title(options_.view)) +
-                   " — AGORE");
+                   (growth_.isActive() ? tr(" (followed)") : QString()) + " — AGORE");
   }
 }
 

@@ -75,7 +75,7 @@ struct RollerPose {
 /// surfaces are stored in pairs, first the one that drives. Nothing where they are not in pairs.
 std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t frame,
                                       std::size_t element, bool to_the_right) {
-  if (!animation.motion) return std::nullopt;
+  if (!animation.motion || animation.behind(frame)) return std::nullopt;
   const results::MotionChannel* const gap = animation.motion->channel("pocket.gap");
   const results::MotionChannel* const force = animation.motion->channel("pocket.force");
   const results::MotionChannel* const angle = animation.motion->channel("pocket.theta");

@@ -44,13 +44,13 @@ void append_seen(QPolygonF& line, QPointF next) {
 }
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-               QPointF pan, double foot, Stamps* stamps)
+               QPointF pan, double foot, Stamps* stamps, double head)
     : painter_(painter),
       area_(area),
       theme_(theme),
-      centre_(area.center() - QPointF(0.0, 0.5 * foot) +
+      centre_(area.center() + QPointF(0.0, 0.5 * (head - foot)) +
               QPointF(pan.x() * area.width(), pan.y() * area.height())),
-      half_(0.5 * std::min(area.width(), area.height() - foot)),
+      half_(0.5 * std::min(area.width(), area.height() - foot - head)),
       scale_(half_ / radius),
       stamps_(stamps) {}
 

@@ -119,8 +119,31 @@ double key_foot(const Animation& animation, const ViewOptions& options, QSizeF s
   return height;
 }
 
+QSizeF scale_room(const ViewOptions& options, QSizeF size) {
+  const bool round = options.view == View::Bearing || options.view == View::Solid;
+  if (options.colour == ColourBy::None || !round) return {0.0, 0.0};
+  if (options.one_of_several && too_low(options, size.height())) return {0.0, 0.0};
+  const double lines = options.scale.kind == ColourScale::Typed ? 3.0 : 2.0;
+  return {size.width() < 480.0 ? 110.0 : 156.0, 46.0 + 14.0 * lines};
+}
+
+double scale_head(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const QSizeF room = scale_room(options, size);
+  if (room.isEmpty()) return 0.0;
+  const double foot = key_foot(animation, options, size);
+  constexpr double kStep = 2.0, kBeside = 4.0;
+  const double right = std::max(0.0, 0.5 * size.width() - room.width());
+  for (double head = 0.0; head < room.height(); head += kStep) {
+    const double high = size.height() - foot - head, radius = 0.5 * std::min(size.width(), high);
+    const double up = std::max(0.0, head + 0.5 * high - room.height());
+    if (std::hypot(right, up) > radius + kBeside) return head;
+  }
+  return room.height();
+}
+
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area) {
-  return area.center() - QPointF(0.0, 0.5 * key_foot(animation, options, area.size()));
+  return area.center() + QPointF(0.0, 0.5 * (scale_head(animation, options, area.size()) -
+                                             key_foot(animation, options, area.size())));
 }
 
 }  // namespace adore::agore

@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QProgressDialog>
 #include <QRegularExpression>
+#include <QScopeGuard>
 
 #include <algorithm>
 #include <exception>
@@ -107,7 +108,7 @@ void AgoreWindow::saveFilm() {
       return std::pair{QString::fromUtf8(error.what()), false};
     }
   };
-  auto* dialog = new FilmDialog(picture_->animation().time, tell, this);
+  auto* dialog = new FilmDialog(picture_->animation().time, playedFrames(), tell, this);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     askForFilmName(static_cast<int>(dialog->first()) + 1, static_cast<int>(dialog->last()) + 1);
   });
@@ -143,6 +144,8 @@ void AgoreWindow::askForFilmName(int first, int last) {
 }
 
 bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
+  writing_ = true;  // what is drawn stays until the film is there
+  const auto written = qScopeGuard([this] { writing_ = false; });
   RenderOptions render = filmOptions();
   render.first = first, render.last = last;
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,

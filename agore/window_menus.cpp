@@ -90,9 +90,14 @@ void AgoreWindow::makeMenus() {
   desktop::add_recent_menu(*file, kApp,
                            [this](const QString& name) { openFile(name.toStdString()); });
   file->addAction(tr("Re&load"), Qt::Key_F5, this, &AgoreWindow::reload);
+  follow_ = file->addAction(tr("&Follow a Running Solver"));  // as AdrPlot has it
+  follow_->setObjectName("followAction");
+  follow_->setShortcut(Qt::Key_F);
+  follow_->setCheckable(true);
+  connect(follow_, &QAction::toggled, this, &AgoreWindow::follow);
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
-  file->addAction(tr("Save &Film..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  file->addAction(tr("Save Fil&m..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
   add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
   file->addSeparator();
   add(file, tr("&Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
@@ -111,6 +116,8 @@ void AgoreWindow::makeMenus() {
        {tr("[, ]"), tr("plays slower, faster")},
        {tr("S"), tr("the next slow motion of the list")},
        {tr("R"), tr("repeats for ever")},
+       {tr("A, B, X"), tr("marks where what is repeated begins and ends; takes the marks away")},
+       {tr("Shift+drag in the time bar or a curve"), tr("marks it from there to there")},
        {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
        {tr("V"), tr("four views side by side, and one again")},
        {tr("L, T"), tr("race loads and paths of all elements")},
@@ -121,7 +128,8 @@ void AgoreWindow::makeMenus() {
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
        {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
        {tr("Ctrl+E"), tr("saves a film")},
-       {tr("F5"), tr("reads the file again, as far as a run has come")}});
+       {tr("F5, F"), tr("reads the file again, as far as a run has come; does so while it goes "
+                        "on")}});
 }
 
 void AgoreWindow::makeMotionMenu(QMenu* menu) {
@@ -152,10 +160,13 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   menu->addAction(tr("Slow &Motion"), Qt::Key_S, this, [this] {
     slow_motion_->setCurrentIndex((slow_motion_->currentIndex() + 1) % slow_motion_->count());
   });
-  auto* loop = menu->addAction(tr("&Repeat"));
-  loop->setShortcut(Qt::Key_R);
-  loop->setCheckable(true);
-  connect(loop, &QAction::toggled, this, &AgoreWindow::setLoop);
+  repeat_ = menu->addAction(tr("&Repeat"));
+  repeat_->setShortcut(Qt::Key_R);
+  repeat_->setCheckable(true);
+  connect(repeat_, &QAction::toggled, this, &AgoreWindow::setLoop);
+  menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { markEnd(true); });
+  menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { markEnd(false); });
+  menu->addAction(tr("Take the Marks A&way"), Qt::Key_X, this, [this] { setSpan({}, {}); });
 }
 
 /// What the wheel and the pointer do, by keys, for the first picture.
@@ -225,16 +236,19 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->addSeparator();
   makeColourMenus(menu);
   auto* contacts = menu->addAction(tr("Race Loads on All &Elements"));
+  contacts->setObjectName("contactsAction");
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
   connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
   auto* trails = menu->addAction(tr("Pat&hs of the Elements"));
+  trails->setObjectName("trailsAction");
   trails->setCheckable(true);
   trails->setShortcut(Qt::Key_T);
   connect(trails, &QAction::toggled, this, &AgoreWindow::setTrails);
   menu->setToolTipsVisible(true);
   menu->addSeparator();
   auto* clearances = menu->addMenu(tr("C&learances"));
+  clearances->setObjectName("clearanceMenu");
   auto* group = new QActionGroup(this);
   for (const double factor : {0.0, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
     auto* action = clearances->addAction(factor == 0.0   ? tr("Automatic")
@@ -243,6 +257,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
                                          this, [this, factor] { setExaggeration(factor); });
     action->setCheckable(true);
     action->setChecked(factor == 0.0);
+    action->setData(factor);
     group->addAction(action);
   }
   menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
@@ -250,6 +265,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
 
 void AgoreWindow::makeColourMenus(QMenu* menu) {
   auto* colours = menu->addMenu(tr("C&olour Elements by"));
+  colours->setObjectName("colourMenu");
   auto* colour_group = new QActionGroup(this);
   for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
                                  {ColourBy::Load, "Contact &Load"},
@@ -259,6 +275,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
     auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
     action->setCheckable(true);
     action->setChecked(by == ColourBy::None);
+    action->setData(static_cast<int>(by));
     colour_group->addAction(action);
   }
   colours->addSeparator();
