@@ -192,10 +192,8 @@ Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;
   const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
-  if (columns > 1)
-    if (const auto two = in_columns(entries, columns, width, 12)) return *two;
-  if (const auto one = in_columns(entries, 1, width, 12))
-    if (one->height() < kMostOfHeight * area.height()) return *one;
+  if (const auto plain = in_columns(entries, columns, width, 12))
+    if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
   Layout out;
   for (const int letters : {12, 11, 10}) {
     out = flowing(entries, width, letters);

@@ -79,7 +79,8 @@ class Sketch {
   void stamp(QPointF middle, double reach, const Stamps::Look& look,
              const std::function<void(QPainter&, QPointF)>& paint) const;
   void pale_cage(QPainter& painter, const QPainterPath& path) const;
-  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const;
+  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
+                        const QColor& tint) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;

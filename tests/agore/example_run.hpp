@@ -24,7 +24,7 @@ inline const std::filesystem::path& example_run(const std::string& type) {
   facade::RunRequest request;
   request.deck = source_dir() / "resources/decks" / (type + ".txt");
   request.out = folder / type;
-  request.until = "0.03rev";
+  request.until = "0.1rev";
   (void)facade::run(request);
   return made[type] = folder / type;
 }

@@ -93,21 +93,25 @@ TEST_CASE("keys: every entry stands whole in the picture, however small, beside 
   CHECK(elsewhere < seen / 50);
 }
 
-TEST_CASE("keys: no words of a coloured bearing lie over each other", "[gui][keys]") {
+TEST_CASE("keys: no words of a picture lie over each other", "[gui][keys][slow]") {
   test::use_qt();
   for (const std::string& type : test::kTypes) {
     MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
     ViewOptions options;
-    for (const ColourBy colour : {ColourBy::Load, ColourBy::Slip, ColourBy::Temperature})
-      for (const QSize size : {QSize(700, 450), QSize(1280, 800)})
-        for (const double part : {0.0, 0.4, 1.0}) {
-          options.colour = colour;
-          const auto frame =
-              static_cast<std::size_t>(part * static_cast<double>(picture.frames() - 1));
-          INFO(type << ", colour " << static_cast<int>(colour) << ", " << size.width() << ", frame "
-                    << frame);
-          const QStringList faults = test::faults_of(picture.svg(size, frame, options), size);
-          CHECK(faults.join("; ").toStdString() == "");
-        }
+    const std::vector<View> views = views_of(picture.animation(), options);
+    for (const ColourBy colour : {ColourBy::None, ColourBy::Slip, ColourBy::Temperature})
+      for (const View view : views)
+        for (const QSize size : {QSize(700, 450), QSize(1280, 800)})
+          for (const double part : {0.0, 0.2, 0.45, 0.8, 1.0}) {
+            options.view = view;
+            options.colour = colour;
+            options.contacts = options.trails = colour == ColourBy::Slip;
+            const auto frame =
+                static_cast<std::size_t>(part * static_cast<double>(picture.frames() - 1));
+            INFO(type << ", " << view_title(view) << ", colour " << static_cast<int>(colour) << ", "
+                      << size.width() << ", frame " << frame + 1);
+            const QStringList faults = test::faults_of(picture.svg(size, frame, options), size);
+            CHECK(faults.join("; ").toStdString() == "");
+          }
   }
 }
