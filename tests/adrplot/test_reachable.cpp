@@ -22,4 +22,5 @@ TEST_CASE(
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }

@@ -23,4 +23,5 @@ TEST_CASE(
        {"wheel", "drag", "Space", "Home", "Up, Down", "Ctrl+7", "[, ]", "+ or =, -, 0"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
