@@ -1,7 +1,6 @@
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/dense_line.hpp"
 
-#include <QChart>
 #include <QGraphicsItem>
 #include <QPainter>
 
@@ -19,7 +18,7 @@ class LineItem : public QGraphicsItem {
       : parts_(std::move(parts)), area_(area), pen_(std::move(pen)) {}
   [[nodiscard]] QRectF boundingRect() const override { return area_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    for (const QPolygonF& part : parts_) draw_line(*painter, part, area_, pen_);
+    draw_lines(*painter, parts_, area_, pen_);
   }
 
  private:
@@ -54,14 +53,17 @@ QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_ax
   return points;
 }
 
-/// Does every point of `line` lie on the way of `other`: within `same` of where that passes a pixel
-/// to either side? Both go to the right.
-bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
+/// Which points of `line` lie on the way of `other`: within `same` of where that passes a pixel to
+/// either side. Both go to the right. With `stop` the first one that does not is the last.
+std::vector<bool> points_on(const QPolygonF& line, const QPolygonF& other, qreal same,
+                            bool stop = false) {
   const auto height = [&other](qsizetype i, qreal x) {  // of the stroke that ends at point i
     const QPointF &a = other[i - 1], &b = other[i];
     return b.x() > a.x() ? a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()) : b.y();
   };
   const auto on_a_stroke = [&other](qsizetype i) { return i > 0 && i < other.size(); };
+  std::vector<bool> out;
+  out.reserve(static_cast<std::size_t>(line.size()));
   qsizetype first = 0;
   for (const QPointF& p : line) {
     const qreal left = p.x() - 1.0, right = p.x() + 1.0;
@@ -71,9 +73,15 @@ bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
     qsizetype last = first;
     for (; last < other.size() && other[last].x() <= right; ++last) passed.include(other[last].y());
     if (on_a_stroke(last)) passed.include(height(last, right));
-    if (passed.empty() || p.y() < passed.low - same || p.y() > passed.high + same) return false;
+    out.push_back(!passed.empty() && p.y() >= passed.low - same && p.y() <= passed.high + same);
+    if (stop && !out.back()) return out;
   }
-  return true;
+  return out;
+}
+
+bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
+  const std::vector<bool> on = points_on(line, other, same, true);
+  return on.empty() || on.back();
 }
 
 /// Lowest and highest place of each line.
@@ -212,6 +220,14 @@ Agreement agreement(const ChartCurve& a, const ChartCurve& b, std::size_t from, 
   return out;
 }
 
+/// When two values are the same for a picture: where a stretch begins, and while it goes on. With
+/// one bound for both what lies near it would be cut to pieces, others in every size of a picture.
+template <class Begins, class Goes>
+struct Sameness {
+  Begins begins;
+  Goes goes_on;
+};
+
 /// Places from `from` to before `to` where the curves agree by what `same` says of two values: each
 /// the first and the last of a stretch. A place where one has no value ends none.
 struct Stretches {
@@ -225,7 +241,7 @@ Stretches stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t fro
   bool open = false;
   for (std::size_t i = from; i < std::min({to, a.y.size(), b.y.size()}); ++i) {
     if (!is_drawable(a.y[i]) || !is_drawable(b.y[i])) continue;
-    if (!same(a.y[i], b.y[i])) {
+    if (open ? !same.goes_on(a.y[i], b.y[i]) : !same.begins(a.y[i], b.y[i])) {
       out.differ = true;
       open = false;
       continue;
@@ -256,7 +272,7 @@ Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_
   };
   std::size_t begun = from;
   for (std::size_t i = from; i < to; i += step) {
-    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i]) || same(a.y[i], b.y[i])) continue;
+    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i]) || same.goes_on(a.y[i], b.y[i])) continue;
     out.differ = true;
     look_between(begun, i);
     begun = i + 1;
@@ -278,8 +294,37 @@ qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, st
   return out;
 }
 
-/// Shorter stretches are crossings, or are not seen.
-constexpr qreal kLeast = 24.0;
+/// Shorter stretches are crossings, or are not seen; so little of a picture's width is not told.
+constexpr qreal kLeast = 24.0, kWorthSaying = 0.05;
+
+/// Parts of a picture across which a curve lies on another one, as lines are seen; and does all of
+/// it?
+std::pair<std::vector<std::pair<qreal, qreal>>, bool> common_ways(
+    const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
+  constexpr qreal kColumn = 1.5;  // as below, of thinned lines
+  std::vector<std::pair<qreal, qreal>> out;
+  bool all = true;
+  for (const QPolygonF& line : one.lines) {
+    std::vector<bool> on(static_cast<std::size_t>(line.size()), false);
+    for (const QPolygonF& way : other.lines) {
+      const std::vector<bool> here = points_on(line, way, same);
+      for (std::size_t i = 0; i < on.size(); ++i) on[i] = on[i] || here[i];
+    }
+    for (std::size_t i = 0; i < on.size();) {
+      if (!on[i]) {
+        all = false;
+        ++i;
+        continue;
+      }
+      const std::size_t first = i;
+      while (i < on.size() && on[i]) ++i;
+      const qreal left = line[static_cast<qsizetype>(first)].x() + kColumn,
+                  right = line[static_cast<qsizetype>(i) - 1].x() - kColumn;
+      if (right - left >= kLeast) out.emplace_back(left, right);
+    }
+  }
+  return {std::move(out), all};
+}
 
 /// The part of a line between two places across; it goes to the right.
 QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
@@ -320,7 +365,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
       for (double& value : positive)
         if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
     }
-    const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c];
+    const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c].y;
     const std::vector<double>& y = panel.log ? positive : curve.y;
     const int columns = static_cast<int>(area.width());
     if (page_.log_x) {  // columns of pixels are equal parts of a decade
@@ -338,20 +383,34 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     const qreal same = m.line;  // two lines no farther apart cover each other in part
     // Bands that curves fill by running to and fro have no values to compare: their edges are.
     const qreal edges = std::min(same, area.height() / 300.0);
-    for (ShownCurve& before : out) {
-      // A later curve that is on the earlier one wherever it is, hides that there.
-      if (!compared || before.hides ||
-          !(coincide(before, shown, edges) || covered(before, shown, edges) ||
-            (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
-             shown.lines.size() > 1 && within(shown, before, edges))))
-        continue;
+    const auto hide = [&](ShownCurve& before) {
       shown.hides = before.curve;
       tellAlike(index, before.curve, shown, area, y_axis, same);
       shown.later = ++before.later;
+    };
+    for (ShownCurve& before : out) {
+      if (!compared || before.hides || !coincide(before, shown, edges)) continue;
+      hide(before);
       break;
     }
     for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
       if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis, same)) break;
+    for (ShownCurve& before : out) {
+      // A later curve that is on the earlier one wherever that is, hides it there; where it goes
+      // ways of its own it is whole.
+      if (!compared || shown.hides || before.hides ||
+          !(covered(before, shown, edges) ||
+            (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
+             shown.lines.size() > 1 && within(shown, before, edges))))
+        continue;
+      const auto [over, all] = common_ways(shown, before, edges);
+      if (!all && over.empty()) continue;
+      hide(before);
+      if (all) break;
+      shown.over = over;
+      shown.partly = true;
+      break;
+    }
     out.push_back(std::move(shown));
   }
   return out;
@@ -361,7 +420,9 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
                                const QRectF& area, const AxisScale& y_axis, qreal same) const {
   const ChartPanel& panel = page_.panels[index];
   const auto [from, to] = places_between(page_.x, low_, high_);
-  const double seen = same / area.height() * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
+  // Lines side by side do not cover each other: one over paper would look like a broken line.
+  constexpr double kBegins = 0.3, kGoesOn = 0.6;  // of a line's width
+  const double line = same / area.height() * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
   const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
   const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
   const auto place = [&](std::size_t i) {
@@ -373,21 +434,30 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   };
   // Lines of spectra are near 0, and so near each other, almost everywhere.
   const bool spectra = page_.x_unit == "Hz";
-  const auto alike = [&](double p, double q) {
-    return std::abs(p - q) <= seen &&
-           (!spectra || std::max(std::abs(p), std::abs(q)) > seen || equal_values(p, q));
+  const auto within_of_line = [&](double part) {
+    return [=](double p, double q) {
+      const double seen = part * line;
+      return std::abs(p - q) <= seen &&
+             (!spectra || std::max(std::abs(p), std::abs(q)) > line || equal_values(p, q));
+    };
   };
+  const Sameness alike{within_of_line(kBegins), within_of_line(kGoesOn)};
   const Stretches found = long_stretches_of(one, other, from, to, alike, long_enough);
   bool equal = true;
   std::vector<std::pair<qreal, qreal>> over;
   for (const auto& [first, last] : found.places) {
     if (!long_enough(first, last)) continue;
-    over.emplace_back(place(first), place(last));
+    // Lines are thinned to columns of pixels: within one of an end they may be on their way to what
+    // differs behind it.
+    constexpr qreal kColumn = 1.5;
+    over.emplace_back(place(first) + kColumn, place(last) - kColumn);
     for (std::size_t i = first; equal && i <= last; ++i)
       equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
               equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
   }
-  if (over.empty()) return false;
+  qreal all = 0.0;
+  for (const auto& [first, last] : over) all += last - first;
+  if (all < std::max(kLeast, kWorthSaying * area.width())) return false;
   shown.hides = before.curve;
   shown.later = ++before.later;
   shown.over = std::move(over);
@@ -517,53 +587,6 @@ void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisS
     if (y < area.top() || y > area.bottom()) continue;  // beyond the chosen range
     addEllipse(QRectF(x - r, y - r, 2 * r, 2 * r), QPen(Qt::NoPen), fill)->setZValue(5);
   }
-}
-
-/// The extremes between the values, as a pale area that the lowest and highest value of each column
-/// of pixels bound.
-void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis,
-                         int colour, std::vector<QPolygonF>& drawn) {
-  const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
-  struct Column {
-    qreal x = 0.0;
-    double low = 0.0, high = 0.0;
-  };
-  std::vector<Column> columns;
-  const auto flush = [&] {
-    if (columns.size() < 2) {
-      columns.clear();
-      return;
-    }
-    const auto height = [&](double value) {
-      const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
-      return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
-    };
-    QPolygonF outline;
-    for (const Column& c : columns) outline.append({c.x, height(c.high)});
-    for (auto c = columns.rbegin(); c != columns.rend(); ++c)
-      outline.append({c->x, height(c->low)});
-    QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
-    fill.setAlpha(70);
-    addPolygon(outline, QPen(Qt::NoPen), fill);
-    drawn.push_back(std::move(outline));
-    columns.clear();
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (page_.x[i] < low_ || page_.x[i] > high_) continue;
-    if (!is_drawable(curve.low[i]) || !is_drawable(curve.high[i])) {
-      flush();
-      continue;
-    }
-    const qreal x = area.left() + (x_axis_.shown(page_.x[i]) - x_axis_.min) /
-                                      (x_axis_.max - x_axis_.min) * area.width();
-    if (columns.size() > 1 && std::floor(x) == std::floor(columns.back().x)) {
-      columns.back().low = std::min(columns.back().low, curve.low[i]);
-      columns.back().high = std::max(columns.back().high, curve.high[i]);
-    } else {
-      columns.push_back({x, curve.low[i], curve.high[i]});
-    }
-  }
-  flush();
 }
 
 }  // namespace adore::desktop
