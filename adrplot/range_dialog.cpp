@@ -1,5 +1,7 @@
 #include "adrplot/range_dialog.hpp"
 
+#include "base/counted.hpp"
+
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -49,7 +51,9 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
 
 void RangeDialog::count() {
   const int steps = (to_->value() - from_->value()) / every_->value() + 1;
-  count_->setText(tr("%1 of %2 stored steps").arg(steps).arg(to_->maximum()));
+  count_->setText(tr("%1 of %2")
+                      .arg(steps)
+                      .arg(QString::fromStdString(counted(to_->maximum(), "stored step"))));
 }
 
 results::SolRange RangeDialog::range() const {
