@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -118,4 +119,36 @@ TEST_CASE("chart_scene: a spike of a curve that lies on another one elsewhere is
       INFO(size.width() << " wide, spike at " << at);
       CHECK(bare == 0);
     }
+}
+
+TEST_CASE("chart_scene: a curve is whole where the one that it lies on has no values",
+          "[gui][desktop]") {
+  test::use_qt();
+  for (const std::size_t count : {300UL, 20'000UL}) {
+    std::vector<double> lower(count, 5.0), upper(count, 5.0);
+    lower[0] = upper[0] = 0.0;
+    for (std::size_t i = count / 3; i < 2 * count / 3; ++i)
+      lower[i] = std::numeric_limits<double>::quiet_NaN();
+    ChartScene scene;
+    scene.setTheme(theme(ThemeKind::Light));
+    scene.setPageSize({1280, 800});
+    const ChartPage page = page_of(lower, upper);
+    scene.setPage(page);
+    INFO(count << " values, " << legend_of(scene).toStdString());
+    REQUIRE(legend_of(scene).contains("partly = outer race"));
+    const QImage image = scene.image({1280, 800});
+    const int y = static_cast<int>(scene.heightOf(0, 5.0));
+    const int left = static_cast<int>(scene.positionOf(page.x[count / 3])) + 4,
+              right = static_cast<int>(scene.positionOf(page.x[2 * count / 3])) - 4;
+    int bare = 0;
+    for (int x = left; x <= right; ++x) {
+      bool ink = false;
+      for (int dy = -2; dy <= 2; ++dy) {
+        const QColor pixel = image.pixelColor(x, y + dy);
+        ink = ink || (pixel.red() > pixel.blue() + 80 && pixel.red() > 180);
+      }
+      bare += ink ? 0 : 1;
+    }
+    CHECK(bare == 0);
+  }
 }
