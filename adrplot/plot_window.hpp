@@ -1,8 +1,9 @@
 #pragma once
 
-#include "adrplot/own_chart.hpp"
+#include "adrplot/curve_dialog.hpp"
 #include "adrplot/plot_document.hpp"
 
+#include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
@@ -100,6 +101,8 @@ class PlotWindow : public QMainWindow {
   void lookForGrowth();
   [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
+  /// What of the choices applies to a page; the others are grey and say why.
+  void offerChoices(PageKind kind, const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
   void fitReadout();
@@ -116,6 +119,7 @@ class PlotWindow : public QMainWindow {
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
   PageOptions options_;
+  CurveChoice chosen_curves_;  ///< for the chart made last
   desktop::ChartView* view_;
   QTreeWidget* tree_;
   QLabel* note_;
@@ -128,6 +132,7 @@ class PlotWindow : public QMainWindow {
   std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
   QAction* log_x_action_ = nullptr;
   QAction* log_y_action_ = nullptr;
+  QList<QAction*> spectrum_actions_;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;

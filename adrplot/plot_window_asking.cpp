@@ -57,11 +57,13 @@ void PlotWindow::askForCurves() {
   for (const auto& doc : documents_)
     if (doc->on_disk) files.push_back(doc.get());
   if (files.empty()) return askForFile();
-  auto* dialog = new CurveDialog(files, options_, this);
+  auto* dialog = new CurveDialog(files, options_, chosen_curves_, this);
   dialog->setObjectName("curveDialog");
   dialog->setModal(true);
-  connect(dialog, &QDialog::accepted, this,
-          [this, dialog] { addChart(dialog->picks(), dialog->how()); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    chosen_curves_ = dialog->choice();
+    addChart(dialog->picks(), dialog->how());
+  });
   dialog->open();
 }
 

@@ -1,5 +1,6 @@
 #include "adrplot/range_dialog.hpp"
 
+#include "base/counted.hpp"
 #include "desktop/dialogs.hpp"
 
 #include <QDialogButtonBox>
@@ -51,7 +52,9 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
 
 void RangeDialog::count() {
   const int steps = (to_->value() - from_->value()) / every_->value() + 1;
-  count_->setText(tr("%1 of %2 stored steps").arg(steps).arg(to_->maximum()));
+  count_->setText(tr("%1 of %2")
+                      .arg(steps)
+                      .arg(QString::fromStdString(counted(to_->maximum(), "stored step"))));
 }
 
 results::SolRange RangeDialog::range() const {

@@ -7,7 +7,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScopedValueRollback>
 #include <QSettings>
 
@@ -88,12 +87,7 @@ QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& ab
       text += "<tr><td><b>" + line.hand.toHtmlEscaped() + "</b></td><td>" +
               line.effect.toHtmlEscaped() + "</td></tr>";
     text += "<tr><td><b>F1</b></td><td>" + QObject::tr("shows this") + "</td></tr>";
-    auto* box =
-        new QMessageBox(QMessageBox::NoIcon, name, text + "</table>", QMessageBox::Ok, &window);
-    box->setObjectName("message");
-    box->setTextFormat(Qt::RichText);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    show_help(&window, name + ": " + QObject::tr("keys and mouse"), text + "</table>");
   });
   menu->addAction(QObject::tr("&About %1").arg(name), &window, [&window, about] {
     show_message(&window, about + "\n\n" +

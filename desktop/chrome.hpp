@@ -31,7 +31,7 @@ struct HelpLine {
   QString hand, effect;
 };
 
-/// The menu "Help" with "Keys and mouse" and "About". The boxes are children named "message".
+/// The menu "Help" with "Keys and mouse", shown by show_help(), and "About", a message.
 QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& about,
                      const QList<HelpLine>& lines);
 

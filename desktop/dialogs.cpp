@@ -1,7 +1,10 @@
 #include "desktop/dialogs.hpp"
 
+#include "base/counted.hpp"
 #include "desktop/image_export.hpp"
 
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
@@ -11,9 +14,15 @@
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QScreen>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -28,7 +37,8 @@ QString shown(const QStringList& texts) {
   constexpr qsizetype kMost = 8;
   QString out = texts.mid(0, kMost).join("\n\n");
   if (texts.size() > kMost)
-    out += "\n\n" + QObject::tr("And %1 more messages.").arg(texts.size() - kMost);
+    out += "\n\n" + QObject::tr("And %1.").arg(
+                        QString::fromStdString(counted(texts.size() - kMost, "more message")));
   return out;
 }
 
@@ -62,6 +72,39 @@ void show_message(QWidget* parent, const QString& text, bool error) {
   box->setTextFormat(Qt::PlainText);
   delete_when_done(*box);
   box->open();
+}
+
+void show_help(QWidget* parent, const QString& title, const QString& html) {
+  constexpr int kWidest = 44;                        // of a line [heights of a letter]
+  constexpr QSize kFrame(16, 48), kLeast(240, 160);  // of a window manager
+  auto* dialog = new QDialog(parent);
+  dialog->setObjectName("help-window");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* browser = new QTextBrowser(dialog);
+  browser->setAccessibleName(title);
+  browser->setHtml(html);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(browser, 1);
+  layout->addWidget(buttons);
+
+  const QSize screen = (parent->screen()->availableSize() - kFrame).expandedTo(kLeast);
+  const QMargins margins = layout->contentsMargins();
+  // Beside the text: frames, and the bar in case that it does not fit.
+  const int beside = margins.left() + margins.right() + 2 * browser->frameWidth() +
+                     browser->verticalScrollBar()->sizeHint().width() + 4;
+  const int below = margins.top() + margins.bottom() + layout->spacing() +
+                    buttons->sizeHint().height() + 2 * browser->frameWidth() + 4;
+  QTextDocument text;
+  text.setDefaultFont(browser->font());
+  text.setHtml(html);
+  text.setTextWidth(std::min(screen.width() - beside, kWidest * browser->fontMetrics().height()));
+  const QSize wanted(static_cast<int>(text.idealWidth()) + beside,
+                     static_cast<int>(text.size().height()) + below);
+  dialog->resize(wanted.boundedTo(screen).expandedTo(kLeast));
+  dialog->open();
 }
 
 void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,

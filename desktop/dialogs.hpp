@@ -24,6 +24,10 @@ void delete_when_done(QDialog& dialog);
 /// already, the text joins it.
 void show_message(QWidget* parent, const QString& text, bool error = false);
 
+/// Rich text in a window of its own, a child of `parent` named "help-window": as large as the text
+/// where the screen has room for that, else it scrolls.
+void show_help(QWidget* parent, const QString& title, const QString& html);
+
 /// A whole number between `low` and `high`; the dialog is a child of `parent` named "number".
 void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,
                 int high, std::function<void(int)> answer);

@@ -31,6 +31,13 @@ TEST_CASE("adrinput: the letters of its menus choose one entry each", "[gui][adr
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
 }
 
+TEST_CASE("adrinput: the help of the keys is readable with large letters", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
+}
+
 TEST_CASE("adrinput: no page of an example scrolls sideways on a screen of 1280x800",
           "[gui][adrinput]") {
   test::use_qt();

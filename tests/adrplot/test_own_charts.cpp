@@ -284,6 +284,13 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   REQUIRE(window.fileCount() == 3);
   CHECK(window.view().chartScene().page().title == "Chosen curves");
   CHECK(window.view().chartScene().page().panels.size() == 2);
+  // Opened again, what was ticked is ticked.
+  window.askForCurves();
+  dialog = window.findChild<CurveDialog*>();
+  REQUIRE(dialog);
+  CHECK(dialog->picks().size() == 2);
+  dialog->reject();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   auto* pages = window.findChild<QTreeWidget*>("pages");
   pages->setCurrentItem(pages->topLevelItem(0)->child(0));
   window.closeFile();
@@ -293,6 +300,58 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   while (window.fileCount() > 0) window.closeFile();
   CHECK(window.currentPage() == 0);
   CHECK(window.view().chartScene().page().panels.empty());
+}
+
+TEST_CASE("own charts: the dialog opens with the ticks, their order and the reference of before",
+          "[gui][adrplot]") {
+  test::use_qt();
+  const PlotDocument slow = run(1.0, 50, "slow"), fast = run(2.0, 50, "fast");
+  const std::vector<const PlotDocument*> files{&slow, &fast};
+  CurveChoice before{.how = Combine::Difference};
+  before.curves = {{fast.path, 1, 0, 0}, {slow.path, 1, 0, 0, true}, {"elsewhere/SOL7", 1, 0, 0}};
+  const CurveDialog dialog(files, {}, before);
+  CHECK(dialog.how() == Combine::Difference);
+  const std::vector<CurvePick> picks = dialog.picks();
+  REQUIRE(picks.size() == 2);
+  CHECK(picks.front().file == &slow);
+  const CurveChoice again = dialog.choice();
+  REQUIRE(again.curves.size() == 2);
+  CHECK(again.curves[0].file == fast.path);
+  CHECK_FALSE(again.curves[0].reference);
+  CHECK(again.curves[1].reference);
+}
+
+TEST_CASE("own charts: a table tells stored values from those read off between them",
+          "[unit][adrplot]") {
+  const PlotDocument coarse = run(1.0, 4, "coarse"), fine = run(2.0, 7, "fine");
+  const std::vector<CurvePick> picks{{&coarse, 1, 0, 0}, {&fine, 1, 0, 0}};
+  for (const Combine how : {Combine::Overlay, Combine::Difference}) {
+    const desktop::ChartPage page = combine_curves(picks, how, {});
+    const std::string csv = desktop::page_csv(page);
+    INFO(csv);
+    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or read off a straight line (0)") !=
+          std::string::npos);
+    // Each curve's column says 1 as often as that has a stored value.
+    const auto coarse_x = coarse.build(1, {}).x, fine_x = fine.build(1, {}).x;
+    for (std::size_t c = 0; c < page.panels.at(0).curves.size(); ++c) {
+      const desktop::ChartCurve& curve = page.panels[0].curves[c];
+      REQUIRE((curve.stored.empty() || curve.stored.size() == page.x.size()));
+      for (std::size_t i = 0; i < page.x.size(); ++i) {
+        const auto in = [&](const std::vector<double>& x) {
+          return std::find(x.begin(), x.end(), page.x[i]) != x.end();
+        };
+        CHECK((curve.stored.empty() || curve.stored[i]) == (how == Combine::Difference
+                                                                ? in(coarse_x) && in(fine_x)
+                                                            : c == 0 ? in(coarse_x)
+                                                                     : in(fine_x)));
+      }
+    }
+  }
+  // Curves over the same steps have nothing to tell apart.
+  const PlotDocument same = run(3.0, 4, "same");
+  CHECK(desktop::page_csv(
+            combine_curves({{&coarse, 1, 0, 0}, {&same, 1, 0, 0}}, Combine::Overlay, {}))
+            .find("stored (1)") == std::string::npos);
 }
 
 TEST_CASE("the folder of a run is the same for every way of writing it", "[unit]") {
