@@ -20,6 +20,35 @@
 namespace adore::adrplot {
 namespace {
 
+/// What of a page has no extremes between its values.
+struct Unknown {
+  bool all = true;     ///< nothing has any
+  std::string titles;  ///< of panels, "\"Gap\" and \"Contact angle\""
+};
+Unknown unknown_between(const desktop::ChartPage& page) {
+  Unknown out;
+  std::vector<std::string> titles;
+  for (const desktop::ChartPanel& panel : page.panels) {
+    bool unknown = false;
+    for (const desktop::ChartCurve& curve : panel.curves) {
+      const auto has = [](const std::vector<double>& values) {
+        return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+      };
+      if (has(curve.high))
+        out.all = false;
+      else
+        unknown = unknown || has(curve.y);
+    }
+    if (unknown) titles.push_back(panel.title);
+  }
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    if (i > 0) out.titles += i + 1 == titles.size() ? " and " : ", ";
+    out.titles += fmt::format("\"{}\"", titles[i]);
+  }
+  out.all = out.all && !titles.empty();
+  return out;
+}
+
 /// A file that leaves out steps of the run keeps no extremes of them but those drawn as bands:
 /// what is to be said of a page with other curves.
 std::string between_steps(const desktop::ChartPage& page, const results::SolFile& file) {
@@ -29,16 +58,28 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
     apart.push_back(file.steps[i].step - file.steps[i - 1].step);
   std::nth_element(apart.begin(), apart.begin() + std::ssize(apart) / 2, apart.end());
   const long every = apart[apart.size() / 2];
-  const auto unknown = [](const desktop::ChartCurve& curve) {
-    return curve.high.empty() && !curve.y.empty();
-  };
-  if (every < 2 || std::none_of(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(), unknown);
-      }))
-    return {};
+  if (every < 2) return {};
+  const Unknown unknown = unknown_between(page);
+  if (unknown.all)
+    return fmt::format(
+        "Of every {} steps of the run one is stored: peaks between stored steps are not in the "
+        "file.",
+        every);
+  if (unknown.titles.empty()) return {};
   return fmt::format(
-      "Of every {} steps of the run one is stored: peaks between stored steps are not in the file.",
-      every);
+      "Of every {} steps of the run one is stored: peaks of {} between stored steps are not in the "
+      "file.",
+      every, unknown.titles);
+}
+
+/// Of a range that passes over stored steps.
+std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
+  const Unknown unknown = unknown_between(page);
+  return fmt::format("These are {} of the file's steps, every {}th one{}.", steps, every,
+                     unknown.all ? ": shorter peaks are left out"
+                     : unknown.titles.empty()
+                         ? ""
+                         : ": shorter peaks of " + unknown.titles + " are left out");
 }
 
 /// What is drawn from RESULTS.h5: of which steps.
@@ -127,6 +168,7 @@ class StepPages {
         (!file_.columns.empty() &&
          !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end())))
       read(number);
+    read_bands(file_, curves_of(number), context_);
     desktop::ChartPage page = build_page(file_, pages_, number, options, context_);
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
@@ -136,10 +178,7 @@ class StepPages {
     if (const std::string lost = between_steps(page, file_);
         history && range_.every == 1 && !lost.empty())
       note(lost);
-    if (range_.every > 1)
-      note(fmt::format(
-          "These are {} of the file's steps, every {}th one: shorter peaks are left out.",
-          file_.steps.size() - digits_.added, range_.every));
+    if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
     if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
@@ -156,6 +195,19 @@ class StepPages {
   }
 
  private:
+  [[nodiscard]] std::set<std::size_t> curves_of(int number) const {
+    std::set<std::string> ids;
+    for (const PanelSpec& panel : pages_[static_cast<std::size_t>(number - 1)].panels)
+      for (const CurveSpec& curve : panel.curves) ids.insert(curve.column);
+    return places_of(ids);
+  }
+  [[nodiscard]] std::set<std::size_t> places_of(const std::set<std::string>& ids) const {
+    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
+    std::set<std::size_t> out;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (ids.contains(columns[c].id)) out.insert(c);
+    return out;
+  }
   /// Those of its curves, and what the page tells is from.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
     const PageSpec& page = pages_[static_cast<std::size_t>(number - 1)];
@@ -165,11 +217,7 @@ class StepPages {
     for (const std::string& id : page_sources(file_.kind, page)) ids.insert(id);
     for (const std::string& id : std::set<std::string>(ids))
       for (const std::string& source : KnownColumns::sources(id)) ids.insert(source);
-    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
-    std::set<std::size_t> out;
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      if (ids.contains(columns[c].id)) out.insert(c);
-    return out;
+    return places_of(ids);
   }
   void read(int first_page) {
     results::SolRange range = range_;

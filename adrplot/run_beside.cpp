@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "results/channels.hpp"
+#include "results/full_precision.hpp"
 #include "results/growing_file.hpp"
 #include "results/results_h5.hpp"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 
 namespace adore::adrplot {
 namespace {
@@ -146,46 +146,6 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
     out.fastest_contact = contact->get<std::string>();
 }
 
-/// Lowest and highest load since the step stored before, for an element's file.
-void read_bands(const H5Reader& reader, const results::SolFile& file, PageContext& out) {
-  if (file.kind != results::SolKind::Element || file.header.index < 1) return;
-  const auto* low = reader.find("contact.load_low");
-  const auto* high = reader.find("contact.load_high");
-  if (low == nullptr || high == nullptr) return;
-  std::unordered_map<long, std::size_t> at;
-  const std::vector<long> numbers = reader.step_numbers();
-  for (std::size_t i = 0; i < numbers.size(); ++i) at[numbers[i]] = i;
-  const auto columns = results::sol_columns(file.header);
-  for (const auto& [race, id] :
-       {std::pair<std::size_t, const char*>{0, "contact.load.outer"}, {1, "contact.load.inner"}}) {
-    const auto column = std::find_if(columns.begin(), columns.end(),
-                                     [id = id](const auto& c) { return c.id == id; });
-    const std::size_t place = 2 * (static_cast<std::size_t>(file.header.index) - 1) + race;
-    if (column == columns.end() || place >= low->size() || place >= high->size()) continue;
-    const bool english = results::unit_of_column(file, *column) == results::unit::kForce.en;
-    const double unit = english ? results::unit::kForce.en_factor : results::unit::kForce.si_factor;
-    CurveBand band;
-    constexpr std::size_t kBlock = 4096;
-    std::vector<double> lows, highs;
-    for (std::size_t first = 0; first < reader.steps(); first += kBlock) {
-      const std::size_t count = std::min(kBlock, reader.steps() - first);
-      const auto a = reader.read("contact.load_low", first, count),
-                 b = reader.read("contact.load_high", first, count);
-      for (std::size_t i = 0; i < count; ++i) {
-        lows.push_back(a[i * low->size() + place] / unit);
-        highs.push_back(b[i * high->size() + place] / unit);
-      }
-    }
-    for (const auto& step : file.steps) {
-      const auto found = at.find(step.step);
-      const bool known = found != at.end() && found->second < lows.size();
-      band.low.push_back(known ? lows[found->second] : std::nan(""));
-      band.high.push_back(known ? highs[found->second] : std::nan(""));
-    }
-    out.bands.emplace(id, std::move(band));
-  }
-}
-
 }  // namespace
 
 std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
@@ -202,7 +162,6 @@ PageContext context_of(const results::SolFile& file) {
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
     out.frequencies = frequencies(reader);
-    read_bands(reader, file, out);
     if (reader.geometry().contains("roller_length")) {
       auto& flanges = out.facts.flanges.emplace();
       for (const char* race : {"outer", "inner"})
@@ -214,6 +173,22 @@ PageContext context_of(const results::SolFile& file) {
     // The plot file alone is enough.
   }
   return out;
+}
+
+void read_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
+                PageContext& out) {
+  std::set<std::size_t> missing;
+  const std::vector<results::SolColumn> all = results::sol_columns(file.header);
+  for (const std::size_t c : columns)
+    if (c < all.size() && !out.bands.contains(all[c].id)) missing.insert(c);
+  if (missing.empty()) return;
+  for (const std::size_t c : missing) out.bands.emplace(all[c].id, CurveBand{});
+  try {
+    for (auto& [column, band] : results::bands_of(file, missing))
+      out.bands[all[column].id] = {std::move(band.low), std::move(band.high)};
+  } catch (const std::exception&) {
+    // The plot file alone is enough.
+  }
 }
 
 }  // namespace adore::adrplot

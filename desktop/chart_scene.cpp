@@ -264,6 +264,18 @@ int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
   return digits;
 }
 
+QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t place) const {
+  const ChartPanel& of = page_.panels[panel];
+  const ChartCurve& curve = of.curves[index];
+  if (place >= curve.low.size() || place >= curve.high.size()) return {};
+  const auto text = [&](double v) {
+    return text_of(pretty_quantity(v - curve.lift, of.unit, digitsOf(panel, index)));
+  };
+  const QString low = text(curve.low[place]), high = text(curve.high[place]);
+  const bool known = std::isfinite(curve.low[place]) && std::isfinite(curve.high[place]);
+  return known && low != high ? tr(" (%1 to %2)").arg(low, high) : QString();
+}
+
 QStringList ChartScene::readoutParts(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
     return {
@@ -281,7 +293,8 @@ QStringList ChartScene::readoutParts(QPointF position) const {
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
-      const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      value += bandAt(p, c, i);
       QString part = curve.name.empty() ? value : told(curve.name, value);
       const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
       const bool named = !panel.curves.front().name.empty();

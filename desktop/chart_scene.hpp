@@ -174,6 +174,8 @@ class ChartScene : public QGraphicsScene {
   void addOrbit(const Metrics& m);
   void studyDigits();
   [[nodiscard]] QStringList planeReadout(QPointF position) const;
+  /// " (0.1 N to 2 N)": extremes since the value before; empty where there are none, or no width.
+  [[nodiscard]] QString bandAt(std::size_t panel, std::size_t curve, std::size_t place) const;
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
   /// Returns its left end. A legend that reaches over the labels of the axis stands above
   /// `labels_top`.

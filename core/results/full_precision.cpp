@@ -230,4 +230,84 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
   }
 }
 
+namespace {
+
+/// Takes what a row of RESULTS.h5 says of one step into the extremes of a longer time.
+void widen(ColumnBand& band, std::size_t step, double low, double high) {
+  double &lowest = band.low[step], &highest = band.high[step];
+  lowest = std::isnan(lowest) ? low : std::min(lowest, low);
+  highest = std::isnan(highest) ? high : std::max(highest, high);
+}
+
+}  // namespace
+
+std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
+                                           const std::set<std::size_t>& wanted) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t kMostRows = 2048;
+  std::map<std::size_t, ColumnBand> out;
+  std::string why_not;
+  const auto reader = open_beside(file.path, file.header.run_id, why_not);
+  if (!reader) return out;
+  const std::vector<SolColumn> columns = sol_columns(file.header);
+  const UnitSystem units = units_of(file, columns);
+  std::map<int, std::vector<std::size_t>> of_channel;
+  for (const std::size_t c : wanted)
+    if (c < columns.size() && columns[c].channel >= 0) of_channel[columns[c].channel].push_back(c);
+  const auto name = [](int channel, const char* which) {
+    return fmt::format("{}_{}", channels()[static_cast<std::size_t>(channel)].id, which);
+  };
+  std::erase_if(of_channel, [&](const auto& one) {
+    return reader->find(name(one.first, "low")) == nullptr ||
+           reader->find(name(one.first, "high")) == nullptr;
+  });
+  if (of_channel.empty()) return out;
+  // The step of the file to which each row of RESULTS.h5 belongs: the first that is not before it.
+  const std::vector<long> rows = reader->step_numbers();
+  std::vector<std::size_t> step_of(rows.size(), file.steps.size());
+  for (std::size_t row = 0, step = 0; row < rows.size(); ++row) {
+    while (step < file.steps.size() && file.steps[step].step < rows[row]) ++step;
+    // What comes before the first step of the file is no time between two of them.
+    if (step < file.steps.size() && (step > 0 || file.steps[0].step == rows[row]))
+      step_of[row] = step;
+  }
+  for (const auto& [channel, of] : of_channel) {
+    const std::string low_id = name(channel, "low"), high_id = name(channel, "high");
+    const std::size_t width = reader->find(low_id)->size();
+    if (reader->find(high_id)->size() != width) continue;
+    for (const std::size_t c : of)
+      if (columns[c].at < width)
+        out[c] = {std::vector<double>(file.steps.size(), kNone),
+                  std::vector<double>(file.steps.size(), kNone)};
+    for (std::size_t first = 0; first < rows.size(); first += kMostRows) {
+      const std::size_t count = std::min(kMostRows, rows.size() - first);
+      const auto used = [&](std::size_t row) { return step_of[row] < file.steps.size(); };
+      bool any = false;
+      for (std::size_t row = first; row < first + count; ++row) any = any || used(row);
+      if (!any) continue;
+      const auto low = reader->read(low_id, first, count),
+                 high = reader->read(high_id, first, count);
+      for (const std::size_t c : of) {
+        if (columns[c].at >= width) continue;
+        const auto shown = [&](double value) {
+          return columns[c].unit == nullptr ? value : from_si(value, *columns[c].unit, units);
+        };
+        for (std::size_t i = 0; i < count; ++i)
+          if (used(first + i))
+            widen(out[c], step_of[first + i], shown(low[i * width + columns[c].at]),
+                  shown(high[i * width + columns[c].at]));
+      }
+    }
+  }
+  // A step that RESULTS.h5 does not hold has none, even where rows before it do.
+  std::vector<bool> held(file.steps.size(), false);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (step_of[row] < file.steps.size() && file.steps[step_of[row]].step == rows[row])
+      held[step_of[row]] = true;
+  for (auto& [column, band] : out)
+    for (std::size_t i = 0; i < held.size(); ++i)
+      if (!held[i]) band.low[i] = band.high[i] = kNone;
+  return out;
+}
+
 }  // namespace adore::results

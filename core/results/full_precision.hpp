@@ -2,6 +2,9 @@
 
 #include "results/sol_file.hpp"
 
+#include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,5 +30,16 @@ struct FullPrecision {
 /// when it is of another run: its run code differs, or a number beyond the digits that the classic
 /// file shows. Never throws for a bad RESULTS.h5.
 [[nodiscard]] FullPrecision use_full_precision(SolFile& file, std::size_t most_added = 0);
+
+/// Extremes of a column since the step before in the file, one per step, in the file's unit; NaN
+/// where they are not known.
+struct ColumnBand {
+  std::vector<double> low, high;
+};
+/// Those of the columns (places in sol_columns) that RESULTS.h5 in the same folder has, by column;
+/// none of a file of another run. Steps of RESULTS.h5 that the file passes over count, too.
+/// @throws InputError when RESULTS.h5 is damaged
+[[nodiscard]] std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
+                                                         const std::set<std::size_t>& columns);
 
 }  // namespace adore::results
