@@ -185,6 +185,7 @@ class StepPages {
                        range_.to));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
+      if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);
       const DigitWords words = digit_words(file_, digits_);
       page.subtitle += "   ·   " + words.subtitle;
       if (!words.note.empty()) note(words.note);
@@ -207,6 +208,19 @@ class StepPages {
     for (std::size_t c = 0; c < columns.size(); ++c)
       if (ids.contains(columns[c].id)) out.insert(c);
     return out;
+  }
+  /// Whose pocket a page of a segment is of, which RESULTS.h5 tells.
+  [[nodiscard]] std::string whose_pocket(int number) const {
+    if (file_.kind != results::SolKind::Cage || file_.header.segments < 2) return {};
+    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
+    for (const std::size_t c : curves_of(number)) {
+      if (!columns[c].id.starts_with("pocket.force.")) continue;
+      const auto row = static_cast<int>(columns[c].at) / std::max(file_.header.pocket_surfaces, 1);
+      return row < file_.header.elements
+                 ? fmt::format("This is the pocket of rolling element {}.", row + 1)
+                 : "This half pocket is the last one of its segment.";
+    }
+    return {};
   }
   /// Those of its curves, and what the page tells is from.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {

@@ -1,7 +1,7 @@
 #include "agore/animation.hpp"
 
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "results/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -210,13 +210,12 @@ std::vector<double> turns_of(const results::Sol8File& file) {
 
 /// Does a file SOL1 to SOL6 of the same run lie beside SOL8?
 bool curves_beside(const Animation& animation) {
-  for (int number = 1; number <= 6; ++number) {
-    const std::filesystem::path path =
-        animation.file.path.parent_path() / fmt::format("SOL{}", number);
-    if (!is_plain_file(path)) continue;
+  for (const std::filesystem::path& path :
+       results::run_folder(animation.file.path.parent_path()).plots) {
     try {
       const results::SolFile head = results::read_sol(path, results::SolRange{1, 1, 1});
-      if (head.header.run_id == animation.file.run_id) return true;
+      if (head.kind != results::SolKind::Power && head.header.run_id == animation.file.run_id)
+        return true;
     } catch (const std::exception&) {
       continue;  // another file may be good
     }

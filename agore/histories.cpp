@@ -1,6 +1,6 @@
 #include "agore/animation.hpp"
-#include "base/plain_file.hpp"
 #include "results/channels.hpp"
+#include "results/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -81,10 +81,8 @@ struct Stored {
 
 std::optional<Stored> stored_beside(const Animation& animation, int index,
                                     const std::vector<std::string>& ids) {
-  for (int number = 1; number <= 6; ++number) {
-    const std::filesystem::path path =
-        animation.file.path.parent_path() / fmt::format("SOL{}", number);
-    if (!is_plain_file(path)) continue;
+  for (const std::filesystem::path& path :
+       results::run_folder(animation.file.path.parent_path()).plots) {
     try {
       results::SolRange range{1, 1, 1};
       const results::SolFile head = results::read_sol(path, range);

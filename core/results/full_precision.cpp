@@ -39,6 +39,14 @@ std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std
   return std::nullopt;
 }
 
+/// The pocket that a cage file begins with: classic files do not say which element's it is.
+void take_first_pocket(SolHeader& header, const H5Reader& reader) {
+  const auto first = reader.geometry().find("first_pocket");
+  if (first == reader.geometry().end() || header.segments < 2) return;
+  if (first->second >= 1.0 && first->second <= header.elements)
+    header.first_pocket = static_cast<int>(first->second) - 1;
+}
+
 /// Where each step number stands in RESULTS.h5.
 std::unordered_map<long, std::size_t> positions_of(const H5Reader& reader) {
   std::unordered_map<long, std::size_t> positions;
@@ -185,6 +193,7 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
   FullPrecision out;
   const auto reader = open_beside(file.path, file.header.run_id, out.why_not);
   if (!reader) return out;
+  take_first_pocket(file.header, *reader);
   const std::size_t own = file.steps.size();
   try {
     const auto positions = positions_of(*reader);

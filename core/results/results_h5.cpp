@@ -200,6 +200,8 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   out["cage_width"] = bearing.cage->width;
   out["pocket_code"] = bearing::pocket_code(*bearing.cage, bearing.rollers() != nullptr);
   out["pocket_cone_angle"] = bearing.cage->cone_angle;
+  if (bearing.cage->segments.count > 1)  // the element, from 1, of the first segment's first pocket
+    out["first_pocket"] = shape_of(bearing).first_pocket + 1.0;
   out["lands"] = static_cast<double>(bearing.cage->lands.size());
   for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {
     const bearing::GuideLand& land = bearing.cage->lands[i];

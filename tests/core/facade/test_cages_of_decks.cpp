@@ -3,6 +3,8 @@
 #include "facade/motion_watch.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
+#include "results/channels.hpp"
+#include "results/full_precision.hpp"
 #include "results/h5_file.hpp"
 #include "results/sol_file.hpp"
 #include "support/paths.hpp"
@@ -78,6 +80,19 @@ TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
     for (const char* text : {"segment 3", "Segments 3 and 1", "Start of the cage segment 2"})
       CHECK_THAT(ran.print, Catch::Contains(text));
     CHECK((ran.print.find("end 3") != std::string::npos) == through);
+    // The first segment begins with element 2: RESULTS.h5 says so, and gives every file its digits.
+    for (const char* name : {"SOL1", "SOL2", "SOL3"}) {
+      results::SolFile file = results::read_sol(here / name);
+      CHECK(results::use_full_precision(file).why_not == "");
+    }
+    results::SolFile third = results::read_sol(here / "SOL3");
+    (void)results::use_full_precision(third);
+    CHECK(third.header.first_pocket == 1);
+    std::vector<std::size_t> rows;  // of the forces in its pockets: elements 10, 11, 12, 1
+    for (const results::SolColumn& column : results::sol_columns(third.header))
+      if (column.id.starts_with("pocket.force.")) rows.push_back(column.at);
+    rows.resize(4);
+    CHECK(rows == std::vector<std::size_t>{9, 10, 11, 0});
   }
 }
 
