@@ -1,5 +1,6 @@
 #include "adrinput/accuracy_panel.hpp"
 
+#include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/listing_view.hpp"
@@ -49,26 +50,37 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   };
   const auto number = [&](const QString& text, const char* name, double value, double low,
                           double high, const QString& unit) {
-    auto* label = new QLabel(text, this);
-    auto* box = new QDoubleSpinBox(this);
+    auto* pair = new QWidget(this);  // stays together where the row is broken
+    auto* label = new QLabel(text, pair);
+    auto* box = new QDoubleSpinBox(pair);
     box->setObjectName(name);
     box->setAccessibleName(text);
     box->setRange(low, high);
-    box->setDecimals(unit == " s" ? 0 : 2);
+    box->setDecimals(unit == " s" ? 0 : unit == " %" ? 2 : 1);
     box->setSuffix(unit);
     box->setValue(value);
     label->setBuddy(box);
-    row->addWidget(label);
-    row->addWidget(box);
+    new WheelGuard(box);
+    auto* both = new QHBoxLayout(pair);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->addWidget(label);
+    both->addWidget(box);
+    row->addWidget(pair);
     return box;
   };
-  start_ = button(tr("Study acc&uracy"), "study-accuracy",
+  start_ = button(tr("Stud&y accuracy"), "study-accuracy",
                   tr("Run this deck with other integrators, tolerances and steps, and compare"),
                   &AccuracyPanel::wanted);
   cancel_ = button(tr("Cancel"), "cancel-study", tr("End the study; what it found stays"),
                    &AccuracyPanel::cancel);
   target_ = number(tr("asked"), "accuracy-target", 1.0, 0.01, 50.0, " %");
   budget_ = number(tr("at most"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
+  turns_ = number(tr("over"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
+                  tr(" rev"));
+  turns_->setToolTip(
+      tr("Turns of the shaft that the best settings are judged over, fewer where "
+         "the time does not pay for them. All settings run over a short span before "
+         "(first round), whose turns the time decides; the table says how many."));
   row->addStretch();
   layout->addLayout(row);
   row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
@@ -118,6 +130,8 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   for (const auto& [name, value] : options) request.options.emplace_back(name, value);
   request.target = target_->value() / 100.0;
   request.budget = budget_->value();
+  request.turns = turns_->value();
+  round_.clear();
   struct End {
     facade::AccuracyStudy study;
     std::string failure;
@@ -126,7 +140,10 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   const auto row_done = [this](const facade::AccuracyRow& row,
                                const facade::AccuracyStudy& so_far) {
     const double used = so_far.seconds;
-    background_.report([this, line = row_text(row), used] { showRow(line, used); });
+    background_.report([this, line = row_text(row), used,
+                        round = QString::fromStdString(facade::round_text(row, so_far))] {
+      showRow(line, round, used);
+    });
   };
   background_.start(
       [function = study, request = std::move(request), row_done, end](std::stop_token token) {
@@ -140,12 +157,13 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   enableButtons();
 }
 
-void AccuracyPanel::showRow(const QString& line, double used) {
+void AccuracyPanel::showRow(const QString& line, const QString& round, double used) {
   if (!busy()) return;
+  if (round != round_) view_->appendPlainText(round_ = round);
   const double share = used / std::max(budget_->value(), 1.0);
   bar_->setValue(
       std::max(bar_->value(), static_cast<int>(std::lround(kBarSteps * std::min(share, 1.0)))));
-  view_->appendPlainText(line);
+  view_->appendPlainText("  " + line);
   note_->setText(tr("Studying: %1 s of at most %2 s of computing time used.")
                      .arg(used, 0, 'f', 0)
                      .arg(budget_->value(), 0, 'f', 0));

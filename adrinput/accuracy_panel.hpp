@@ -58,13 +58,13 @@ class AccuracyPanel : public QWidget {
   void applyWanted();
 
  private:
-  void showRow(const QString& line, double used);
+  void showRow(const QString& line, const QString& round, double used);
   void show(const facade::AccuracyStudy& study, const QString& failure);
   void showNote();
   void enableButtons();
 
   QPushButton *start_, *cancel_, *apply_;
-  QDoubleSpinBox *target_, *budget_;
+  QDoubleSpinBox *target_, *budget_, *turns_;
   QProgressBar* bar_;
   QLabel* note_;
   QPlainTextEdit* view_;
@@ -74,7 +74,7 @@ class AccuracyPanel : public QWidget {
   bool reread_ = false;   ///< of the same file
   bool stale_ = false;    ///< the deck is not the one that is studied
   Sets sets_;
-  QString headline_;
+  QString headline_, round_;
 };
 
 }  // namespace adore::adrinput

@@ -10,7 +10,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace adore::adrinput {
 
@@ -36,7 +40,12 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   story_->setObjectName("story");
   story_->setWordWrap(true);
   story_->setTextFormat(Qt::PlainText);
-  story_->setMinimumSize(480, 240);
+  area_ = new QScrollArea(this);
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setMinimumSize(480, 240);
+  area_->setWidget(story_);
   story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   take_ = buttons->addButton(tr("&Make the deck"), QDialogButtonBox::AcceptRole);
@@ -45,7 +54,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(label);
   layout->addWidget(name_);
-  layout->addWidget(story_, 1);
+  layout->addWidget(area_, 1);
   layout->addWidget(buttons);
   connect(name_, &QLineEdit::textChanged, this, &CatalogueDialog::look);
   connect(buttons, &QDialogButtonBox::accepted, this, &CatalogueDialog::take);
@@ -74,6 +83,23 @@ void CatalogueDialog::look(const QString& designation) {
       text = designation.trimmed() + " " + QString::fromStdString(issue.message) + ". " + text;
     story_->setText(error.issues().empty() ? QString::fromUtf8(error.what()) : text + ".");
   }
+  if (isVisible()) makeRoom();
+}
+
+/// What is told of a bearing ends with what is not known: it must not be out of sight. On a screen
+/// that is too low it scrolls.
+void CatalogueDialog::makeRoom() {
+  const int more = story_->heightForWidth(area_->viewport()->width()) - area_->viewport()->height();
+  const QScreen* on = screen();
+  constexpr double kShare = 0.9;
+  const int most =
+      on == nullptr ? height() + more : static_cast<int>(kShare * on->availableGeometry().height());
+  if (more > 0 && height() < most) resize(width(), std::min(height() + more, most));
+}
+
+void CatalogueDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  makeRoom();
 }
 
 void CatalogueDialog::take() {

@@ -3,6 +3,7 @@
 #include <QDialog>
 
 class QLabel;
+class QScrollArea;
 class QLineEdit;
 class QPushButton;
 
@@ -20,12 +21,17 @@ class CatalogueDialog : public QDialog {
   /// The text of the deck.
   void chosen(const QString& text);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void look(const QString& designation);
+  void makeRoom();
   void take();
 
   QLineEdit* name_;
   QLabel* story_;
+  QScrollArea* area_ = nullptr;
   QPushButton* take_;
 };
 

@@ -1,6 +1,6 @@
 #include "adrinput/cell_table.hpp"
 
-#include "adrinput/record_page.hpp"
+#include "adrinput/page_parts.hpp"
 #include "adrinput/typed.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"

@@ -282,7 +282,7 @@ QWidget* DeckWindow::makeButtons() {
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
                         tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
-  row->addWidget(button(tr("&Run"), "run-deck", tr("Save the deck and run it whole (F7)"),
+  row->addWidget(button(tr("R&un"), "run-deck", tr("Save the deck and run it whole (F7)"),
                         &DeckWindow::runDeck));
   row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and end AdrInput"),
                         &DeckWindow::saveAndExit));
@@ -362,7 +362,7 @@ void DeckWindow::refresh() {
   redo_->setEnabled(document_.can_redo());
   plan_->setDeck(document_.deck(), document_.options());
   statics_->setDeck(document_.deck(), document_.options());
-  run_->setDeck(document_.deck(), document_.options());
+  run_->setDeck(document_.path(), document_.deck(), document_.options());
   accuracy_->setDeck(document_.deck());
   charts_->setStale(statics_->stale());
   if (shown_original_ != document_.original()) {
@@ -544,6 +544,12 @@ void DeckWindow::showCharts() {
     // Keys of curves need more room than the drawing; a width that somebody chose stays.
     if (as_made && width() > kNarrow) resizeDocks({charts_dock_}, {width() / 3}, Qt::Horizontal);
   }
+}
+
+void DeckWindow::hideEmptyPanels() {
+  if (statics_->tables() != nullptr || charts_dock_->isHidden()) return;
+  charts_dock_->hide();
+  if (!drawing_dock_->isHidden()) drawing_dock_->raise();
 }
 
 void DeckWindow::studyAccuracy() {

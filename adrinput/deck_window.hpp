@@ -59,6 +59,8 @@ class DeckWindow : public QMainWindow {
   void goTo(const Cell& cell);
   /// Shows a page if the deck has it.
   void showPage(const std::string& record);
+  /// Panels that an earlier session left open and that have nothing to show yet.
+  void hideEmptyPanels();
   /// Where a session asks about decks that were left unsaved.
   [[nodiscard]] NoticeBar& sessionNotice() { return *session_notice_; }
   /// Takes over a snapshot (document.hpp) and goes on, once the present deck is saved or given up.
@@ -153,7 +155,6 @@ class DeckWindow : public QMainWindow {
   void leaveDeck(std::function<void()> then);
   /// Goes on at once, or after the user has agreed to end the run that is going on.
   void leaveRun(std::function<void()> then);
-  void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
   void forgetResults(bool reread = false);
 

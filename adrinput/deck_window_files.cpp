@@ -18,8 +18,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -29,9 +27,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTextBrowser>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <exception>
 #include <memory>
@@ -42,6 +38,10 @@ namespace adore::adrinput {
 namespace {
 
 const QString kApp = "adrinput";
+
+QString whole_name(const std::filesystem::path& path) {
+  return QString::fromStdString(std::filesystem::absolute(path).string());
+}
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
@@ -149,36 +149,20 @@ void DeckWindow::makeOtherMenus() {
   help->setObjectName("help");
   help->addAction(tr("This &record"), QKeySequence(Qt::Key_F1), this, [this] {
     const deck::RecordSpec& record = *page_record(current_);
-    showHelp(page_heading(record), record_help(document_.deck(), record));
+    desktop::show_help(this, page_heading(record), record_help(document_.deck(), record));
   });
   help->addAction(tr("How a &deck is written"), this,
-                  [this] { showHelp(tr("How a deck is written"), format_help()); });
+                  [this] { desktop::show_help(this, tr("How a deck is written"), format_help()); });
   help->addAction(tr("&Keys and Mouse"), this,
-                  [this] { showHelp(tr("Keys and Mouse"), keyboard_help()); });
+                  [this] { desktop::show_help(this, tr("Keys and Mouse"), keyboard_help()); });
   help->addAction(tr("&About AdrInput"), this, [this] {
-    showHelp(
-        tr("About AdrInput"),
+    desktop::show_help(
+        this, tr("About AdrInput"),
         tr("<h2>AdrInput</h2><p>Prepares data decks for Adore, version %1.</p><p>Free software "
            "under the GNU General Public License, version 3 or later, without any "
            "warranty.</p>")
             .arg(QString::fromStdString(std::string(kVersionNumber))));
   });
-}
-
-void DeckWindow::showHelp(const QString& title, const QString& text) {
-  auto* dialog = new QDialog(this);
-  dialog->setObjectName("help-window");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(title);
-  dialog->resize(680, 560);
-  auto* browser = new QTextBrowser(dialog);
-  browser->setHtml(text);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, dialog);
-  connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-  auto* layout = new QVBoxLayout(dialog);
-  layout->addWidget(browser, 1);
-  layout->addWidget(buttons);
-  dialog->open();
 }
 
 /// What was computed for the deck before is nothing of the one that is here now.
@@ -193,7 +177,8 @@ void DeckWindow::forgetResults(bool reread) {
 
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   try {
-    const std::filesystem::path file = facade::deck_path(path);
+    // A name from where the program was started means nothing in its dialogs.
+    const std::filesystem::path file = std::filesystem::absolute(facade::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
     forgetResults(reread);
@@ -351,8 +336,7 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("txt");
-  dialog->selectFile(document_.path().empty() ? QString("DATA.txt")
-                                              : QString::fromStdString(document_.path().string()));
+  dialog->selectFile(document_.path().empty() ? QString("DATA.txt") : whole_name(document_.path()));
   connect(
       dialog, &QFileDialog::fileSelected, this,
       [this, then = std::move(then)](const QString& name) { saveTo(name.toStdString(), then); });
@@ -373,7 +357,9 @@ void DeckWindow::parkDraft() {
     name = document_.path().empty()
                ? std::filesystem::path("DATA.draft")
                : std::filesystem::path(document_.path()).replace_extension("draft");
-  dialog->selectFile(QString::fromStdString(name.string()));
+  dialog->selectFile(document_.path().empty() && document_.draft().empty()
+                         ? QString::fromStdString(name.string())
+                         : whole_name(name));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());

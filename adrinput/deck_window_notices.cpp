@@ -130,7 +130,7 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
           else
             goToOptionOf(cell);
         }},
-       {"leave-option", tr("&Leave it"), nullptr}});
+       {"leave-option", tr("Leave it"), nullptr}});
 }
 
 void DeckWindow::showPage(const std::string& record) {
@@ -149,7 +149,7 @@ void DeckWindow::refreshNotices() {
                           "but for what is typed since.")
                            .arg(si ? tr("SI units") : tr("English units"),
                                 si ? tr("English units") : tr("SI units")),
-                       {{"convert", tr("&Convert the values"),
+                       {{"convert", tr("C&onvert the values"),
                          [this] {
                            document_.convert_values();
                            page_->sync(true);
@@ -172,13 +172,13 @@ void DeckWindow::checkFile() {
   if (!std::filesystem::exists(path, error)) {
     file_notice_->ask(
         tr("%1 was removed or renamed by another program. Saving writes it again.").arg(name),
-        {{"file-ok", tr("&OK"), nullptr}});
+        {{"file-ok", tr("OK"), nullptr}});
     return;
   }
   if (!document_.changed_on_disk(path)) return file_notice_->hide();
   const bool mine = document_.modified();
   file_notice_->ask(tr("Another program changed %1.").arg(name),
-                    {{"reload", mine ? tr("Rel&oad, dropping my changes") : tr("Rel&oad"),
+                    {{"reload", mine ? tr("Reload, &dropping my changes") : tr("Reloa&d"),
                       [this, path] {
                         const std::string page = current_;
                         if (openFile(path)) showPage(page);

@@ -49,6 +49,9 @@ void Document::start(State state) {
   kept_copy_.clear();
   model_issues_.clear();
   change_issues_.clear();
+  // What a file holds beyond what its options ask for waits with the rest.
+  for (const deck::RecordData& record : std::exchange(state_.deck.shelf, {}))
+    state_.shelf.try_emplace({record.id, record.instance}, record);
   settle();
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
@@ -276,9 +279,14 @@ void Document::remember(const deck::RecordData& record) {
 /// Records and array elements that the options ask for, from the shelf where they were before.
 void Document::settle() {
   for (const deck::RecordData& record : state_.deck.records) remember(record);
+  bring_back();
+}
+
+void Document::bring_back() {
   state_.deck.records.clear();
   for (const auto& [place, record] : state_.shelf) state_.deck.records.push_back(record);
   state_.deck.complete();
+  if (state_.numbers_in) note_taken_over();
 }
 
 std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {

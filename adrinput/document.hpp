@@ -200,11 +200,14 @@ class Document {
   void save_options(const std::filesystem::path& deck_file);
   void note_units(deck::UnitSystem before);
   void note_typed(const deck::Deck& before);
+  void note_taken_over();
   void keep_numbers_given();
   enum class Given { Left, Alone };  ///< what was typed since kUnit changed
+  void convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given);
   void convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
                deck::UnitSystem to, Given given) const;
   void settle();
+  void bring_back();
   void follow_bodies(const deck::Deck& before);
   void remember(const deck::RecordData& record);
   void keep_issues_of_file_only();

@@ -12,11 +12,7 @@ void Document::note_units(deck::UnitSystem before) {
   if (now == before) return;
   const bool back = state_.numbers_in == now;
   // What was typed in the other units in the meantime goes back with them.
-  if (back && !state_.typed_since.empty()) {
-    const deck::Deck other = state_.deck;
-    for (deck::RecordData& record : state_.deck.records)
-      convert(record, other, before, now, Given::Alone);
-  }
+  if (back && !state_.typed_since.empty()) convert_all(before, now, Given::Alone);
   keep_numbers_given();
   if (!back) state_.numbers_in = before;
 }
@@ -30,8 +26,33 @@ void Document::note_typed(const deck::Deck& before) {
       for (std::size_t k = 0; k < record.values[v].size(); ++k) {
         const Cell cell{record.id, record.instance, v, k};
         const deck::Value* old = value_at(before, cell);
-        if (old != nullptr && *old != record.values[v][k]) state_.typed_since.insert(cell);
+        // Of a record or an element that was not there: what it would have come back with.
+        if (const auto kept = state_.shelf.find({record.id, record.instance});
+            old == nullptr && kept != state_.shelf.end() && v < kept->second.values.size() &&
+            k < kept->second.values[v].size())
+          old = &kept->second.values[v][k];
+        const bool given =
+            old != nullptr ? *old != record.values[v][k]
+                           : std::find(record.defaulted.begin(), record.defaulted.end(),
+                                       deck::RecordData::Element{v, k}) == record.defaulted.end();
+        if (given) state_.typed_since.insert(cell);
       }
+}
+
+/// A cage that is cut, or made whole, starts with the numbers of the one before (Deck::complete()):
+/// what was given of that one in the units of the deck is in these here, too.
+void Document::note_taken_over() {
+  constexpr const char *kWhole = "9.6", *kSegment = "9.6.k";
+  const bool cut = state_.shelf.count({kSegment, 1}) > 0;
+  for (const deck::RecordData& record : state_.deck.records) {
+    if ((record.id != kWhole && record.id != kSegment) ||
+        state_.shelf.count({record.id, record.instance}) > 0)
+      continue;
+    for (std::size_t v = 0; v < record.values.size(); ++v)
+      for (std::size_t k = 0; k < record.values[v].size(); ++k)
+        if (state_.typed_since.count({cut ? kSegment : kWhole, 1, v, k}) > 0)
+          state_.typed_since.insert({record.id, record.instance, v, k});
+  }
 }
 
 void Document::keep_numbers_given() {
@@ -44,23 +65,25 @@ void Document::keep_numbers() {
   notify();
 }
 
-/// Also what is on the shelf, for the day when its record applies again.
 void Document::convert_values() {
   if (!state_.numbers_in) return;
   end_step();
-  const deck::UnitSystem from = *state_.numbers_in, to = state_.deck.units();
-  deck::Deck ever;
-  for (const auto& [place, record] : state_.shelf) ever.records.push_back(record);
-  for (auto& [place, record] : state_.shelf)
-    convert(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to, Given::Left);
-  const deck::Deck before = state_.deck;
-  for (deck::RecordData& record : state_.deck.records)
-    convert(record, before, from, to, Given::Left);
-  settle();
+  convert_all(*state_.numbers_in, state_.deck.units(), Given::Left);
   keep_numbers_given();
   redo_.clear();
   find_problems();
   notify();
+}
+
+/// Also what is on the shelf, for the day when its record applies again.
+void Document::convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given) {
+  for (const deck::RecordData& record : state_.deck.records) remember(record);
+  // Codes that make a value a pure number: of records that are not there, the last ones.
+  deck::Deck ever;
+  for (const auto& [place, record] : state_.shelf) ever.records.push_back(record);
+  for (auto& [place, record] : state_.shelf)
+    convert(record, state_.deck.has_record(record.id) ? state_.deck : ever, from, to, given);
+  bring_back();
 }
 
 void Document::convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,

@@ -36,6 +36,7 @@ void NoticeBar::ask(const QString& text, std::vector<Answer> answers) {
   label_->setText(text);
   setAccessibleName(text);
   while (QLayoutItem* item = buttons_->takeAt(0)) {
+    item->widget()->hide();  // its letter is free at once
     item->widget()->deleteLater();
     delete item;
   }

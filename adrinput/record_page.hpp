@@ -105,7 +105,4 @@ class RecordPage : public QWidget {
   QPlainTextEdit* lines_ = nullptr;
 };
 
-/// Text of a choice in a list: "1 — record 8.1".
-[[nodiscard]] QString choice_text(std::string_view code, std::string_view meaning);
-
 }  // namespace adore::adrinput

@@ -16,6 +16,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFileSystemWatcher>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
@@ -23,6 +24,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QTimer>
 #include <QToolButton>
 #include <fmt/format.h>
 
@@ -33,6 +35,7 @@ namespace adore::adrinput {
 namespace {
 
 constexpr int kBarSteps = 1000;
+constexpr int kLookPause = 150;           // ms without a change in the folder of results
 constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in a window
 
 QString from(const std::string& text) { return QString::fromStdString(text); }
@@ -89,7 +92,18 @@ QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 }  // namespace
 
-RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_program) {
+RunPanel::RunPanel(QWidget* parent)
+    : QWidget(parent),
+      launch(&desktop::start_program),
+      watcher_(new QFileSystemWatcher(this)),
+      look_(new QTimer(this)) {
+  look_->setSingleShot(true);
+  look_->setInterval(kLookPause);
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, look_, qOverload<>(&QTimer::start));
+  connect(look_, &QTimer::timeout, this, [this] {
+    watchResults();
+    enableViewers();
+  });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
   auto* first = new desktop::FlowLayout;
@@ -127,7 +141,7 @@ RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_pr
                   &RunPanel::openPlots);
   animation_ = button(second, tr("&Animation"), "open-animation", tr("Open SOL8 in AGORE"),
                       &RunPanel::openAnimation);
-  listing_ = button(second, "PRINT.t&xt", "listing", tr("Show the listing in a window"),
+  listing_ = button(second, "&PRINT.txt", "listing", tr("Show the listing in a window"),
                     &RunPanel::showListing);
   second->addStretch();
   second->addWidget(new QLabel(tr("When done, open"), this));
@@ -166,9 +180,44 @@ void RunPanel::enableButtons() {
   start_->setEnabled(!busy());
   more_->setEnabled(!busy());
   cancel_->setEnabled(busy());
-  plots_->setEnabled(!plotFiles().isEmpty());
-  animation_->setEnabled(!busy() && !fileNamed("SOL8").isEmpty());
-  listing_->setEnabled(!busy() && !fileNamed("PRINT.txt").isEmpty());
+  watchResults();
+  enableViewers();
+}
+
+/// A viewer of plots follows a run that goes on.
+void RunPanel::enableViewers() {
+  const RunResults found = results();
+  plots_->setEnabled(!found.plots.isEmpty());
+  animation_->setEnabled(!busy() && !found.animation.isEmpty());
+  listing_->setEnabled(!busy() && !found.listing.isEmpty());
+}
+
+RunResults RunPanel::results() const {
+  if (computed_.records.empty())
+    return shown_file_.empty() ? RunResults() : results_in(shown_file_.parent_path(), shown_);
+  if (busy()) return results_in(resultFolder(), computed_, began_);
+  return results_in(resultFolder(), computed_);
+}
+
+/// The folder of results and, for the day when it is removed or made, the one that it stands in.
+void RunPanel::watchResults() {
+  namespace fs = std::filesystem;
+  QStringList wanted;
+  const bool ran = !computed_.records.empty();
+  const fs::path& file = ran ? file_ : shown_file_;
+  if (!file.empty()) {
+    const fs::path folder =
+        ran && !out_.empty() ? fs::absolute(out_) : fs::absolute(file).parent_path();
+    for (const fs::path& one : {folder, folder.parent_path()})
+      if (const QFileInfo info(from(one.string())); info.isDir())
+        wanted << QDir::cleanPath(info.absoluteFilePath());
+    wanted.removeDuplicates();
+  }
+  const QStringList watched = watcher_->directories();
+  for (const QString& name : watched)
+    if (!wanted.contains(name)) watcher_->removePath(name);
+  for (const QString& name : wanted)
+    if (!watched.contains(name)) watcher_->addPath(name);
 }
 
 void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
@@ -185,7 +234,6 @@ void RunPanel::begin(const std::filesystem::path& file, const deck::Deck& deck,
   another_ = false;
   computed_options_ = options;
   stale_ = false;
-  files_.clear();
   file_ = file;
   out_.clear();
 }
@@ -300,7 +348,7 @@ void RunPanel::show(const facade::Progress& progress) {
     return showNote();
   }
   stored_ = stored_ || progress.step > 0;
-  plots_->setEnabled(!plotFiles().isEmpty());  // a viewer follows a run that goes on
+  enableViewers();
   // Beside the bar stands what will end the run.
   const std::string left = duration_text(progress.remaining);
   headline_ =
@@ -316,13 +364,11 @@ void RunPanel::show(const facade::Progress& progress) {
 
 void RunPanel::show(const RunEnd& end) {
   if (end.outcome) {
-    for (const auto& file : end.outcome->files) files_ << from(file.string());
     headline_ = headline_of(*end.outcome);
     own_report_ = reportTime();
     view_->setPlainText(report(*end.outcome));
     if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
   } else if (end.sweep) {
-    files_ << from(end.sweep->table.string());
     bar_->setValue(kBarSteps);
     headline_ = end.sweep->exit_code == 0
                     ? tr("The sweep is done.")
@@ -334,13 +380,13 @@ void RunPanel::show(const RunEnd& end) {
   } else {
     const QString reason = from(in_window_words(end.reason));
     // Progress is told now and then only: a short run may have stored steps before.
-    stored_ = stored_ || (!end.results_exist && !written("SOL1").isEmpty());
-    if (stored_) files_ = stored();
+    const RunResults since = results_in(resultFolder(), computed_, began_);
+    stored_ = stored_ || (!end.results_exist && since.moved);
     headline_ = stored_ ? tr("The run ended at %1 %, for this reason: %2")
                               .arg(100 * bar_->value() / kBarSteps)
                               .arg(reason)
                         : tr("The deck was not run, for this reason: %1").arg(reason);
-    if (stored_ && !files_.isEmpty()) headline_ += tr(" What was stored up to then can be opened.");
+    if (stored_ && since.moved) headline_ += tr(" What was stored up to then can be opened.");
   }
   view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();
@@ -348,8 +394,9 @@ void RunPanel::show(const RunEnd& end) {
   if (end.results_exist) askToReplace();
   if ((end.outcome && end.outcome->status == facade::RunStatus::Done) ||
       (end.sweep && end.sweep->exit_code == 0)) {
-    if (plots_at_end_->isChecked() && !plotFiles().isEmpty()) openPlots();
-    if (animation_at_end_->isChecked() && !fileNamed("SOL8").isEmpty()) openAnimation();
+    const RunResults found = results();
+    if (plots_at_end_->isChecked() && !found.plots.isEmpty()) openPlots();
+    if (animation_at_end_->isChecked() && !found.animation.isEmpty()) openAnimation();
   }
   emit finished();
 }
@@ -366,8 +413,14 @@ void RunPanel::setAnother(const std::filesystem::path& now) {
   if (!busy()) showNote();
 }
 
-void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
-  if (computed_.records.empty()) return;
+void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck,
+                       const RunOptionValues& options) {
+  const bool first = computed_.records.empty();
+  const bool looks = first && (file != shown_file_ || !(deck == shown_));
+  shown_file_ = file;
+  shown_ = deck;
+  if (looks) enableButtons();
+  if (first) return;
   // Results of another file are those of its folder, even where the values have become the same.
   const bool stale = another_ || !(deck == computed_ && options == computed_options_);
   if (stale == stale_) return;
@@ -375,57 +428,27 @@ void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   showNote();
 }
 
-/// What the run that was started last has written so far.
-QString RunPanel::written(const QString& name) const {
-  const std::filesystem::path file = resultFolder() / name.toStdString();
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  return !error && time >= began_ ? from(file.string()) : QString();
-}
-
-/// Of a run that ended without an outcome: the files that are opened from here.
-QStringList RunPanel::stored() const {
-  QStringList found;
-  for (const char* name :
-       {"PRINT.txt", "SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7", "SOL8", "RESULTS.h5"})
-    if (const QString file = written(name); !file.isEmpty()) found << file;
-  return found;
-}
-
-QString RunPanel::fileNamed(const QString& name) const {
-  if (busy()) return written(name);
-  for (const QString& file : files_)
-    if (QFileInfo(file).fileName() == name && QFileInfo::exists(file)) return file;
-  return {};
-}
-
-/// SOL1 to SOL7, or the tables of a quasi-static solution.
-QStringList RunPanel::plotFiles() const {
-  QStringList found;
-  for (int number = 1; number <= 7; ++number)
-    if (const QString file = fileNamed(QString("SOL%1").arg(number)); !file.isEmpty())
-      found << file;
-  if (found.isEmpty())
-    for (const char* table : {"RUN.json", "SWEEP.csv"})
-      if (const QString file = fileNamed(table); !file.isEmpty()) found << file;
-  return found;
-}
-
 void RunPanel::view(const QString& program, const QStringList& files) {
   // New folders of runs are part of it.
-  show_in_viewer(this, launch, program, desktop::folder_of(file_), files);
+  const bool ran = !computed_.records.empty();
+  show_in_viewer(this, launch, program, desktop::folder_of(ran ? file_ : shown_file_), files);
 }
 
 void RunPanel::openPlots() {
-  QStringList arguments = plotFiles();
+  QStringList arguments = results().plots;
+  if (arguments.isEmpty()) return enableViewers();  // gone a moment ago
   if (busy()) arguments.prepend("--follow");
   view("adrplot", arguments);
 }
 
-void RunPanel::openAnimation() { view("agore", {fileNamed("SOL8")}); }
+void RunPanel::openAnimation() {
+  const QString file = results().animation;
+  if (file.isEmpty()) return enableViewers();
+  view("agore", {file});
+}
 
 void RunPanel::showListing() {
-  QFile file(fileNamed("PRINT.txt"));
+  QFile file(results().listing);
   if (!file.open(QIODevice::ReadOnly))
     return desktop::show_message(
         this, tr("%1 cannot be read: %2").arg(file.fileName(), file.errorString()), true);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrinput/evaluation.hpp"
+#include "adrinput/run_results.hpp"
 #include "adrinput/solver_run.hpp"
 #include "adrinput/viewers.hpp"
 #include "deck/deck.hpp"
@@ -12,10 +13,12 @@
 #include <optional>
 
 class QCheckBox;
+class QFileSystemWatcher;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QTimer;
 class QToolButton;
 
 namespace adore::adrinput {
@@ -46,8 +49,10 @@ class RunPanel : public QWidget {
              const RunOptionValues& options, const QString& range);
   /// The deck of the file `now` was opened: results of another one say so.
   void setAnother(const std::filesystem::path& now);
-  /// The deck is this one now: results of an older one say so.
-  void setDeck(const deck::Deck& deck, const RunOptionValues& options);
+  /// The deck is this one now: results of an older one say so. What is on the disk beside it can
+  /// be opened, whoever computed it.
+  void setDeck(const std::filesystem::path& file, const deck::Deck& deck,
+               const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
   [[nodiscard]] QString text() const;
 
@@ -78,11 +83,11 @@ class RunPanel : public QWidget {
   /// The report that stands beside the deck, as far as it can be told from another one.
   [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
   void enableButtons();
+  void enableViewers();
+  void watchResults();
   void view(const QString& program, const QStringList& files);
-  [[nodiscard]] QStringList plotFiles() const;
-  [[nodiscard]] QString fileNamed(const QString& name) const;
-  [[nodiscard]] QString written(const QString& name) const;
-  [[nodiscard]] QStringList stored() const;
+  /// Of the run that is told here; where there was none, of the deck in the form.
+  [[nodiscard]] RunResults results() const;
 
   QPushButton *start_, *cancel_, *plots_, *animation_, *listing_;
   QToolButton* more_;
@@ -90,10 +95,13 @@ class RunPanel : public QWidget {
   QProgressBar* bar_;
   QLabel* note_;
   QPlainTextEdit* view_;
+  QFileSystemWatcher* watcher_;
+  QTimer* look_;  ///< a pause for a program to finish writing
   QString headline_;
-  QStringList files_;
-  std::filesystem::path file_;  ///< the deck that runs
-  std::filesystem::path out_;   ///< where its results go; empty: beside it
+  std::filesystem::path file_;        ///< the deck that runs
+  std::filesystem::path out_;         ///< where its results go; empty: beside it
+  std::filesystem::path shown_file_;  ///< the deck in the form; empty: it has no name yet
+  deck::Deck shown_;
   std::filesystem::file_time_type began_;
   std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
   deck::Deck computed_;

@@ -174,7 +174,9 @@ std::optional<OptionWay> way_to(const deck::Deck& deck, std::string_view record)
   return find_way(deck, record, 0);
 }
 
-std::vector<Found> search_variables(std::string_view query, std::size_t most) {
+std::vector<Found> search_variables(std::string_view query,
+                                    const std::function<bool(const Cell&)>& is_here,
+                                    std::size_t most) {
   std::vector<Found> found;
   const std::vector<std::string> words = words_of(query);
   if (words.empty()) return found;
@@ -192,6 +194,9 @@ std::vector<Found> search_variables(std::string_view query, std::size_t most) {
   };
   for (const deck::RecordSpec& record : deck::schema()) search_in(record);
   search_in(options_record());
+  if (is_here)
+    std::stable_partition(found.begin(), found.end(),
+                          [&](const Found& one) { return is_here(one.cell); });
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.score > b.score; });
   if (found.size() > most) found.resize(most);

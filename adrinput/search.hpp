@@ -2,6 +2,7 @@
 
 #include "adrinput/cell.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,8 +17,11 @@ struct Found {
 };
 
 /// Best first, at most `most`. Every word of the query that says something must occur; words like
-/// "where" and "is" say nothing.
-[[nodiscard]] std::vector<Found> search_variables(std::string_view query, std::size_t most = 60);
+/// "where" and "is" say nothing. Of those that are as good, the ones that `is_here` says are in the
+/// deck come first: pitchDia is in three records, of which a deck has one.
+[[nodiscard]] std::vector<Found> search_variables(
+    std::string_view query, const std::function<bool(const Cell&)>& is_here = {},
+    std::size_t most = 60);
 
 /// An option whose other code brings a record into a deck.
 struct OptionWay {

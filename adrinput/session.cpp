@@ -122,6 +122,7 @@ void Session::begin(bool deck_named) {
   const QByteArray geometry = settings().value("session/geometry").toByteArray();
   if (!geometry.isEmpty()) window_.restoreGeometry(geometry);
   window_.restoreState(settings().value("session/docks").toByteArray());
+  window_.hideEmptyPanels();
   if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
   lookForOrphans();
   offerNext();
@@ -192,12 +193,12 @@ bool Session::offerNext() {
     bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
                 .arg(name, when),
             {{"restore", tr("Res&tore it"), [this] { restore(); }},
-             {"later", tr("&Later"), later},
-             {"discard", tr("&Discard it"), discard}});
+             {"later", tr("Later"), later},
+             {"discard", tr("Discard it"), discard}});
   } catch (const std::exception& reason) {
     bar.ask(tr("An unsaved deck of %1 cannot be restored: %2. It stays in %3.")
                 .arg(when, QString::fromUtf8(reason.what()), QString::fromStdString(file.string())),
-            {{"later", tr("&Keep it"), later}, {"discard", tr("&Discard it"), discard}});
+            {{"later", tr("Keep it"), later}, {"discard", tr("Discard it"), discard}});
   }
   return true;
 }

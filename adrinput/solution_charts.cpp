@@ -6,8 +6,20 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
+
+#include <algorithm>
 
 namespace adore::adrinput {
+namespace {
+
+// In a low dock the charts scroll: titles of axes lower than these are cut.
+constexpr int kHead = 150;        // title, note and the axis below
+constexpr int kPanel = 145;       // of several below each other
+constexpr int kOne = 370;         // alone, with a long title
+constexpr int kLeastWidth = 300;  // of a chart with its keys and titles
+
+}  // namespace
 
 SolutionCharts::SolutionCharts(QWidget* parent)
     : QWidget(parent),
@@ -22,13 +34,19 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   note_->setMargin(6);
   view_->setObjectName("solution-chart");
   view_->setAccessibleName(tr("Chart of the quasi-static solution"));
-  view_->setMinimumSize(200, 160);
+  area_ = new QScrollArea(this);
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setFocusPolicy(Qt::NoFocus);
+  area_->setMinimumSize(kLeastWidth, 160);
+  area_->setWidget(view_);
   forget();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(choice_);
   layout->addWidget(note_);
-  layout->addWidget(view_, 1);
+  layout->addWidget(area_, 1);
   layout->addStretch(0);
   connect(choice_, &QComboBox::activated, this, &SolutionCharts::showPage);
 }
@@ -52,7 +70,7 @@ void SolutionCharts::setSolution(const results::StaticTables& tables) {
     choice_->addItem(QString::fromStdString(page.title));
   const bool any = choice_->count() > 0;
   choice_->setVisible(any);
-  view_->setVisible(any);
+  area_->setVisible(any);
   setStale(false);
   if (any) choosePage(std::max(choice_->findText(before), 0));
 }
@@ -61,7 +79,7 @@ void SolutionCharts::forget() {
   tables_ = {};
   choice_->clear();
   choice_->hide();
-  view_->hide();
+  area_->hide();
   note_->setText(tr("Run the quasi-static solution (F6) to see its charts here."));
   note_->show();
 }
@@ -74,8 +92,10 @@ void SolutionCharts::setStale(bool stale) {
 
 void SolutionCharts::showPage(int index) {
   const std::vector<desktop::ChartPage> pages = desktop::static_pages(tables_);
-  if (index >= 0 && index < static_cast<int>(pages.size()))
-    view_->showPage(pages[static_cast<std::size_t>(index)]);
+  if (index < 0 || index >= static_cast<int>(pages.size())) return;
+  const desktop::ChartPage& page = pages[static_cast<std::size_t>(index)];
+  view_->setMinimumHeight(std::max(kOne, kHead + kPanel * static_cast<int>(page.panels.size())));
+  view_->showPage(page);
 }
 
 }  // namespace adore::adrinput

@@ -6,6 +6,7 @@
 
 class QComboBox;
 class QLabel;
+class QScrollArea;
 
 namespace adore::desktop {
 class ChartView;
@@ -36,6 +37,7 @@ class SolutionCharts : public QWidget {
   QComboBox* choice_;
   QLabel* note_;
   desktop::ChartView* view_;
+  QScrollArea* area_;
   results::StaticTables tables_;
 };
 

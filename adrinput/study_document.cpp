@@ -1,5 +1,6 @@
 #include "adrinput/study_document.hpp"
 
+#include "adrinput/study_example.hpp"
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "results/growing_file.hpp"
@@ -45,6 +46,9 @@ void StudyDocument::start_new(const fs::path& file, const std::string& kind, con
     std::error_code error;
     const fs::path beside = fs::proximate(deck, fs::absolute(file).parent_path(), error);
     values["deck"] = (error || beside.empty() ? deck : beside).string();
+    // One that cannot be read is told by the check.
+    if (const fs::path whole = fs::absolute(deck, error); fs::is_regular_file(whole, error))
+      values = fitted_to(std::move(values), deck::read_deck(whole).deck);
   }
   path_ = file;
   stored_.reset();

@@ -1,6 +1,7 @@
 #include "adrinput/study_form.hpp"
 
 #include "adrinput/study_table.hpp"
+#include "adrinput/wheel_guard.hpp"
 #include "desktop/theme.hpp"
 
 #include <QBoxLayout>
@@ -45,6 +46,7 @@ void StudyForm::addGroup(QBoxLayout* column, std::string_view name) {
     QWidget* input = nullptr;
     if (spec.cell == StudyCell::Choice) {
       auto* list = new QComboBox(box);
+      new WheelGuard(list);
       for (const std::string_view choice : spec.choices) list->addItem(from(choice));
       connect(list, &QComboBox::activated, this,
               [this, list, of] { document_.set_field(*of, list->currentText().toStdString()); });

@@ -1,5 +1,6 @@
 #include "adrinput/study_panel.hpp"
 
+#include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
@@ -59,9 +60,9 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   cancel_ = button(tr("&Cancel"), "study-cancel",
                    tr("End the runs under way; finished ones are recorded, Run goes on with the "
                       "others"));
-  results_ = button(tr("&Results"), "study-results", tr("Open the pictures in AdrPlot"));
-  retry_ = button(tr("Retry &failed"), "study-retry", tr("Make those again that failed"));
-  over_budget_ = button(tr("Start all the same"), "study-over-budget",
+  results_ = button(tr("Res&ults"), "study-results", tr("Open the pictures in AdrPlot"));
+  retry_ = button(tr("Retr&y failed"), "study-retry", tr("Make those again that failed"));
+  over_budget_ = button(tr("Start &all the same"), "study-over-budget",
                         tr("Although the plan exceeds the study's budget"));
   connect(plan_, &QPushButton::clicked, this, &StudyPanel::planWanted);
   connect(start_, &QPushButton::clicked, this, &StudyPanel::runWanted);
@@ -77,14 +78,15 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   grid->addWidget(over_budget_, 1, 2);
   layout->addLayout(grid);
   auto* row = new QHBoxLayout;
-  auto* engine_label = new QLabel(tr("&Engine"), this);
+  auto* engine_label = new QLabel(tr("E&ngine"), this);
   engine_ = new QComboBox(this);
   engine_->setObjectName("study-engine");
   engine_->setAccessibleName(tr("Engine"));
   engine_->addItems({"local", "slurm"});
   engine_->setToolTip(tr("Who computes: processes here, or a cluster under Slurm"));
   engine_label->setBuddy(engine_);
-  auto* workers_label = new QLabel(tr("at a &time"), this);
+  new WheelGuard(engine_);
+  auto* workers_label = new QLabel(tr("at a ti&me"), this);
   workers_ = new QSpinBox(this);
   workers_->setObjectName("study-workers");
   workers_->setAccessibleName(tr("Runs at a time"));
@@ -92,6 +94,7 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   workers_->setSpecialValueText(tr("auto"));
   workers_->setToolTip(tr("Runs at a time; auto: as many as cores and memory allow"));
   workers_label->setBuddy(workers_);
+  new WheelGuard(workers_);
   row->addWidget(engine_label);
   row->addWidget(engine_);
   row->addWidget(workers_label);
@@ -149,7 +152,9 @@ void StudyPanel::enableButtons() {
   start_->setText(started_ && !complete_ ? tr("&Resume") : tr("&Run"));
   cancel_->setEnabled(busy());
   retry_->setEnabled(fit && failed_ > 0);
-  over_budget_->setVisible(false);
+  // As long as the study is the one whose plan was too much; a save or a check changes nothing.
+  over_budget_->setVisible(fit && !over_budget_text_.empty() &&
+                           over_budget_text_ == document_.text());
   engine_->setEnabled(!busy());
   workers_->setEnabled(!busy() && engine_->currentText() == "local");
   std::error_code error;
@@ -170,6 +175,8 @@ StudyRun::Request StudyPanel::request() const {
 void StudyPanel::startPlan() {
   if (busy()) return;
   planning_ = true;
+  at_work_on_ = document_.text();
+  over_budget_text_.clear();
   view_->clear();
   bar_->setRange(0, 0);
   note_->setText(tr("Making up to three of the runs to measure what they cost …"));
@@ -180,6 +187,8 @@ void StudyPanel::startPlan() {
 void StudyPanel::startRun(bool retry_failed, bool over_budget) {
   if (busy()) return;
   planning_ = false;
+  at_work_on_ = document_.text();
+  over_budget_text_.clear();
   view_->clear();
   bar_->setRange(0, 0);  // until the pilot runs are made
   note_->setText(tr("Starting: up to three runs come first, to measure what one costs …"));
@@ -231,13 +240,14 @@ void StudyPanel::show(const StudyEnd& end) {
     complete_ = end.outcome->complete;
   }
   started_ = started_ || !planning_;
+  if (over_budget) over_budget_text_ = at_work_on_;
   enableButtons();
-  over_budget_->setVisible(over_budget);
   emit finished();
 }
 
 void StudyPanel::showStatus() {
   started_ = complete_ = false;
+  over_budget_text_.clear();
   failed_ = 0;
   bar_->setValue(0);
   view_->clear();

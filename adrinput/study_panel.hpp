@@ -73,6 +73,8 @@ class StudyPanel : public QWidget {
   QPlainTextEdit* view_;
   QTimer* pause_;
   long failed_ = 0;
+  std::string at_work_on_,
+      over_budget_text_;  ///< texts of the study: what was started, what was too much
   bool planning_ = false, started_ = false, complete_ = false;
   StudyRun run_;  ///< last: ends before the widgets that it reports to
 };

@@ -1,6 +1,7 @@
 #include "adrplot/accuracy_page.hpp"
 
 #include "adrplot/plot_document.hpp"
+#include "base/duration.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "results/growing_file.hpp"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 namespace adore::adrplot {
 namespace {
@@ -39,11 +42,31 @@ std::vector<Point> points_of(const nlohmann::json& rows) {
   return out;
 }
 
-desktop::ChartPage page_of(const std::vector<Point>& points, const std::string& title,
+/// "1e-04, 1e-06": of the runs that have a point.
+std::string tolerances_of(const nlohmann::json& rows) {
+  std::set<double, std::greater<>> all;
+  if (rows.is_array())
+    for (const nlohmann::json& row : rows)
+      if (row.is_object() && !row.contains("failure"))
+        if (const auto tol = row.find("tol"); tol != row.end() && tol->is_number())
+          all.insert(tol->get<double>());
+  std::string out;
+  for (const double tolerance : all)
+    out += (out.empty() ? "" : ", ") + fmt::format("{:g}", tolerance);
+  return out;
+}
+
+desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
                            const std::string& error_title) {
+  const std::vector<Point> points = points_of(rows);
   desktop::ChartPage page;
   page.title = title;
   page.note = "A point for each run that came to its end; low and left is good.";
+  if (const std::string tolerances = tolerances_of(rows); !tolerances.empty())
+    page.note += fmt::format(
+        " A method's points are its tolerances ({}), mostly from left to right; which is which "
+        "the table of the study says.",
+        tolerances);
   page.x_title = "Computing time";
   page.x_unit = "s";
   page.log_x = page.points = true;
@@ -91,9 +114,14 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
   std::vector<desktop::ChartPage> out;
   const auto finals = study.find("finals");
   if (finals != study.end() && finals->is_array() && !finals->empty())
-    out.push_back(page_of(points_of(*finals), title, error));
-  out.push_back(
-      page_of(points_of(study["screening"]), out.empty() ? title : "Screening: " + title, error));
+    out.push_back(page_of(*finals, title, error));
+  // The title of the study is that of its last round.
+  const auto turns = study.find("short_turns");
+  const std::string first =
+      turns != study.end() && turns->is_number()
+          ? fmt::format("First round, {}: what accuracy costs", turns_text(turns->get<double>()))
+          : "First round: what accuracy costs";
+  out.push_back(page_of(study["screening"], out.empty() ? title : first, error));
   for (desktop::ChartPage& page : out) page.subtitle = run_folder(path).filename().string();
   return out;
 }

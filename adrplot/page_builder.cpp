@@ -366,14 +366,15 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.panels.push_back(std::move(panel));
 }
 
-/// Frequencies of the run that lie on the page; the shaft's from the file alone.
+/// Frequencies of the run that lie on the page; from the file alone that of its rotation, which is
+/// one race's against the other.
 void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context) {
   chart.marks = context.frequencies;
   if (!chart.marks.empty()) return;
   const double span = file.steps.back().time - file.steps.front().time;
   const std::vector<double> turns = accumulated_turns(file);
-  const double shaft = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
-  if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
+  const double rotation = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
+  if (rotation > 0.0) chart.marks.push_back({rotation, "rotation"});
 }
 
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,

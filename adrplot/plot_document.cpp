@@ -73,13 +73,51 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
 }
 
 /// Of a range that passes over stored steps.
-std::string left_out(const desktop::ChartPage& page, const results::SolFile& file, long every) {
+std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format(
-      "These are {} of the file's steps, every {}th one{}.", file.steps.size(), every,
-      unknown.all              ? ": shorter peaks are left out"
-      : unknown.titles.empty() ? ""
-                               : ": shorter peaks of " + unknown.titles + " are left out");
+  return fmt::format("These are {} of the file's steps, every {}th one{}.", steps, every,
+                     unknown.all ? ": shorter peaks are left out"
+                     : unknown.titles.empty()
+                         ? ""
+                         : ": shorter peaks of " + unknown.titles + " are left out");
+}
+
+/// What is drawn from RESULTS.h5: of which steps.
+struct DigitWords {
+  std::string subtitle, note;
+};
+DigitWords digit_words(const results::SolFile& file, const results::FullPrecision& digits) {
+  const std::string name = file.path.filename().string();
+  const std::size_t own = file.steps.size() - digits.added;
+  DigitWords out{"all digits from RESULTS.h5", {}};
+  if (digits.added > 0) {
+    const long first = file.steps[own].step, last = file.steps.back().step;
+    out.note =
+        (first == last
+             ? fmt::format("Step {} is", first)
+             : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
+        fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name, file.steps[own - 1].step);
+  }
+  if (digits.more)
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format("RESULTS.h5 has more steps behind step {}, for which there is no room.",
+                            file.steps.back().step);
+  if (digits.exact == own) return out;
+  if (digits.from_start) {
+    const long last = file.steps[digits.exact - 1].step;
+    out.subtitle = fmt::format("all digits from RESULTS.h5 to step {}", last);
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format("RESULTS.h5 ends at step {}: later values have the eight digits of {}.",
+                            last, name);
+  } else {
+    out.subtitle = fmt::format("all digits from RESULTS.h5 of {} of {} steps", digits.exact, own);
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format(
+                    "RESULTS.h5 does not hold {} of the {} steps: those have the eight "
+                    "digits of {}.",
+                    own - digits.exact, own, name);
+  }
+  return out;
 }
 
 /// A file whose pages do not depend on the view.
@@ -140,16 +178,19 @@ class StepPages {
     if (const std::string lost = between_steps(page, file_);
         history && range_.every == 1 && !lost.empty())
       note(lost);
-    if (range_.every > 1) note(left_out(page, file_, range_.every));
+    if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
     if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));
     std::error_code ignored;
-    if (why_not_.empty())
-      page.subtitle += "   ·   all digits from RESULTS.h5";
-    else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored))
-      note("The values have eight digits: " + why_not_ + ".");
+    if (digits_.why_not.empty()) {
+      const DigitWords words = digit_words(file_, digits_);
+      page.subtitle += "   ·   " + words.subtitle;
+      if (!words.note.empty()) note(words.note);
+    } else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored)) {
+      note("The values have eight digits: " + digits_.why_not + ".");
+    }
     return page;
   }
 
@@ -195,7 +236,17 @@ class StepPages {
     file_.columns = {};
     file_ = results::read_sol(path_, range, watch_);
     whole_ = true;
-    why_not_ = results::use_full_precision(file_);
+    // Only of a whole file its end is known to be the file's.
+    const std::size_t held =
+        file_.steps.size() *
+        std::max<std::size_t>(1, file_.columns.empty()
+                                     ? static_cast<std::size_t>(file_.header.value_count)
+                                     : file_.columns.size());
+    const bool to_the_end = !file_.more && range_.to == results::SolRange().to;
+    const std::size_t room = to_the_end && most_ > held && !file_.steps.empty()
+                                 ? (most_ - held) / (held / file_.steps.size())
+                                 : 0;
+    digits_ = results::use_full_precision(file_, room);
     context_ = context_of(file_);
   }
 
@@ -207,7 +258,7 @@ class StepPages {
   std::vector<PageSpec> pages_;
   results::SolFile file_;
   PageContext context_;
-  std::string why_not_;
+  results::FullPrecision digits_;
 };
 
 }  // namespace

@@ -46,7 +46,14 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
   double f_race[2];
   for (std::size_t j = 0; j < 2; ++j)
     f_race[j] = turns_per_second(race.first[j], race.second[j], seconds);
-  add(f_race[1] - f_race[0], "shaft");
+  // What turns is named by itself: both races may, and their difference is no speed of a shaft.
+  const double least = 1e-6 * std::max(std::abs(f_race[0]), std::abs(f_race[1]));
+  if (std::abs(f_race[0]) > least && std::abs(f_race[1]) > least) {
+    add(f_race[1], "inner race");
+    add(f_race[0], "outer race");
+  } else {
+    add(f_race[1] - f_race[0], "shaft");
+  }
   const auto n = static_cast<double>(orbit.first.size());
   double f_orbit = 0.0;
   for (std::size_t k = 0; k < orbit.first.size(); ++k)
@@ -63,13 +70,17 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
       spin += std::hypot(omega[i] - kTurn * f_orbit, omega[i + 1], omega[i + 2]);
     add(3.0 * spin / static_cast<double>(omega.size()) / kTurn, "BSF");
   }
-  for (int harmonic = 1; harmonic <= 3; ++harmonic)
-    for (const auto& [race_index, name] : {std::pair{0, "BPFO"}, {1, "BPFI"}})
-      add(harmonic * n * (f_orbit - f_race[race_index]),
-          harmonic == 1 ? name : fmt::format("{} {}", harmonic, name));
+  add(n * (f_orbit - f_race[0]), "BPFO");
+  add(n * (f_orbit - f_race[1]), "BPFI");
   const auto whirl = ends(reader, "cage.orbital_position");
   if (whirl.first.size() == 1)
     add(turns_per_second(whirl.first[0], whirl.second[0], seconds), "whirl");
+  // Behind all first ones, which are named where there is room for few.
+  const std::vector<desktop::ChartMark> first = out;
+  for (int harmonic = 2; harmonic <= 3; ++harmonic)
+    for (const desktop::ChartMark& mark : first)
+      if (mark.label != "shaft" && mark.label != "inner race" && mark.label != "outer race")
+        add(harmonic * mark.x, fmt::format("{} {}", harmonic, mark.label));
   return out;
 }
 

@@ -66,10 +66,8 @@ std::string contents(const std::filesystem::path& path) {
 class Reporter {
  public:
   void operator()(const facade::AccuracyRow& row, const facade::AccuracyStudy& study) {
-    const std::string round = !study.models.empty()   ? "models"
-                              : !study.finals.empty() ? "second round"
-                                                      : "first round";
-    if (round != round_) tell(fmt::format("{}, {:.4g} turns\n", round, row.turns));
+    const std::string round = facade::round_text(row, study);
+    if (round != round_) tell(round + "\n");
     round_ = round;
     tell(fmt::format("  {:<40} {}\n", row.setting.name,
                      row.failure.empty() ? fmt::format("{:.3g} s, {:.2g} %", row.seconds,

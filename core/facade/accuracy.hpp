@@ -142,6 +142,8 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink&
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> recommended_sets(
     const AccuracyStudy& study);
 
+/// "first round, 0.48 turns": where a row that is told while the study goes on belongs.
+[[nodiscard]] std::string round_text(const AccuracyRow& row, const AccuracyStudy& study);
 [[nodiscard]] std::string accuracy_table(const AccuracyStudy& study);
 [[nodiscard]] std::string accuracy_csv(const AccuracyStudy& study);
 /// The whole study; read_accuracy() takes it back.

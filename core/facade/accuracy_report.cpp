@@ -1,3 +1,4 @@
+#include "base/duration.hpp"
 #include "base/json_text.hpp"
 #include "facade/accuracy_judgement.hpp"
 #include "facade/verify.hpp"
@@ -148,9 +149,9 @@ std::string growth_text(const AccuracyStudy& study) {
       });
   if (before == study.screening.end()) return {};
   return fmt::format(
-      "Measured growth ({}): from {:.4g} to {:.4g} turns its error went from {} to {}, its energy "
+      "Measured growth ({}): from {:.4g} to {} its error went from {} to {}, its energy "
       "without account from {:.1e} to {:.1e} of what moved{}.",
-      row->setting.name, before->turns, row->turns, percent(before->errors.largest()),
+      row->setting.name, before->turns, turns_text(row->turns), percent(before->errors.largest()),
       percent(row->errors.largest()), before->energy_share, row->energy_share,
       row->growth > 0.0 ? fmt::format(", {:.4g} times a turn", row->growth)
                         : "; less than a turn lies between them, too little for a rate");
@@ -186,12 +187,12 @@ std::string recommendation(const AccuracyStudy& study) {
   const double noise = study.noise().largest();
   std::string out;
   if (study.recommended < 0) {
-    out = fmt::format("None of the settings keeps within {} over {:.4g} turns", limits_text(study),
-                      study.long_turns);
+    out = fmt::format("None of the settings keeps within {} over {}", limits_text(study),
+                      turns_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
-    out = fmt::format("{}: the cheapest within {} over {:.4g} turns, {:.3g} s ({})",
-                      best.setting.name, limits_text(study), study.long_turns, best.seconds,
+    out = fmt::format("{}: the cheapest within {} over {}, {:.3g} s ({})", best.setting.name,
+                      limits_text(study), turns_text(study.long_turns), best.seconds,
                       errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
       out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
@@ -233,6 +234,13 @@ std::vector<std::pair<std::string, std::string>> recommended_sets(const Accuracy
   return out;
 }
 
+std::string round_text(const AccuracyRow& row, const AccuracyStudy& study) {
+  const char* round = !study.models.empty()   ? "models"
+                      : !study.finals.empty() ? "second round"
+                                              : "first round";
+  return fmt::format("{}, {}", round, turns_text(row.turns));
+}
+
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
       "Errors are differences of means to a reference ({});\n"
@@ -246,15 +254,15 @@ std::string accuracy_table(const AccuracyStudy& study) {
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
     if (rows.empty()) return;
-    out += fmt::format("\n{}: {:.4g} turns. The two references differ by {} ({}).\n{}", what, turns,
-                       percent(reference.noise.largest()), errors_text(reference.noise),
-                       table_of(rows));
+    out += fmt::format("\n{}: {}. The two references differ by {} ({}).\n{}", what,
+                       turns_text(turns), percent(reference.noise.largest()),
+                       errors_text(reference.noise), table_of(rows));
   };
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
-    out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}. {}\n", study.asked,
-                       study.long_turns, growth_text(study));
+    out += fmt::format("{} were asked for; the budget pays for {:.4g}. {}\n",
+                       turns_text(study.asked), study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
     out += fmt::format("A millionth of the loads changes these means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
@@ -268,9 +276,9 @@ std::string accuracy_table(const AccuracyStudy& study) {
                        study.untried);
   if (!study.models.empty())
     out += fmt::format(
-        "\nOther models with the deck's own settings, {:.4g} turns; here the figures are what they "
+        "\nOther models with the deck's own settings, {}; here the figures are what they "
         "change.\n{}",
-        study.short_turns, table_of(study.models));
+        turns_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";
 }
 
@@ -306,30 +314,31 @@ std::string accuracy_csv(const AccuracyStudy& study) {
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {
-  Json out{{"program", "adore"},
-           {"study", "accuracy"},
-           {"digest", study.digest},
-           {"complete", study.complete},
-           {"title", fmt::format("What accuracy costs: {:.3g} turns, reference {}",
-                                 study.finals.empty() ? study.short_turns : study.long_turns,
-                                 study.reference)},
-           {"error_title", "largest error of speeds, loads, heat and life"},
-           {"turn_s", study.turn},
-           {"asked_turns", study.asked},
-           {"short_turns", study.short_turns},
-           {"long_turns", study.long_turns},
-           {"target", study.target},
-           {"reference", study.reference},
-           {"short_reference", json_of(study.short_reference)},
-           {"long_reference", json_of(study.long_reference)},
-           {"irregular", json_of(study.irregular)},
-           {"irregular_by", study.irregular_by},
-           {"twins", study.twins},
-           {"seconds", study.seconds},
-           {"unlisted_seconds", study.unlisted_seconds},
-           {"untried", study.untried},
-           {"recommended", study.recommended},
-           {"recommendation", recommendation(study)}};
+  Json out{
+      {"program", "adore"},
+      {"study", "accuracy"},
+      {"digest", study.digest},
+      {"complete", study.complete},
+      {"title", fmt::format("What accuracy costs: {}, reference {}",
+                            turns_text(study.finals.empty() ? study.short_turns : study.long_turns),
+                            study.reference)},
+      {"error_title", "largest error of speeds, loads, heat and life"},
+      {"turn_s", study.turn},
+      {"asked_turns", study.asked},
+      {"short_turns", study.short_turns},
+      {"long_turns", study.long_turns},
+      {"target", study.target},
+      {"reference", study.reference},
+      {"short_reference", json_of(study.short_reference)},
+      {"long_reference", json_of(study.long_reference)},
+      {"irregular", json_of(study.irregular)},
+      {"irregular_by", study.irregular_by},
+      {"twins", study.twins},
+      {"seconds", study.seconds},
+      {"unlisted_seconds", study.unlisted_seconds},
+      {"untried", study.untried},
+      {"recommended", study.recommended},
+      {"recommendation", recommendation(study)}};
   const auto list = [](const std::vector<AccuracyRow>& rows) {
     Json all = Json::array();
     for (const AccuracyRow& row : rows) all.push_back(json_of(row));

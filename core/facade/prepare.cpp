@@ -4,6 +4,7 @@
 #include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "deck/defaults.hpp"
+#include "deck/monitored_bodies.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
@@ -407,9 +408,15 @@ LoadedDeck load_deck(const DeckRequest& request) {
   out.deck = std::move(read.deck);
   if (!(request.sets.empty() && request.changes.empty()) && read.ok()) {
     const deck::Deck given = out.deck;
-    out.deck.set_all(request.sets);
-    out.deck.set_all(request.changes);
+    std::vector<Issue> bodies;
+    for (const auto* sets : {&request.sets, &request.changes})
+      for (Issue& issue : deck::set_all_and_follow(out.deck, *sets))
+        bodies.push_back(std::move(issue));
     issues = remarks_after_sets(given, out.deck, issues);
+    for (Issue& issue : bodies) {
+      issue.file = out.path.string();
+      issues.push_back(std::move(issue));
+    }
   }
   bool wrong = false;
   for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;

@@ -5,6 +5,7 @@
 #include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "base/write_error.hpp"
+#include "deck/monitored_bodies.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "facade/solver_stamp.hpp"
@@ -244,7 +245,7 @@ std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, l
     Hash hash = common;
     deck::Deck deck = base->deck;
     try {
-      deck.set_all(sets_of(job, task));
+      (void)deck::set_all_and_follow(deck, sets_of(job, task));
       hash.add(deck::write_deck(deck));
     } catch (const InputError& error) {
       hash.add(error.what());  // the run will be refused with the same sentence

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "adrinput/deck_window.hpp"
+#include "adrinput/record_page.hpp"
 #include "support/bytes.hpp"
 
 #include <QCoreApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -46,6 +48,21 @@ inline void replace_text(QLineEdit* line, const QString& text) {
   QTest::keyClick(line, Qt::Key_Backspace);
   QTest::keyClicks(line, text);
   QTest::keyClick(line, Qt::Key_Return);
+}
+
+/// The field of a variable, on its page.
+inline QLineEdit* line_of(DeckWindow& window, const char* name) {
+  window.showRecord(cell(name).record);
+  auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell(name).variable));
+  REQUIRE(line != nullptr);
+  return line;
+}
+
+/// What stands beside it: the value in other units, and what it stands for.
+inline QString beside(DeckWindow& window, const char* name) {
+  auto* label = window.page()->findChild<QLabel*>(QString("other-") + name);
+  REQUIRE(label != nullptr);
+  return label->text();
 }
 
 using test::bytes_of;

@@ -61,12 +61,6 @@ void choose(DeckWindow& window, const Cell& at, const QString& code) {
   emit combo->activated(combo->findData(code));
 }
 
-QString beside(DeckWindow& window, const std::string& variable) {
-  auto* label = window.page()->findChild<QLabel*>("other-" + QString::fromStdString(variable));
-  REQUIRE(label != nullptr);
-  return label->isVisible() ? label->text() : QString();
-}
-
 }  // namespace
 
 TEST_CASE("comparing decks: sentences, jumps to fields, follows what is typed", "[gui][adrinput]") {

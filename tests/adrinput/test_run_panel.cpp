@@ -4,6 +4,7 @@
 #include "adrinput/window_words.hpp"
 #include "deck/templates.hpp"
 #include "facade/rehearsal.hpp"
+#include "support/full_disk.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -22,6 +23,7 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -325,7 +327,8 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK(note(window).contains("not run"));
   CHECK(note(window).contains("user routine ADRX1"));
   CHECK(launches.empty());
-  CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
+  // The tables of the run before are still there.
+  CHECK(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
 
 TEST_CASE("a run that is complete and continued says that nothing is left to do",
@@ -399,6 +402,13 @@ TEST_CASE("results that the window did not compute are replaced after a question
   CHECK_FALSE(window.runPanel().busy());
   CHECK(fs::last_write_time(report) == before);
   CHECK(launches.empty());
+  // What was not replaced can be opened.
+  for (const char* name : {"open-plots", "open-animation", "listing"})
+    CHECK(window.findChild<QPushButton*>(name)->isEnabled());
+  press(window, "open-plots");
+  REQUIRE(launches.size() == 1);
+  CHECK(launches[0].second.contains(folder.filePath("SOL1")));
+  launches.clear();
 
   answer("new-folder-instead");
   wait();
@@ -423,6 +433,95 @@ TEST_CASE("results that the window did not compute are replaced after a question
   REQUIRE(third_spy.wait(120000));
   CHECK(note(third).startsWith("Done: 20 steps"));
   CHECK(fs::last_write_time(report) != before);
+}
+
+TEST_CASE("the buttons of results follow what is on the disk, whoever put it there or took it away",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path deck_file = folder.filePath("DATA.txt").toStdString();
+  const auto put = [&](const char* name, bool there) {
+    const fs::path file = folder.filePath(name).toStdString();
+    if (there)
+      std::ofstream(file) << "x";
+    else
+      fs::remove(file);
+  };
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "3");
+  window.document().save(deck_file);
+  const auto enabled = [&](const char* name) {
+    return window.findChild<QPushButton*>(name)->isEnabled();
+  };
+  const auto follows = [&] {
+    for (int shown = 0; shown < 16; ++shown) {
+      const bool plots = (shown & 1) != 0, animation = (shown & 2) != 0, listing = (shown & 4) != 0,
+                 tables = (shown & 8) != 0;
+      put("SOL3", plots);
+      put("SOL8", animation);
+      put("PRINT.txt", listing);
+      put("RUN.json", tables);
+      INFO("files " << shown);
+      CHECK(QTest::qWaitFor(
+          [&] {
+            return enabled("open-plots") == (plots || tables) &&
+                   enabled("open-animation") == animation && enabled("listing") == listing;
+          },
+          10000));
+    }
+    for (const char* name : {"SOL3", "SOL8", "PRINT.txt", "RUN.json"}) put(name, false);
+  };
+  CHECK_FALSE(enabled("open-plots"));
+  follows();  // of a deck that was not run here
+  run_to_end(window);
+  CHECK(enabled("open-plots"));
+  for (const char* name : {"SOL1", "SOL2", "SOL4", "SOL7"}) put(name, false);
+  follows();
+  // Names that the deck gives its files.
+  window.document().change({{"kFnOpt", "1"}, {"pltNames8", "MOVES"}});
+  window.document().save(deck_file);
+  DeckWindow other;
+  other.show();
+  put("MOVES", true);
+  REQUIRE(other.openFile(deck_file));
+  CHECK(other.findChild<QPushButton*>("open-animation")->isEnabled());
+}
+
+TEST_CASE("a run that a full disk ended tells how far it came and opens what it stored",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "100000");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  {
+    const test::FullDisk full(1'500'000);
+    run_to_end(window);
+  }
+  const QString said = note(window);
+  INFO(said.toStdString());
+  CHECK(said.contains(QRegularExpression("^The run ended at \\d+ %, for this reason: .*written")));
+  CHECK(said.contains("can be opened"));
+  CHECK(window.findChild<QLabel*>("run-note")->wordWrap());
+  CHECK_FALSE(window.findChild<QPlainTextEdit*>("run-text")->isVisible());
+  CHECK(launches.empty());
+  for (const char* button : {"open-plots", "open-animation"}) {
+    INFO(button);
+    CHECK(window.findChild<QPushButton*>(button)->isEnabled());
+  }
+  press(window, "open-plots");
+  REQUIRE(launches.size() == 1);
+  CHECK(launches[0].second.contains(folder.filePath("SOL1")));
+  // A run that never began says nothing of what an earlier one stored.
+  window.document().edit(cell("kDOF"), "6");
+  run_to_end(window);
+  CHECK(note(window).startsWith("The deck was not run"));
 }
 
 TEST_CASE("a question whose other answer ends or deletes something is not answered so by Enter",

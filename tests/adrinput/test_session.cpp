@@ -1,5 +1,6 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
+#include "adrinput/evaluation.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/session.hpp"
@@ -9,6 +10,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QDockWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QProcess>
@@ -307,4 +309,23 @@ TEST_CASE("a deck that another program writes is noticed: reload, keep mine, com
   press(window, "file-ok");
   window.save();
   CHECK(fs::exists(path));
+}
+
+TEST_CASE("charts of a solution do not come back empty in the next session", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::ofstream(path) << deck::template_text("ball");
+  const auto dock = [](DeckWindow& window, const char* name) {
+    return window.findChild<QDockWidget*>(name);
+  };
+  {
+    Started first(folder, path);
+    first.window.runQuasiStatic();
+    REQUIRE(QTest::qWaitFor([&] { return !first.window.staticsPanel().busy(); }, 60000));
+    CHECK_FALSE(dock(first.window, "solution-dock")->isHidden());
+  }
+  Started next(folder, path);
+  CHECK(dock(next.window, "solution-dock")->isHidden());
+  CHECK_FALSE(dock(next.window, "drawing-dock")->isHidden());
 }

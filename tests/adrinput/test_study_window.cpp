@@ -7,6 +7,7 @@
 #include "adrinput/study_window.hpp"
 #include "base/errors.hpp"
 #include "deck/templates.hpp"
+#include "deck/unit_change.hpp"
 #include "desktop/one_window.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_text.hpp"
@@ -211,6 +212,16 @@ TEST_CASE("a study over its budget starts only when the user wants it all the sa
   CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs, and the budget has 5"));
   auto* anyway = window.findChild<QPushButton*>("study-over-budget");
   REQUIRE(anyway->isVisible());
+  // The check that the save asked for comes a moment later, before or after the answer.
+  window.panel().checkNow();
+  CHECK(anyway->isVisible());
+  // Of another study nobody has said that it is too much.
+  window.document().set_field(*find_study_field("budget.runs"), "6");
+  window.panel().checkNow();
+  CHECK_FALSE(anyway->isVisible());
+  window.document().undo();
+  window.panel().checkNow();
+  REQUIRE(anyway->isVisible());
   anyway->click();
   REQUIRE(ended.wait(60000));
   CHECK_THAT(window.panel().note().toStdString(), Contains("18 runs: 18 done"));
@@ -305,4 +316,46 @@ TEST_CASE("the pages of a study are drawn without a window", "[gui][adrinput][st
   const auto pages = render_study(bench.path("a.json"), options);
   CHECK(pages.size() > 3);
   for (const fs::path& page : pages) CHECK(fs::file_size(page) > 5000);
+}
+
+TEST_CASE("a new study of any kind begins without a mistake, whatever the bearing and its units",
+          "[gui][adrinput][studies]") {
+  test::use_qt();
+  const Bench bench;
+  for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"})
+    for (const auto units : {deck::UnitSystem::SI, deck::UnitSystem::English}) {
+      const deck::Deck deck = deck::in_units(deck::new_deck(type), units);
+      std::ofstream(bench.path("DATA.txt")) << deck::write_deck(deck);
+      for (int kind = 0; kind < studies::kKinds; ++kind) {
+        const std::string name(studies::kind_name(static_cast<studies::Kind>(kind)));
+        INFO(type << ", " << name << ", kUnit " << deck.integer("kUnit"));
+        StudyDocument study;
+        study.start_new(bench.path(name + "-new.json"), name, bench.path("DATA.txt"));
+        const StudyDocument::Finding found = study.check();
+        CHECK(found.problem == "");
+        CHECK(found.runs > 1);
+        // Ranges hold what the deck has.
+        if (study.values()->contains("variables"))
+          for (const StudyJson& row : study.values()->at("variables"))
+            for (const char* law : {"grid", "list", "uniform"}) {
+              if (!row.contains(law) || !row.contains("name")) continue;
+              const auto of = row.at("name").get<std::string>();
+              if (!deck.has(of) || deck.real(of) == 0.0) continue;
+              const StudyJson& last =
+                  row.at(law).at(law == std::string("grid") ? 1 : row.at(law).size() - 1);
+              INFO(row.dump());
+              const double share = deck.real(of);
+              CHECK((row.at(law).at(0).get<double>() <= share || share < 0.0));
+              CHECK((last.get<double>() >= share || share < 0.0));
+            }
+      }
+      // What is varied is what this bearing carries, by numbers in its units.
+      StudyDocument sweep;
+      sweep.start_new(bench.path("s.json"), "sweep", bench.path("DATA.txt"));
+      const StudyJson row = sweep.values()->at("variables").at(0);
+      const double own = deck.real(row.at("name").get<std::string>());
+      CHECK(own != 0.0);
+      CHECK(std::abs(row.at("grid").at(0).get<double>()) < std::abs(own));
+      CHECK(std::abs(row.at("grid").at(1).get<double>()) > std::abs(own));
+    }
 }

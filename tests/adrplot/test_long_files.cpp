@@ -63,6 +63,17 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
   CHECK(std::isnan(pages[0].panels[0].curves[1].y[0]));
   CHECK(pages[0].log_x);
   CHECK(open_document(path).pages.size() == 1);
+  // Each round says its own span, and what the points of a method are.
+  testing::write_bytes(path, R"({"title": "What accuracy costs: 50 turns", "short_turns": 1,
+    "screening": [{"curve": "rkf5", "seconds": 0.5, "error": 1e-3, "tol": 1e-4},
+                  {"curve": "rkf5", "seconds": 0.7, "error": 1e-4, "tol": 1e-6}],
+    "finals": [{"curve": "rkf5", "seconds": 50.5, "error": 1e-3, "tol": 1e-4}]})");
+  const auto rounds = accuracy_pages(path);
+  REQUIRE(rounds.size() == 2);
+  CHECK(rounds[0].title == "What accuracy costs: 50 turns");
+  CHECK(rounds[1].title == "First round, 1 turn: what accuracy costs");
+  CHECK_THAT(rounds[1].note, Catch::Contains("its tolerances (0.0001, 1e-06)"));
+  CHECK_THAT(rounds[0].note, Catch::Contains("its tolerances (0.0001)"));
   testing::write_bytes(path, R"({"screening": {}, "finals": 3})");
   CHECK_FALSE(accuracy_pages(path).at(0).panels.at(0).message.empty());
   testing::write_bytes(path, R"([1, 2])");

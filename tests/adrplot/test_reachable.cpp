@@ -22,4 +22,16 @@ TEST_CASE(
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.show();
+  CHECK(test::contested_letters_of_pages(window).join("; ").toStdString() == "");
+  int dialogs = 0;
+  CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
+  CHECK(dialogs >= 1);
 }

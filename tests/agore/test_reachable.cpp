@@ -23,4 +23,16 @@ TEST_CASE(
        {"wheel", "drag", "Space", "Home", "Up, Down", "Ctrl+7", "[, ]", "+ or =, -, 0"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("agore_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8()));
+  window.show();
+  CHECK(test::contested_letters_of_pages(window).join("; ").toStdString() == "");
+  int dialogs = 0;
+  CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
+  CHECK(dialogs >= 1);
 }

@@ -2,7 +2,11 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QDialog>
+#include <QFileDialog>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -10,9 +14,15 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QScrollBar>
 #include <QStringList>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTreeWidget>
 
 /// What somebody without a mouse, or without eyes, finds in a window.
@@ -60,18 +70,129 @@ inline QStringList clashing_letters(const QMainWindow& window) {
   return out;
 }
 
+/// Letters with Alt that several things of a window claim as it is shown now: such a key only moves
+/// the focus from one to the next. Buttons count that are grey at the moment.
+inline QStringList contested_letters(const QWidget& window) {
+  QMap<QString, QStringList> claims;
+  const auto claim = [&](const QString& text) {
+    static const QRegularExpression letter("&([^&])");
+    const QRegularExpressionMatch found = letter.match(QString(text).replace("&&", "  "));
+    if (found.hasMatch()) claims[found.captured(1).toLower()] << text;
+  };
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (widget->window() != &window || !widget->isVisibleTo(&window)) continue;
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) claim(button->text());
+    if (const auto* box = qobject_cast<const QGroupBox*>(widget)) claim(box->title());
+    if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->buddy())
+      claim(label->text());
+    if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
+      for (int k = 0; k < tabs->count(); ++k) claim(tabs->tabText(k));
+    if (const auto* bar = qobject_cast<const QMenuBar*>(widget))
+      for (const QAction* action : bar->actions())
+        if (action->isVisible()) claim(action->text());
+  }
+  QStringList out;
+  for (const QStringList& texts : claims)
+    if (texts.size() > 1) out << texts.join(" / ");
+  return out;
+}
+
+/// The same of a window with each page of its tabs in front, one after the other.
+inline QStringList contested_letters_of_pages(const QWidget& window) {
+  QStringList out = contested_letters(window);
+  for (QTabWidget* tabs : window.findChildren<QTabWidget*>()) {
+    const int before = tabs->currentIndex();
+    for (int k = 0; k < tabs->count(); ++k) {
+      tabs->setCurrentIndex(k);
+      for (const QString& clash : contested_letters(window))
+        out << clash + " (page " + tabs->tabText(k) + ")";
+    }
+    tabs->setCurrentIndex(before);
+  }
+  return out;
+}
+
+/// The dialogs and boxes that the entries of a window's menus open ("…" or "..."), each closed
+/// again, and the letters in them that are contested.
+inline QStringList contested_letters_of_dialogs(QMainWindow& window, int& dialogs) {
+  QStringList out;
+  const auto open_ones = [] {
+    QList<QWidget*> found;
+    for (QWidget* top : QApplication::topLevelWidgets())
+      if (top->isVisible() && qobject_cast<QDialog*>(top) != nullptr) found << top;
+    return found;
+  };
+  for (const QPointer<QAction>& action : [&] {
+         QList<QPointer<QAction>> all;
+         for (QAction* one : window.findChildren<QAction*>()) all << one;
+         return all;
+       }()) {
+    if (!action || !action->isEnabled() || action->menu() != nullptr) continue;
+    const QString text = action->text();
+    if (!text.endsWith("...") && !text.endsWith(QChar(0x2026))) continue;
+    action->trigger();
+    QCoreApplication::processEvents();
+    for (QWidget* dialog : open_ones()) {
+      // A file dialog of Qt has letters of its own.
+      if (qobject_cast<QFileDialog*>(dialog) == nullptr) {
+        ++dialogs;
+        for (const QString& clash : contested_letters_of_pages(*dialog))
+          out << clash + " (" + text + ")";
+      }
+      dialog->close();
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCoreApplication::processEvents();
+  }
+  return out;
+}
+
 /// The text of the box that an entry of the menu Help shows.
 inline QString help_text(QMainWindow& window, const QString& entry) {
   for (QAction* action : window.findChildren<QAction*>()) {
     if (QString(action->text()).remove('&') != entry) continue;
     action->trigger();
-    auto* box = window.findChild<QMessageBox*>("message");
-    if (box == nullptr) return {};
-    const QString text = box->text() + box->informativeText();
-    delete box;
+    auto* dialog = window.findChild<QDialog*>("help-window");
+    if (dialog == nullptr) return {};
+    const QString text = dialog->findChild<QTextBrowser*>()->toPlainText();
+    delete dialog;
     return text;
   }
   return {};
+}
+
+/// What of the help "Keys and Mouse" nobody could read, with letters of the desktop's size and
+/// half as large again: windows larger than the screen, lines that go on beyond their window.
+inline QStringList unreadable_help(QMainWindow& window) {
+  QStringList out;
+  const QFont usual = QApplication::font();
+  for (const double times : {1.0, 1.5, 2.0}) {
+    QFont font = usual;
+    if (usual.pixelSize() > 0)
+      font.setPixelSize(static_cast<int>(times * usual.pixelSize()));
+    else
+      font.setPointSizeF(times * usual.pointSizeF());
+    QApplication::setFont(font);
+    for (QAction* action : window.findChildren<QAction*>())
+      if (QString(action->text()).remove('&') == "Keys and Mouse") action->trigger();
+    QTest::qWait(1);
+    if (auto* dialog = window.findChild<QDialog*>("help-window")) {
+      const QSize screen = dialog->screen()->availableSize();
+      if (dialog->width() > screen.width() || dialog->height() > screen.height())
+        out << QString("%1 times: larger than the screen").arg(times);
+      auto* browser = dialog->findChild<QTextBrowser*>();
+      if (browser->horizontalScrollBar()->maximum() > 0)
+        out << QString("%1 times: wider than its window").arg(times);
+      const int shown = browser->viewport()->height() + browser->verticalScrollBar()->maximum();
+      if (shown < browser->document()->size().height())
+        out << QString("%1 times: its end cannot be reached").arg(times);
+      delete dialog;
+    } else {
+      out << QString("%1 times: no help").arg(times);
+    }
+  }
+  QApplication::setFont(usual);
+  return out;
 }
 
 /// Keys without Ctrl or Alt, which nobody would guess, that the help does not name.

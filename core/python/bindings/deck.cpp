@@ -6,6 +6,7 @@
 #include "deck/difference.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
+#include "deck/monitored_bodies.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
 #include "facade/deck_request.hpp"
@@ -187,12 +188,15 @@ void bind_deck(py::module_& module) {
           "set_all",
           [](DeckObject& self, const Sets& sets) {
             const deck::Deck before = self.deck;
-            self.deck.set_all(sets);
-            return deck::added_defaults(before, self.deck);
+            std::vector<Issue> notes = deck::set_all_and_follow(self.deck, sets);
+            for (Issue& issue : deck::added_defaults(before, self.deck))
+              notes.push_back(std::move(issue));
+            return notes;
           },
           py::arg("sets"),
           "Sets variables as one change, names and values as text; what options brought in with "
-          "default values is returned.")
+          "default values is returned, and what numbers the monitored bodies have with other "
+          "counts.")
       .def("text", &text_of, "The deck's text; remarks and blanks of the original stay.")
       .def(
           "in_units",

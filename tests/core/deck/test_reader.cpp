@@ -488,24 +488,34 @@ TEST_CASE("decks with holes write so that they read back equal", "[unit][deck]")
 TEST_CASE("a deck cut anywhere is noticed", "[unit][deck][slow]") {
   const std::string text(template_text("ball"));
   const Deck whole = read_deck_text(text, "x").deck;
+  std::vector<std::size_t> unnoticed;
+  std::size_t noticed = 0;
   for (std::size_t size = 0; size < text.size(); ++size) {
     const ReadResult result = read_deck_text(std::string_view(text).substr(0, size), "x");
-    if (result.issues.empty() && !(result.deck == whole))
-      FAIL("cut at byte " << size << " unnoticed");
+    if (!result.issues.empty())
+      ++noticed;
+    else if (!(result.deck == whole))
+      unnoticed.push_back(size);
   }
+  CHECK(unnoticed == std::vector<std::size_t>());
+  CHECK(noticed > text.size() * 9 / 10);  // not all are the whole deck
 }
 
 TEST_CASE("a deck that lost any one byte still reads, and what reads well writes back",
           "[unit][deck]") {
   const std::string text = write_deck(new_deck("ball-thrust"));
+  std::vector<std::size_t> changed;
+  std::size_t read_well = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     std::string damaged = text;
     damaged.erase(at, 1);
     const ReadResult result = read_deck_text(damaged, "x");
     if (!result.ok() || !result.deck.user_lines.empty()) continue;
-    if (!(read_deck_text(write_deck(result.deck), "x").deck == result.deck))
-      FAIL("byte " << at << " lost");
+    ++read_well;
+    if (!(read_deck_text(write_deck(result.deck), "x").deck == result.deck)) changed.push_back(at);
   }
+  CHECK(changed == std::vector<std::size_t>());
+  CHECK(read_well > text.size() / 4);  // digits and blanks that a deck can do without
 }
 
 TEST_CASE("a locale with decimal comma changes nothing", "[unit][deck]") {

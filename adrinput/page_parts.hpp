@@ -1,0 +1,70 @@
+#pragma once
+
+#include "deck/schema.hpp"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QString>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+class QColor;
+class QGridLayout;
+class QLabel;
+
+/// What the form of a record is made of.
+namespace adore::adrinput {
+
+[[nodiscard]] inline QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+[[nodiscard]] QLabel* make_text(const QString& text, const QColor& colour, QWidget* parent);
+
+inline constexpr int kBetween = 14;  ///< name and value
+[[nodiscard]] QGridLayout* make_grid();
+
+[[nodiscard]] std::vector<deck::OptionSpec> choices_of(const deck::VariableSpec& variable);
+/// Are there codes beyond those that a list can show? Their meanings, or empty.
+[[nodiscard]] QString open_codes(const deck::VariableSpec& variable);
+/// Text of a choice in a list: "1 — record 8.1".
+[[nodiscard]] QString choice_text(std::string_view code, std::string_view meaning);
+
+/// One of the four records of listed deviations, which are one table.
+[[nodiscard]] inline bool is_diameter_record(const std::string& record) {
+  return record.starts_with("5G.1D.");
+}
+
+/// A field as wide as its values want it, less where there is no room.
+class ValueLine : public QLineEdit {
+ public:
+  ValueLine(bool text, QWidget* parent);
+  [[nodiscard]] QSize sizeHint() const override { return {usual_, QLineEdit::sizeHint().height()}; }
+
+ private:
+  int usual_;
+};
+
+/// As wide as its longest text, less where there is no room; the open list is never narrower.
+class ChoiceBox : public QComboBox {
+ public:
+  explicit ChoiceBox(QWidget* parent);
+  /// A text that is not in the list, and must fit too.
+  void makeRoomFor(const QString& text);
+  [[nodiscard]] QSize sizeHint() const override {
+    return QComboBox::sizeHint().expandedTo({widest_, 0});
+  }
+  void showPopup() override;
+
+ private:
+  int widest_ = 0;
+};
+
+/// Is a list shown narrower than what is chosen in it?
+[[nodiscard]] bool is_cut(const QComboBox& combo);
+/// Shows a text that is longer than its field from its beginning.
+void combo_home(QComboBox* combo);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,169 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/drawing_view.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/unit_choice.hpp"
+#include "facade/run.hpp"
+#include "support/qt_app.hpp"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTest>
+#include <QToolButton>
+#include <catch2/catch.hpp>
+
+/// What is typed is taken as it is meant, in units of choice.
+using namespace adore;
+using namespace adore::adrinput;
+
+TEST_CASE("a half-typed quantity is never a value; the whole one is, in the deck's unit",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  QLineEdit* line = line_of(window, "bReDia");
+  line->selectAll();
+  QTest::keyClicks(line, "12.8");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClicks(line, " m");
+  CHECK(beside(window, "bReDia") == "= 12.8 m");  // what it would be is seen before it is taken
+  QTest::keyClicks(line, "m");
+  CHECK(beside(window, "bReDia") == "= 0.0128 m");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClick(line, Qt::Key_Return);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+  CHECK(line->text() == "0.0128");
+  window.undo();
+  CHECK(line->text() == "0.0127");
+  CHECK_FALSE(window.document().can_undo());
+  replace_text(line, "1/2 in");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  CHECK_FALSE(window.document().can_undo());  // the same as before: no step
+  replace_text(line, "5-3");
+  CHECK(window.document().has_errors());
+  CHECK(window.page()->findChild<QLabel*>("problem-bReDia")->text().contains("5e-3 or 5 - 3"));
+}
+
+TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  const deck::Deck before = window.document().deck();
+  choose_unit("m", "mm");
+  choose_unit("K", "°C");
+  QLineEdit* line = line_of(window, "bReDia");
+  CHECK(line->text() == "12.7 mm");
+  QTest::keyClick(line, Qt::Key_End);
+  CHECK(line_of(window, "roomTemp")->text() == "20 °C");
+  CHECK(window.document().deck() == before);
+  line = line_of(window, "bReDia");
+  replace_text(line, "13 mm");
+  CHECK(window.document().deck().real("bReDia") == 0.013);
+  CHECK(line->text() == "13 mm");
+  replace_text(line, "12.7");  // without a unit: in the unit that the field is shown in
+  CHECK(line->text() == "12.7 mm");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  replace_text(line, "0.013 m");
+  CHECK(line->text() == "13 mm");
+  for (const auto& [typed, metres] : {std::pair{"3*4", 0.012},
+                                      {"12,5", 0.0125},
+                                      {"1/2 in", 0.0127},
+                                      {"1.25e1", 0.0125},
+                                      {"127e-1", 0.0127},
+                                      {"2+9", 0.011},
+                                      {"10 - 1/2", 0.0095},
+                                      {"(1+2)*4", 0.012},
+                                      {"30/3", 0.01}}) {
+    INFO(typed);
+    replace_text(line, typed);
+    CHECK(window.document().deck().real("bReDia") == Approx(metres).epsilon(1e-14));
+  }
+  // The same digits as the deck has, in another unit: no text of "no change".
+  choose_unit("N", "kN");
+  line = line_of(window, "appLoadX");
+  replace_text(line, "3 N");
+  CHECK(window.document().deck().real("appLoadX") == 3.0);
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, QString::fromStdString(window.document().text(cell("appLoadX"))));
+  CHECK(beside(window, "appLoadX") == "= 3000.0 N");
+  QTest::keyClick(line, Qt::Key_Return);
+  CHECK(window.document().deck().real("appLoadX") == 3000.0);
+  CHECK(line->text() == "3 kN");
+  choose_unit("m", {});
+  choose_unit("K", {});
+  choose_unit("N", {});
+}
+
+TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("2.1");
+  REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
+  CHECK(beside(window, "fTime").contains("revolutions"));
+  const facade::RunScales scales = *window.document().scales();
+  CHECK(scales.turns_per_second == Approx(10000.0 / 60.0));
+  QLineEdit* line = line_of(window, "fTime");
+  replace_text(line, "5 rev");
+  CHECK(window.document().deck().real("fTime") * scales.time * scales.turns_per_second ==
+        Approx(5.0).epsilon(1e-12));
+  CHECK(beside(window, "fTime").contains("= 5 revolutions"));
+  replace_text(line, "20 ms");
+  CHECK(window.document().deck().real("fTime") * scales.time == Approx(0.02).epsilon(1e-12));
+  replace_text(line, "3 mm");
+  CHECK(window.document().has_errors());
+}
+
+TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  for (const char* name : {"tol", "bReDia", "appLoadX"})
+    for (const char* text : {"1e-", "1e", "2.5E+", "3d"}) {
+      CAPTURE(name, text);
+      replace_text(line_of(window, name), text);
+      const QString said = window.page()->findChild<QLabel*>(QString("problem-") + name)->text();
+      CHECK(said.contains("ends within its exponent"));
+      CHECK_FALSE(said.contains("unit"));
+      window.undo();
+    }
+}
+
+TEST_CASE("names in the drawing and the menu of a field go by the units of view",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("9.1.1");
+  auto* drawing = window.findChild<DrawingView*>("drawing");
+  const auto labels = [&] {
+    QStringList out;
+    for (const drawing::Pane& pane : drawing->drawing().panes) {
+      for (const drawing::Arrow& arrow : pane.arrows) out << QString::fromStdString(arrow.label);
+      for (const drawing::Dimension& one : pane.dimensions)
+        out << QString::fromStdString(one.label);
+    }
+    return out;
+  };
+  QTest::qWait(300);
+  REQUIRE(labels().contains("appLoadX = 1500.0 N"));
+  QLineEdit* line = line_of(window, "appLoadX");
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Down, Qt::AltModifier);
+  auto* button = window.page()->findChild<QToolButton*>("unit-appLoadX");
+  REQUIRE(button->menu()->isVisible());
+  for (QAction* action : button->menu()->actions())
+    if (action->text() == "kN") action->trigger();
+  button->menu()->hide();
+  CHECK(line->text() == "1.5 kN");
+  CHECK(labels().contains("appLoadX = 1.5 kN"));
+  CHECK_FALSE(labels().contains("appLoadX = 1500.0 N"));
+  for (QAction* action : button->menu()->actions())
+    if (action->text() == "lbf") action->trigger();
+  CHECK(line->text() == "337.213414649566 lbf");
+  CHECK(labels().contains("appLoadX = 337.213 lbf"));
+  choose_unit("N", {});
+}

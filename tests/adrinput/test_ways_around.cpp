@@ -1,0 +1,203 @@
+#include "adrinput/catalogue_dialog.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/notice_bar.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/search.hpp"
+#include "adrinput/solution_charts.hpp"
+#include "support/qt_app.hpp"
+
+#include <QAbstractItemView>
+#include <QCompleter>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QScrollArea>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+/// Search, menus and the catalogue.
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+TEST_CASE("search goes to the option that would show a field, and can set it",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("nCseg"), "0");
+  CHECK(window.document().instances("7.1") == 0);
+  window.goTo(cell("cageDia1"));
+  CHECK(window.currentRecord() == "3.2");
+  auto* notice = window.findChild<NoticeBar*>("search-notice");
+  REQUIRE(notice != nullptr);
+  CHECK(notice->text().contains("nCseg = 1"));
+  press(window, "set-option");
+  CHECK(window.currentRecord() == "7.1");
+  CHECK(window.document().deck().integer("nCseg") == 1);
+  // What was found knows that it is there now.
+  auto* query = window.findChild<QLineEdit*>("search");
+  auto* list = window.findChild<QListWidget*>("found");
+  query->setText("reDiaVar12");
+  REQUIRE(list->count() > 0);
+  CHECK(list->item(0)->text().contains("Not in this deck"));
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.checkNow();
+  CHECK_FALSE(list->item(0)->text().contains("Not in this deck"));
+  window.document().edit(cell("kReGeoImp"), "0");
+  query->clear();
+  // What was said of one search goes with the next one.
+  for (const char* found : {"bReDia", "kTherm"}) {
+    window.goTo(cell("kBaseTemp"));
+    CHECK(notice->isVisibleTo(&window));
+    window.goTo(cell(found));
+    CHECK_FALSE(notice->isVisibleTo(&window));
+  }
+  // The way that is named leads there; nearly every record has one.
+  int ways = 0, none = 0;
+  for (const deck::RecordSpec& spec : deck::schema()) {
+    if (window.document().instances(spec.id) > 0 || spec.id == "12") continue;
+    INFO(spec.id);
+    const std::optional<OptionWay> way = way_to(window.document().deck(), spec.id);
+    ++(way ? ways : none);
+    if (!way) continue;
+    deck::Deck changed = window.document().deck();
+    changed.set(variable_of(way->option)->name, way->code);
+    changed.complete();
+    CHECK((!way->enough || changed.has_record(spec.id)));
+  }
+  CHECK(ways > 15);
+  CHECK(none <= 3);
+}
+
+TEST_CASE("a designation makes a deck, with what is standard and what is estimated said",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  window.show();
+  window.newFromCatalogue();
+  auto* dialog = window.findChild<CatalogueDialog*>("catalogue");
+  REQUIRE(dialog != nullptr);
+  auto* name = dialog->findChild<QLineEdit*>("designation");
+  auto* take = dialog->findChild<QPushButton*>("take");
+  CHECK_FALSE(take->isEnabled());
+  QTest::keyClicks(name, "62055");
+  CHECK_FALSE(take->isEnabled());
+  // The list of what goes on like that goes when it has no more to say: it lies over the story.
+  const auto* list = name->completer()->popup();
+  name->clear();
+  QTest::keyClicks(name, "NU2");
+  CHECK(list->isVisible());
+  QTest::keyClicks(name, "09");
+  QTest::qWait(50);
+  CHECK_FALSE(list->isVisible());
+  name->setText("NU209");
+  CHECK(take->isEnabled());
+  CHECK(dialog->story().contains("ISO 15"));
+  CHECK(dialog->story().contains("ESTIMATE"));
+  QTest::mouseClick(take, Qt::LeftButton);
+  CHECK(window.document().deck().real("brgOD") == 0.085);
+  CHECK(window.currentRecord() == "4");
+  CHECK_FALSE(window.document().has_errors());
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  window.document().save(path);
+  CHECK(bytes_of(path).find("ESTIMATE of the inside") != std::string::npos);
+  // The inside of another size, from bore, outside diameter and widths.
+  window.document().change({{"brgBore", "0.05"}, {"brgOD", "0.09"}});
+  window.proposeInside();
+  CHECK(take_message(window).contains("estimate"));
+  CHECK(window.document().deck().real("pitchDia") == Approx(0.07));
+  window.undo();
+  CHECK(window.document().deck().real("pitchDia") == 0.065);
+}
+
+TEST_CASE(
+    "runs have a menu of their own, redo both of its keys, and an empty search the deck's undo",
+    "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  const auto* menu = window.findChild<QMenu*>("run-menu");
+  REQUIRE(menu != nullptr);
+  QStringList entries;
+  for (const QAction* action : menu->actions()) entries << action->text().remove('&');
+  for (const char* entry :
+       {"Plan of this deck", "Quasi-static solution", "Run", "Run into a new folder",
+        "Continue the run", "Sweep a variable …", "Study accuracy"})
+    CHECK(entries.contains(QString::fromUtf8(entry)));
+
+  QLineEdit* line = line_of(window, "bReDia");
+  replace_text(line, "0.0128");
+  auto* query = window.findChild<QLineEdit*>("search");
+  query->setFocus();
+  QTest::keyClicks(query, "load");
+  for (QToolButton* cross : query->findChildren<QToolButton*>()) cross->click();
+  CHECK(query->text().isEmpty());
+  CHECK_FALSE(query->hasFocus());
+  query->setFocus();
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClick(query, Qt::Key_Y, Qt::ControlModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(query, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+}
+
+TEST_CASE("a name that several records have is found in the record of this deck first",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  int elsewhere = 0;
+  for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {
+    DeckWindow window;
+    window.show();
+    window.newDeck(type);
+    auto* query = window.findChild<QLineEdit*>("search");
+    std::set<std::string> names;
+    for (const deck::RecordData& record : window.document().deck().records)
+      for (const deck::VariableSpec& variable : deck::find_record(record.id)->variables)
+        if (variable.name != "recID" && deck::find_variable(variable.name).size() > 1)
+          names.emplace(variable.name);
+    for (const std::string& name : names) {
+      INFO(type << ": " << name);
+      query->setText(QString::fromStdString(name));
+      query->setFocus();
+      QTest::keyClick(query, Qt::Key_Return);
+      CHECK(window.document().instances(window.currentRecord()) > 0);
+      const auto refs = deck::find_variable(name);
+      CHECK(std::any_of(refs.begin(), refs.end(), [&](const deck::VariableRef& ref) {
+        return ref.record->id == window.currentRecord();
+      }));
+      elsewhere += deck::find_variable(name)[0].record->id != window.currentRecord() ? 1 : 0;
+    }
+  }
+  CHECK(elsewhere > 3);
+}
+
+TEST_CASE("what is told of a designation is in sight to its last word", "[gui][adrinput][daily]") {
+  test::use_qt();
+  CatalogueDialog dialog;
+  dialog.show();
+  auto* name = dialog.findChild<QLineEdit*>("designation");
+  const auto* story = dialog.findChild<QLabel*>("story");
+  const auto* area = dialog.findChild<QScrollArea*>();
+  for (const char* typed : {"", "62", "6205", "7208 B", "NU209 C3", "30208 C3", "22210 C4 W33",
+                            "deep-groove 25x52x15", "22210 K C3"}) {
+    name->setText(typed);
+    INFO(typed << ": " << story->text().toStdString());
+    CHECK(QTest::qWaitFor(
+        [&] { return area->viewport()->height() >= story->heightForWidth(story->width()); }, 2000));
+  }
+  CHECK(dialog.story().contains("tapered bore"));
+}

@@ -1,0 +1,43 @@
+#include "deck/element_names.hpp"
+#include "deck/monitored_bodies.hpp"
+#include "deck/templates.hpp"
+#include "facade/prepare.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+using namespace adore;
+
+TEST_CASE("an option of the command line that changes a count monitors the same bodies and says so",
+          "[unit][facade]") {
+  int decks = 0;
+  for (const deck::TemplateInfo& info : deck::templates()) {
+    const deck::Deck before = deck::new_deck(info.name);
+    if (deck::monitored_bodies(before).empty()) continue;  // nothing moves in it
+    ++decks;
+    facade::DeckRequest request;
+    request.text = std::string(deck::template_text(info.name));
+    request.in_memory = true;
+    const auto loaded = [&](const std::string& name, const std::string& value) {
+      request.sets = {{name, value}};
+      return facade::load_deck(request);
+    };
+    INFO(info.name);
+    const facade::LoadedDeck more = loaded("nRe", fmt::format("{}", before.integer("nRe") + 1));
+    const std::vector<long long> were = deck::monitored_bodies(before);
+    const std::vector<long long> are = deck::monitored_bodies(more.deck);
+    REQUIRE(were.size() == are.size());
+    for (std::size_t k = 0; k < were.size(); ++k)
+      CHECK(deck::body_name(before, were[k]) == deck::body_name(more.deck, are[k]));
+    const auto notes = [](const facade::LoadedDeck& of) {
+      return std::count_if(of.warnings.begin(), of.warnings.end(), [](const Issue& issue) {
+        return issue.message.find("the monitored bodies stay the same") != std::string::npos;
+      });
+    };
+    CHECK(notes(more) == (were == are ? 0 : 1));
+    CHECK(notes(loaded("appLoadZ", "1234")) == 0);
+  }
+  CHECK(decks >= 5);
+}
