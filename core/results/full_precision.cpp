@@ -260,15 +260,29 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
   if (!reader) return out;
   const std::vector<SolColumn> columns = sol_columns(file.header);
   const UnitSystem units = units_of(file, columns);
-  std::map<int, std::vector<std::size_t>> of_channel;
-  for (const std::size_t c : wanted)
-    if (c < columns.size() && columns[c].channel >= 0) of_channel[columns[c].channel].push_back(c);
-  const auto name = [](int channel, const char* which) {
-    return fmt::format("{}_{}", channels()[static_cast<std::size_t>(channel)].id, which);
+  struct Place {
+    std::size_t column, at;
   };
+  std::map<std::string, std::vector<Place>> of_channel;
+  for (const std::size_t c : wanted) {
+    if (c >= columns.size() || columns[c].channel < 0) continue;
+    std::string id(channels()[static_cast<std::size_t>(columns[c].channel)].id);
+    std::size_t at = columns[c].at;
+    // The cage's columns have the first two lands of each piece by names of their own.
+    for (const auto& [name, land] : {std::pair{"cage.land1_force", 0U}, {"cage.land2_force", 1U}}) {
+      if (id != name) continue;
+      id = "land.force";
+      const H5Reader::ChannelInfo* lands = reader->find(id);
+      const std::size_t each =
+          lands != nullptr && lands->dimensions.size() == 2 ? lands->dimensions[1] : 0;
+      at = land < each ? at * each + land : std::numeric_limits<std::size_t>::max();
+      break;
+    }
+    of_channel[id].push_back({c, at});
+  }
   std::erase_if(of_channel, [&](const auto& one) {
-    return reader->find(name(one.first, "low")) == nullptr ||
-           reader->find(name(one.first, "high")) == nullptr;
+    return reader->find(one.first + "_low") == nullptr ||
+           reader->find(one.first + "_high") == nullptr;
   });
   if (of_channel.empty()) return out;
   // The step of the file to which each row of RESULTS.h5 belongs: the first that is not before it.
@@ -281,11 +295,11 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
       step_of[row] = step;
   }
   for (const auto& [channel, of] : of_channel) {
-    const std::string low_id = name(channel, "low"), high_id = name(channel, "high");
+    const std::string low_id = channel + "_low", high_id = channel + "_high";
     const std::size_t width = reader->find(low_id)->size();
     if (reader->find(high_id)->size() != width) continue;
-    for (const std::size_t c : of)
-      if (columns[c].at < width)
+    for (const auto& [c, at] : of)
+      if (at < width)
         out[c] = {std::vector<double>(file.steps.size(), kNone),
                   std::vector<double>(file.steps.size(), kNone)};
     for (std::size_t first = 0; first < rows.size(); first += kMostRows) {
@@ -296,15 +310,16 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
       if (!any) continue;
       const auto low = reader->read(low_id, first, count),
                  high = reader->read(high_id, first, count);
-      for (const std::size_t c : of) {
-        if (columns[c].at >= width) continue;
+      for (const auto& place : of) {
+        const std::size_t c = place.column, at = place.at;
+        if (at >= width) continue;
         const auto shown = [&](double value) {
           return columns[c].unit == nullptr ? value : from_si(value, *columns[c].unit, units);
         };
         for (std::size_t i = 0; i < count; ++i)
           if (used(first + i))
-            widen(out[c], step_of[first + i], shown(low[i * width + columns[c].at]),
-                  shown(high[i * width + columns[c].at]));
+            widen(out[c], step_of[first + i], shown(low[i * width + at]),
+                  shown(high[i * width + at]));
       }
     }
   }

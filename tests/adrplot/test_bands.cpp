@@ -181,12 +181,12 @@ TEST_CASE("readout and cursors tell the extremes between the values", "[gui][ste
   const auto told = [&](double x) {
     return scene.readout({scene.positionOf(x), scene.plotAreas().front().center().y()});
   };
-  CHECK_THAT(told(1.0).toStdString(), Contains("2 N (0.5 N to 17.6 N)"));
+  CHECK_THAT(told(1.0).toStdString(), Contains("2 N (500 mN to 17.6 N)"));
   CHECK_THAT(told(0.0).toStdString(), !Contains(" to "));
   view.setCursor(0, 1.0);
   view.setCursor(1, 3.0);
   // What was before A counts no more.
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 0.25 N to 9 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 9 N"));
   view.setCursor(0, 0.0);
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 0.25 N to 17.6 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 17.6 N"));
 }
