@@ -590,7 +590,7 @@ void DeckWindow::continueRun() {
   showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck(
-      [this] { run_->continueRun(document_.path(), document_.deck(), document_.options()); });
+      [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
 }
 
 void DeckWindow::askForSweep() {

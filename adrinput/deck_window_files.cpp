@@ -129,7 +129,9 @@ void DeckWindow::makeOtherMenus() {
   run->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
   run->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
                  &DeckWindow::runInNewFolder);
-  run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  QAction* go_on = run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  run->setToolTipsVisible(true);
+  connect(run, &QMenu::aboutToShow, this, [this, go_on] { run_->nameContinuation(*go_on); });
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
