@@ -155,7 +155,6 @@ class DeckWindow : public QMainWindow {
   void leaveDeck(std::function<void()> then);
   /// Goes on at once, or after the user has agreed to end the run that is going on.
   void leaveRun(std::function<void()> then);
-  void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
   void forgetResults(bool reread = false);
 

@@ -19,8 +19,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -30,9 +28,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTextBrowser>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <exception>
 #include <memory>
@@ -154,36 +150,20 @@ void DeckWindow::makeOtherMenus() {
   help->setObjectName("help");
   help->addAction(tr("This &record"), QKeySequence(Qt::Key_F1), this, [this] {
     const deck::RecordSpec& record = *page_record(current_);
-    showHelp(page_heading(record), record_help(document_.deck(), record));
+    desktop::show_help(this, page_heading(record), record_help(document_.deck(), record));
   });
   help->addAction(tr("How a &deck is written"), this,
-                  [this] { showHelp(tr("How a deck is written"), format_help()); });
+                  [this] { desktop::show_help(this, tr("How a deck is written"), format_help()); });
   help->addAction(tr("&Keys and Mouse"), this,
-                  [this] { showHelp(tr("Keys and Mouse"), keyboard_help()); });
+                  [this] { desktop::show_help(this, tr("Keys and Mouse"), keyboard_help()); });
   help->addAction(tr("&About AdrInput"), this, [this] {
-    showHelp(
-        tr("About AdrInput"),
+    desktop::show_help(
+        this, tr("About AdrInput"),
         tr("<h2>AdrInput</h2><p>Prepares data decks for Adore, version %1.</p><p>Free software "
            "under the GNU General Public License, version 3 or later, without any "
            "warranty.</p>")
             .arg(QString::fromStdString(std::string(kVersionNumber))));
   });
-}
-
-void DeckWindow::showHelp(const QString& title, const QString& text) {
-  auto* dialog = new QDialog(this);
-  dialog->setObjectName("help-window");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(title);
-  dialog->resize(680, 560);
-  auto* browser = new QTextBrowser(dialog);
-  browser->setHtml(text);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, dialog);
-  connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-  auto* layout = new QVBoxLayout(dialog);
-  layout->addWidget(browser, 1);
-  layout->addWidget(buttons);
-  dialog->open();
 }
 
 /// What was computed for the deck before is nothing of the one that is here now.

@@ -11,6 +11,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -110,6 +111,22 @@ QPixmap state_sign(RecordState state, const QColor& colour) {
       break;
   }
   return pixmap;
+}
+
+/// With places where a narrow list may break words that are longer than it is wide: behind commas
+/// and slashes, between the parts of a name, and within long numbers.
+QString breakable(const QString& text) {
+  static const QRegularExpression longer("\\S{13,}");
+  static const QRegularExpression places("([,/(\\[_])(?=\\S)|([a-z])(?=[A-Z])|(\\d{9})(?=\\d)");
+  QString out;
+  qsizetype from = 0;
+  for (auto words = longer.globalMatch(text); words.hasNext();) {
+    const QRegularExpressionMatch word = words.next();
+    out += text.mid(from, word.capturedStart() - from);
+    out += word.captured().replace(places, "\\1\\2\\3\u200b");
+    from = word.capturedEnd();
+  }
+  return out + text.mid(from);
 }
 
 }  // namespace
@@ -285,6 +302,7 @@ void RecordList::describeFound() {
     QString text = QString("%1 · record %2\n%3")
                        .arg(text_of(variable.name), record_number(record), text_of(variable.help));
     if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
+    text = breakable(text);
     if (item->text() != text) item->setText(text);
     item->setForeground(here ? QBrush() : QBrush(desktop::current_theme().muted));
   }

@@ -23,7 +23,8 @@ RunResults results_in(const fs::path& folder, const deck::Deck& deck,
     const fs::path file = folder / name;
     if (!fs::is_regular_file(file, error)) return QString();
     const auto time = fs::last_write_time(file, error);
-    return error || (since && time < *since) ? QString() : QString::fromStdString(fs::absolute(file).string());
+    return error || (since && time < *since) ? QString()
+                                             : QString::fromStdString(fs::absolute(file).string());
   };
   RunResults out;
   for (int number = 1; number <= 7; ++number)

@@ -92,7 +92,13 @@ QString shown_value(const Document& document, const Cell& cell) {
 QString named_value(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || unit_in_view(document, *variable).isEmpty()) return {};
-  return QString::fromStdString(std::string(variable->name)) + " = " + shown_value(document, cell);
+  // A drawing has no room for twelve digits; the field has them.
+  QString value = shown_value(document, cell);
+  const QString digits = value.section(' ', 0, 0);
+  bool is_number = false;
+  const QString few = QString::number(digits.toDouble(&is_number), 'g', 6);
+  if (is_number && few.size() < digits.size()) value.replace(0, digits.size(), few);
+  return QString::fromStdString(std::string(variable->name)) + " = " + value;
 }
 
 std::string as_meant(const Document& document, const Cell& cell, const std::string& typed) {

@@ -1,5 +1,7 @@
 #include "adrplot/curve_dialog.hpp"
 
+#include "desktop/dialogs.hpp"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -40,10 +42,10 @@ void fill(QTreeWidgetItem* root, const PlotDocument& file, int index, const Page
 }  // namespace
 
 CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
-                         QWidget* parent)
+                         const CurveChoice& before, QWidget* parent)
     : QDialog(parent), files_(files) {
   setWindowTitle(tr("Curves for one chart"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   resize(620, 520);
   auto* column = new QVBoxLayout(this);
   column->addWidget(new QLabel(
@@ -96,6 +98,31 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
       fill(item, *files_[static_cast<std::size_t>(index)], index, history);
   });
   if (tree_->topLevelItemCount() == 1) tree_->topLevelItem(0)->setExpanded(true);
+  tick(before);
+}
+
+void CurveDialog::tick(const CurveChoice& before) {
+  how_->setCurrentIndex(before.how == Combine::Difference ? 1 : 0);
+  QTreeWidgetItem* first = nullptr;
+  for (const CurveChoice::Curve& one : before.curves)
+    for (std::size_t f = 0; f < files_.size(); ++f) {
+      if (files_[f]->path != one.file) continue;
+      QTreeWidgetItem* root = tree_->topLevelItem(static_cast<int>(f));
+      root->setExpanded(true);  // fills it
+      for (int p = 0; p < root->childCount(); ++p)
+        for (int c = 0; c < root->child(p)->childCount(); ++c) {
+          QTreeWidgetItem* item = root->child(p)->child(c);
+          if (item->data(0, kPage).toInt() != one.page ||
+              item->data(0, kPanel).toInt() != static_cast<int>(one.panel) ||
+              item->data(0, kCurve).toInt() != static_cast<int>(one.curve))
+            continue;
+          if (one.reference) chosen_ = item;
+          item->setCheckState(0, Qt::Checked);
+          root->child(p)->setExpanded(true);
+          if (first == nullptr) first = item;
+        }
+    }
+  if (first != nullptr) tree_->scrollToItem(first);
 }
 
 /// The curves in the order of their ticks.
@@ -128,6 +155,16 @@ std::vector<CurvePick> CurveDialog::picks() const {
              static_cast<std::size_t>(item->data(0, kCurve).toInt())});
       }
     }
+  return out;
+}
+
+CurveChoice CurveDialog::choice() const {
+  CurveChoice out{.how = how()};
+  for (const QTreeWidgetItem* item : order_)
+    out.curves.push_back(
+        {files_[static_cast<std::size_t>(item->data(0, kFile).toInt())]->path,
+         item->data(0, kPage).toInt(), static_cast<std::size_t>(item->data(0, kPanel).toInt()),
+         static_cast<std::size_t>(item->data(0, kCurve).toInt()), item == chosen_});
   return out;
 }
 

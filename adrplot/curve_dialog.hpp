@@ -10,20 +10,35 @@ class QTreeWidgetItem;
 
 namespace adore::adrplot {
 
+/// What was chosen in the dialog, for the next time that it is opened: curves in the order of their
+/// ticks.
+struct CurveChoice {
+  struct Curve {
+    std::filesystem::path file;
+    int page = 1;
+    std::size_t panel = 0, curve = 0;
+    bool reference = false;  ///< chosen to be the one that the others are less
+  };
+  std::vector<Curve> curves = {};
+  Combine how = Combine::Overlay;
+};
+
 /// Every curve of every open file, to be ticked for one chart. Differences are from one of the
 /// ticked curves: from the one that was ticked first, unless another one is chosen.
 class CurveDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `files` live as long as the dialog.
+  /// `files` live as long as the dialog. Curves of `before` are ticked where their file is open.
   CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
-              QWidget* parent = nullptr);
+              const CurveChoice& before = {}, QWidget* parent = nullptr);
   /// As they stand in the tree; of differences the reference first.
   [[nodiscard]] std::vector<CurvePick> picks() const;
   [[nodiscard]] Combine how() const;
+  [[nodiscard]] CurveChoice choice() const;
 
  private:
   void offerReferences();
+  void tick(const CurveChoice& before);
 
   std::vector<const PlotDocument*> files_;
   QTreeWidget* tree_;

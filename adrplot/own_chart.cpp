@@ -19,7 +19,19 @@ struct Taken {
   std::string name, unit, title;
   std::vector<double> x, y;
   bool wraps = false;
+  std::vector<bool> own = {};  ///< as long as x: a value that is stored; empty: all are
 };
+
+/// Which of the places `where`, which rise, are stored ones of a curve.
+std::vector<bool> own_places(const Taken& curve, const std::vector<double>& where) {
+  std::vector<bool> out(where.size(), false);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    while (at < curve.x.size() && curve.x[at] < where[i]) ++at;
+    out[i] = at < curve.x.size() && curve.x[at] == where[i] && (curve.own.empty() || curve.own[at]);
+  }
+  return out;
+}
 
 std::string run_of(const PlotDocument& file) {
   const std::string folder = run_folder(file.path).filename().string();
@@ -127,6 +139,9 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
     one.y = read_off(taken[i].x, taken[i].y, one.x);
     const std::vector<double> less = read_off(first.x, first.y, one.x);
     for (std::size_t k = 0; k < one.y.size(); ++k) one.y[k] -= less[k];
+    one.own = own_places(taken[i], one.x);
+    const std::vector<bool> of_first = own_places(first, one.x);
+    for (std::size_t k = 0; k < one.own.size(); ++k) one.own[k] = one.own[k] && of_first[k];
     one.title = "Difference";
     one.wraps = false;
     out.push_back(std::move(one));
@@ -142,6 +157,7 @@ void trim(Taken& one) {
   if (last <= first) return;  // no value at all
   one.x = {one.x.begin() + first, one.x.begin() + last};
   one.y = {one.y.begin() + first, one.y.begin() + last};
+  if (!one.own.empty()) one.own = {one.own.begin() + first, one.own.begin() + last};
 }
 
 /// Each curve over time becomes its spectrum.
@@ -158,6 +174,7 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
     if (!alone.note.empty())
       add_note(page, curves.size() > 1 ? one.name + ": " + alone.note : alone.note);
     one.wraps = false;
+    one.own.clear();  // lines of a spectrum are its own
     one.x = has ? alone.x : std::vector<double>();
     one.y = has ? alone.panels[0].curves[0].y : std::vector<double>();
     if (has) one.unit = alone.panels[0].unit;
@@ -174,15 +191,18 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
 /// Curves of one unit share a panel.
 void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool one_title) {
   for (const Taken& one : curves) {
-    std::vector<double> y = read_off(one.x, one.y, page.x);
+    desktop::ChartCurve curve{one.name, read_off(one.x, one.y, page.x), {}};
+    curve.stored = own_places(one, page.x);
+    if (std::find(curve.stored.begin(), curve.stored.end(), false) == curve.stored.end())
+      curve.stored.clear();
     const auto same = std::find_if(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
       return panel.unit == one.unit && (one_title || panel.title == one.title || !one.unit.empty());
     });
     if (same == page.panels.end()) {
-      page.panels.push_back({one.title, one.unit, {{one.name, std::move(y), {}}}, one.wraps});
+      page.panels.push_back({one.title, one.unit, {std::move(curve)}, one.wraps});
     } else {
       if (same->title != one.title) same->title = "Values";
-      same->curves.push_back({one.name, std::move(y), {}});
+      same->curves.push_back(std::move(curve));
     }
   }
 }

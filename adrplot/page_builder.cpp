@@ -192,6 +192,13 @@ void tell_zeros(ChartPage& chart) {
                          : "Every value of this page is 0.");
 }
 
+/// A land or flange that is not there has nothing between its steps, either.
+bool any_but_zero(const CurveBand& band) {
+  const auto some = [](double v) { return std::isfinite(v) && v != 0.0; };
+  return std::any_of(band.low.begin(), band.low.end(), some) ||
+         std::any_of(band.high.begin(), band.high.end(), some);
+}
+
 /// Does a band reach beyond the stroke from the value before to its own, by more than a line is
 /// thick in a low panel?
 bool is_seen(const CurveBand& band, const std::vector<double>& line) {
@@ -311,6 +318,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const auto band = context.bands.find(page.panels[p].curves[c].column);
       if (band == context.bands.end() || band->second.low.size() != file.steps.size()) continue;
+      if (!any_value(chart.panels[p].curves[c].y) && !any_but_zero(band->second)) continue;
       chart.panels[p].curves[c].low = band->second.low;
       chart.panels[p].curves[c].high = band->second.high;
       if (is_seen(band->second, chart.panels[p].curves[c].y))
@@ -358,14 +366,15 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.panels.push_back(std::move(panel));
 }
 
-/// Frequencies of the run that lie on the page; the shaft's from the file alone.
+/// Frequencies of the run that lie on the page; from the file alone that of its rotation, which is
+/// one race's against the other.
 void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context) {
   chart.marks = context.frequencies;
   if (!chart.marks.empty()) return;
   const double span = file.steps.back().time - file.steps.front().time;
   const std::vector<double> turns = accumulated_turns(file);
-  const double shaft = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
-  if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
+  const double rotation = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
+  if (rotation > 0.0) chart.marks.push_back({rotation, "rotation"});
 }
 
 void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,

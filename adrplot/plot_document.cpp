@@ -20,6 +20,35 @@
 namespace adore::adrplot {
 namespace {
 
+/// What of a page has no extremes between its values.
+struct Unknown {
+  bool all = true;     ///< nothing has any
+  std::string titles;  ///< of panels, "\"Gap\" and \"Contact angle\""
+};
+Unknown unknown_between(const desktop::ChartPage& page) {
+  Unknown out;
+  std::vector<std::string> titles;
+  for (const desktop::ChartPanel& panel : page.panels) {
+    bool unknown = false;
+    for (const desktop::ChartCurve& curve : panel.curves) {
+      const auto has = [](const std::vector<double>& values) {
+        return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+      };
+      if (has(curve.high))
+        out.all = false;
+      else
+        unknown = unknown || has(curve.y);
+    }
+    if (unknown) titles.push_back(panel.title);
+  }
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    if (i > 0) out.titles += i + 1 == titles.size() ? " and " : ", ";
+    out.titles += fmt::format("\"{}\"", titles[i]);
+  }
+  out.all = out.all && !titles.empty();
+  return out;
+}
+
 /// A file that leaves out steps of the run keeps no extremes of them but those drawn as bands:
 /// what is to be said of a page with other curves.
 std::string between_steps(const desktop::ChartPage& page, const results::SolFile& file) {
@@ -29,16 +58,66 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
     apart.push_back(file.steps[i].step - file.steps[i - 1].step);
   std::nth_element(apart.begin(), apart.begin() + std::ssize(apart) / 2, apart.end());
   const long every = apart[apart.size() / 2];
-  const auto unknown = [](const desktop::ChartCurve& curve) {
-    return curve.high.empty() && !curve.y.empty();
-  };
-  if (every < 2 || std::none_of(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(), unknown);
-      }))
-    return {};
+  if (every < 2) return {};
+  const Unknown unknown = unknown_between(page);
+  if (unknown.all)
+    return fmt::format(
+        "Of every {} steps of the run one is stored: peaks between stored steps are not in the "
+        "file.",
+        every);
+  if (unknown.titles.empty()) return {};
   return fmt::format(
-      "Of every {} steps of the run one is stored: peaks between stored steps are not in the file.",
-      every);
+      "Of every {} steps of the run one is stored: peaks of {} between stored steps are not in the "
+      "file.",
+      every, unknown.titles);
+}
+
+/// Of a range that passes over stored steps.
+std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
+  const Unknown unknown = unknown_between(page);
+  return fmt::format("These are {} of the file's steps, every {}th one{}.", steps, every,
+                     unknown.all ? ": shorter peaks are left out"
+                     : unknown.titles.empty()
+                         ? ""
+                         : ": shorter peaks of " + unknown.titles + " are left out");
+}
+
+/// What is drawn from RESULTS.h5: of which steps.
+struct DigitWords {
+  std::string subtitle, note;
+};
+DigitWords digit_words(const results::SolFile& file, const results::FullPrecision& digits) {
+  const std::string name = file.path.filename().string();
+  const std::size_t own = file.steps.size() - digits.added;
+  DigitWords out{"all digits from RESULTS.h5", {}};
+  if (digits.added > 0) {
+    const long first = file.steps[own].step, last = file.steps.back().step;
+    out.note =
+        (first == last
+             ? fmt::format("Step {} is", first)
+             : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
+        fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name, file.steps[own - 1].step);
+  }
+  if (digits.more)
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format("RESULTS.h5 has more steps behind step {}, for which there is no room.",
+                            file.steps.back().step);
+  if (digits.exact == own) return out;
+  if (digits.from_start) {
+    const long last = file.steps[digits.exact - 1].step;
+    out.subtitle = fmt::format("all digits from RESULTS.h5 to step {}", last);
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format("RESULTS.h5 ends at step {}: later values have the eight digits of {}.",
+                            last, name);
+  } else {
+    out.subtitle = fmt::format("all digits from RESULTS.h5 of {} of {} steps", digits.exact, own);
+    out.note += (out.note.empty() ? "" : " ") +
+                fmt::format(
+                    "RESULTS.h5 does not hold {} of the {} steps: those have the eight "
+                    "digits of {}.",
+                    own - digits.exact, own, name);
+  }
+  return out;
 }
 
 /// A file whose pages do not depend on the view.
@@ -89,6 +168,7 @@ class StepPages {
         (!file_.columns.empty() &&
          !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end())))
       read(number);
+    read_bands(file_, curves_of(number), context_);
     desktop::ChartPage page = build_page(file_, pages_, number, options, context_);
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
@@ -98,23 +178,36 @@ class StepPages {
     if (const std::string lost = between_steps(page, file_);
         history && range_.every == 1 && !lost.empty())
       note(lost);
-    if (range_.every > 1)
-      note(fmt::format(
-          "These are {} of the file's steps, every {}th one: shorter peaks are left out.",
-          file_.steps.size(), range_.every));
+    if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
     if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));
     std::error_code ignored;
-    if (why_not_.empty())
-      page.subtitle += "   ·   all digits from RESULTS.h5";
-    else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored))
-      note("The values have eight digits: " + why_not_ + ".");
+    if (digits_.why_not.empty()) {
+      const DigitWords words = digit_words(file_, digits_);
+      page.subtitle += "   ·   " + words.subtitle;
+      if (!words.note.empty()) note(words.note);
+    } else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored)) {
+      note("The values have eight digits: " + digits_.why_not + ".");
+    }
     return page;
   }
 
  private:
+  [[nodiscard]] std::set<std::size_t> curves_of(int number) const {
+    std::set<std::string> ids;
+    for (const PanelSpec& panel : pages_[static_cast<std::size_t>(number - 1)].panels)
+      for (const CurveSpec& curve : panel.curves) ids.insert(curve.column);
+    return places_of(ids);
+  }
+  [[nodiscard]] std::set<std::size_t> places_of(const std::set<std::string>& ids) const {
+    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
+    std::set<std::size_t> out;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (ids.contains(columns[c].id)) out.insert(c);
+    return out;
+  }
   /// Those of its curves, and what the page tells is from.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
     const PageSpec& page = pages_[static_cast<std::size_t>(number - 1)];
@@ -124,11 +217,7 @@ class StepPages {
     for (const std::string& id : page_sources(file_.kind, page)) ids.insert(id);
     for (const std::string& id : std::set<std::string>(ids))
       for (const std::string& source : KnownColumns::sources(id)) ids.insert(source);
-    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
-    std::set<std::size_t> out;
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      if (ids.contains(columns[c].id)) out.insert(c);
-    return out;
+    return places_of(ids);
   }
   void read(int first_page) {
     results::SolRange range = range_;
@@ -147,7 +236,17 @@ class StepPages {
     file_.columns = {};
     file_ = results::read_sol(path_, range, watch_);
     whole_ = true;
-    why_not_ = results::use_full_precision(file_);
+    // Only of a whole file its end is known to be the file's.
+    const std::size_t held =
+        file_.steps.size() *
+        std::max<std::size_t>(1, file_.columns.empty()
+                                     ? static_cast<std::size_t>(file_.header.value_count)
+                                     : file_.columns.size());
+    const bool to_the_end = !file_.more && range_.to == results::SolRange().to;
+    const std::size_t room = to_the_end && most_ > held && !file_.steps.empty()
+                                 ? (most_ - held) / (held / file_.steps.size())
+                                 : 0;
+    digits_ = results::use_full_precision(file_, room);
     context_ = context_of(file_);
   }
 
@@ -159,7 +258,7 @@ class StepPages {
   std::vector<PageSpec> pages_;
   results::SolFile file_;
   PageContext context_;
-  std::string why_not_;
+  results::FullPrecision digits_;
 };
 
 }  // namespace

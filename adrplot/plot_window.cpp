@@ -175,12 +175,11 @@ void PlotWindow::showCurrent() {
     }
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
-    abscissa_->setEnabled(kind == PageKind::History && options_.domain == Domain::History);
+    offerChoices(kind, chart);
     // Races that do not turn against each other have no turns.
     const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
                           options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
     abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
-    domain_->setEnabled(kind == PageKind::History);
     note_->setText(doc->note.empty()
                        ? QString()
                        : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));
@@ -221,7 +220,11 @@ void PlotWindow::fitReadout() {
       height = std::max(
           height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
     }
-  // The chart stays the larger part beside what very many curves tell.
+  // The chart stays the larger part beside what very many curves tell; lines above each other are
+  // read in the picture.
+  const auto& panels = scene.page().panels;
+  if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel.scale_bar; }))
+    height = std::min(height, 2 * metrics.lineSpacing());
   readout_->setFixedHeight(
       std::min(height + 2, std::max(metrics.lineSpacing() + 2, this->height() / 5)));
   readout_->setText(fittedReadout());

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "adrplot/own_chart.hpp"
+#include "adrplot/curve_dialog.hpp"
 #include "adrplot/plot_document.hpp"
 
+#include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
@@ -41,6 +42,8 @@ class PlotWindow : public QMainWindow {
 
   /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
   void openFolder(const QString& folder, const results::SolRange& range = {});
+  /// What a dialog or a drop names; of a single file it is asked which steps are wanted.
+  void openSeveral(const QStringList& paths);
   /// Files that another program wants shown: read again where they are open, and brought to the
   /// front.
   void showFiles(const QStringList& paths);
@@ -90,7 +93,6 @@ class PlotWindow : public QMainWindow {
   };
   [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
-  void openSeveral(const QStringList& paths);
   void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);
@@ -99,6 +101,8 @@ class PlotWindow : public QMainWindow {
   void lookForGrowth();
   [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
+  /// What of the choices applies to a page; the others are grey and say why.
+  void offerChoices(PageKind kind, const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
   void fitReadout();
@@ -115,6 +119,7 @@ class PlotWindow : public QMainWindow {
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
   PageOptions options_;
+  CurveChoice chosen_curves_;  ///< for the chart made last
   desktop::ChartView* view_;
   QTreeWidget* tree_;
   QLabel* note_;
@@ -127,6 +132,7 @@ class PlotWindow : public QMainWindow {
   std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
   QAction* log_x_action_ = nullptr;
   QAction* log_y_action_ = nullptr;
+  QList<QAction*> spectrum_actions_;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;

@@ -21,11 +21,12 @@ void PlotWindow::askForFolder() {
   auto* dialog = new QFileDialog(this, tr("Open the plot files of a folder"),
                                  QSettings("Adore", kApp).value("open/folder").toString());
   dialog->setObjectName("folder");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& folder) { openFolder(folder); });
+  connect(
+      dialog, &QFileDialog::fileSelected, this,
+      [this](const QString& folder) { openFolder(folder); }, Qt::QueuedConnection);
   dialog->open();
 }
 
@@ -56,11 +57,13 @@ void PlotWindow::askForCurves() {
   for (const auto& doc : documents_)
     if (doc->on_disk) files.push_back(doc.get());
   if (files.empty()) return askForFile();
-  auto* dialog = new CurveDialog(files, options_, this);
+  auto* dialog = new CurveDialog(files, options_, chosen_curves_, this);
   dialog->setObjectName("curveDialog");
   dialog->setModal(true);
-  connect(dialog, &QDialog::accepted, this,
-          [this, dialog] { addChart(dialog->picks(), dialog->how()); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    chosen_curves_ = dialog->choice();
+    addChart(dialog->picks(), dialog->how());
+  });
   dialog->open();
 }
 

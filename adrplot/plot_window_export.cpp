@@ -1,4 +1,5 @@
 #include "adrplot/plot_window.hpp"
+#include "base/counted.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/image_export.hpp"
@@ -6,6 +7,7 @@
 #include "desktop/theme.hpp"
 
 #include <QClipboard>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -18,9 +20,18 @@
 namespace adore::adrplot {
 namespace {
 
-/// The file's own name with its folder, where pictures of it are looked for.
+/// The file's own name with its folder, where pictures of it are looked for. Without a point:
+/// behind one ("SWEEP.csv") no suffix is added, and a picture would get the name of its data.
 QString besideFile(const PlotDocument& doc) {
-  return QFileInfo(QString::fromStdString(doc.path.string())).absoluteFilePath();
+  const QFileInfo file(QString::fromStdString(doc.path.string()));
+  QString name = file.completeBaseName();
+  if (name.isEmpty()) name = file.fileName();
+  return file.absoluteDir().filePath(name.replace('.', '-'));
+}
+
+template <class Number>
+QString told(Number number, const char* one) {
+  return QString::fromStdString(counted(number, one));
 }
 
 /// The most values that a curve of a page has.
@@ -62,26 +73,22 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
         scene.setZoom(view_->chartScene().zoom());
         const desktop::ChartPage part = desktop::seen_part(scene);
         desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
-        desktop::tell_in_foot(
-            this, tr("Saved what is seen in %1: the curves that are shown, %2 values each.")
-                      .arg(path)
-                      .arg(valuesOf(part)));
+        desktop::tell_in_foot(this,
+                              tr("Saved what is seen in %1: the curves that are shown, %2 each.")
+                                  .arg(path, told(valuesOf(part), "value")));
       } else {
         desktop::save_page(scene, path.toStdString(), size);
         desktop::tell_in_foot(
             this, !numbers ? tr("Saved %1.").arg(path)
-                  : whole
-                      ? tr("Saved %1: every curve with all its %2 values.")
-                            .arg(path)
-                            .arg(valuesOf(scene.page()))
-                      : tr("Saved %1: every curve with all its %2 values, not only what is seen.")
-                            .arg(path)
-                            .arg(valuesOf(scene.page())));
+                  : whole  ? tr("Saved %1: every curve with all it has, %2.")
+                                .arg(path, told(valuesOf(scene.page()), "value"))
+                          : tr("Saved %1: every curve with all it has, %2, not only what is seen.")
+                                .arg(path, told(valuesOf(scene.page()), "value")));
       }
     } else if (QFileInfo(path).suffix().toLower() == "pdf") {
       desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,
                         [&](std::size_t i) { show(static_cast<int>(i) + 1); });
-      desktop::tell_in_foot(this, tr("Saved %1 pages in %2.").arg(pageCount()).arg(path));
+      desktop::tell_in_foot(this, tr("Saved %1 in %2.").arg(told(pageCount(), "page"), path));
     } else {
       const QFileInfo info(path);
       for (int page = 1; page <= pageCount(); ++page) {
@@ -95,9 +102,8 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
                                .toStdString(),
                            size);
       }
-      desktop::tell_in_foot(this, tr("Saved %1 pages, each with its number, in %2.")
-                                      .arg(pageCount())
-                                      .arg(info.absolutePath()));
+      desktop::tell_in_foot(this, tr("Saved %1, each with its number, in %2.")
+                                      .arg(told(pageCount(), "page"), info.absolutePath()));
     }
     return true;
   } catch (const std::exception& error) {
@@ -116,14 +122,15 @@ void PlotWindow::askForExport(bool all_pages) {
       tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;All numbers (*.csv)") +
           (all_pages ? QString() : ";;" + seen));
   dialog->setObjectName("export");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("pdf");
   connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
     dialog->setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0));
   });
   const QString name = besideFile(*doc);
-  dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name, QString::number(page_)));
+  dialog->selectFile(all_pages ? name + "-pages"
+                               : QString("%1-page-%2").arg(name, QString::number(page_)));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, all_pages, dialog, seen](const QString& path) {
             exportTo(path, all_pages, dialog->selectedNameFilter() == seen);

@@ -5,6 +5,7 @@
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/window_place.hpp"
+#include "results/run_folder.hpp"
 
 #include <QAction>
 #include <QDir>
@@ -47,7 +48,7 @@ bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolR
     addDocument(
         open_document(path, range, kMostValues, [this](double part) { return watchReading(part); }),
         range);
-    desktop::remember_file(kApp, QString::fromStdString(path.string()));
+    desktop::remember_part_of_run(kApp, QString::fromStdString(path.string()));
     return true;
   } catch (const results::ReadStopped&) {
     return false;  // as was asked for
@@ -126,9 +127,8 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
   }
   QStringList names;
   const QDir dir(folder);
-  for (const QString& name : dir.entryList({"SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7"},
-                                           QDir::Files, QDir::Name))
-    names << dir.filePath(name);
+  for (const std::filesystem::path& file : results::run_folder(folder.toStdString()).plots)
+    names << QString::fromStdString(file.string());
   // A quasi-static run, a sweep or a study has no step files.
   if (names.isEmpty())
     for (const QString& name :

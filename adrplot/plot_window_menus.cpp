@@ -77,6 +77,7 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("&Quit"), Qt::CTRL | Qt::Key_Q, this, &PlotWindow::close);
 
   auto* view = menuBar()->addMenu(tr("&View"));
+  view->setToolTipsVisible(true);
   view->addAction(tr("Zoom &Back"), Qt::ALT | Qt::Key_Left, view_, &desktop::ChartView::zoomBack);
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
@@ -110,11 +111,13 @@ void PlotWindow::makeMenus() {
 }
 
 void PlotWindow::makeChartMenu(QMenu* menu) {
+  menu->setToolTipsVisible(true);
   menu->addAction(tr("&Curves for One Chart..."), Qt::CTRL | Qt::Key_K, this,
                   &PlotWindow::askForCurves);
   menu->addSeparator();
   const auto choices = [this, menu](const QString& title, const QStringList& names, auto set) {
     auto* sub = menu->addMenu(title);
+    spectrum_actions_ << sub->menuAction();
     auto* group = new QActionGroup(sub);
     for (int i = 0; i < names.size(); ++i) {
       auto* action = sub->addAction(names[i], this, [this, set, i] {
@@ -133,6 +136,35 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
             constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
             o.spectrum.window = kWindows.at(static_cast<std::size_t>(i));
           });
+}
+
+namespace {
+
+/// What does not apply says why, under the pointer.
+template <class Choice>
+void offer(Choice* choice, bool applies, const QString& why_not) {
+  choice->setEnabled(applies);
+  choice->setToolTip(applies ? QString() : why_not);
+}
+
+}  // namespace
+
+void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
+  const bool steps = kind == PageKind::History, over_time = options_.domain == Domain::History;
+  const QString not_of_steps =
+      kind == PageKind::Chart
+          ? tr("This page is not over the stored steps of a run: it has its own abscissa.")
+          : tr("This page has one form only.");
+  offer(abscissa_, steps && over_time, steps ? tr("Spectra are over frequency.") : not_of_steps);
+  offer(domain_, steps, not_of_steps);
+  const QString no_axes = chart.study        ? tr("A picture of a study has axes of its own.")
+                          : chart.equal_axes ? tr("Both axes of this page are equal.")
+                                             : tr("There are no curves on this page.");
+  const bool axes = !chart.equal_axes && !chart.study && !chart.panels.empty();
+  for (QAction* action : {log_x_action_, log_y_action_}) offer(action, axes, no_axes);
+  const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
+  for (QAction* action : spectrum_actions_)
+    offer(action, spectra, tr("This page shows no spectra: choose \"spectrum\" above it."));
 }
 
 void PlotWindow::makeChoices(QToolBar* bar) {

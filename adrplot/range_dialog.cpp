@@ -1,5 +1,8 @@
 #include "adrplot/range_dialog.hpp"
 
+#include "base/counted.hpp"
+#include "desktop/dialogs.hpp"
+
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -12,7 +15,7 @@ namespace adore::adrplot {
 
 RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Plot parameters"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   const int last =
       static_cast<int>(std::clamp<long>(stored, 1, std::numeric_limits<int>::max() / 2));
   const auto box = [this, last](const char* name, int value) {
@@ -49,7 +52,9 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
 
 void RangeDialog::count() {
   const int steps = (to_->value() - from_->value()) / every_->value() + 1;
-  count_->setText(tr("%1 of %2 stored steps").arg(steps).arg(to_->maximum()));
+  count_->setText(tr("%1 of %2")
+                      .arg(steps)
+                      .arg(QString::fromStdString(counted(to_->maximum(), "stored step"))));
 }
 
 results::SolRange RangeDialog::range() const {

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "results/channels.hpp"
+#include "results/full_precision.hpp"
 #include "results/growing_file.hpp"
 #include "results/results_h5.hpp"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 
 namespace adore::adrplot {
 namespace {
@@ -46,7 +46,14 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
   double f_race[2];
   for (std::size_t j = 0; j < 2; ++j)
     f_race[j] = turns_per_second(race.first[j], race.second[j], seconds);
-  add(f_race[1] - f_race[0], "shaft");
+  // What turns is named by itself: both races may, and their difference is no speed of a shaft.
+  const double least = 1e-6 * std::max(std::abs(f_race[0]), std::abs(f_race[1]));
+  if (std::abs(f_race[0]) > least && std::abs(f_race[1]) > least) {
+    add(f_race[1], "inner race");
+    add(f_race[0], "outer race");
+  } else {
+    add(f_race[1] - f_race[0], "shaft");
+  }
   const auto n = static_cast<double>(orbit.first.size());
   double f_orbit = 0.0;
   for (std::size_t k = 0; k < orbit.first.size(); ++k)
@@ -63,13 +70,17 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
       spin += std::hypot(omega[i] - kTurn * f_orbit, omega[i + 1], omega[i + 2]);
     add(3.0 * spin / static_cast<double>(omega.size()) / kTurn, "BSF");
   }
-  for (int harmonic = 1; harmonic <= 3; ++harmonic)
-    for (const auto& [race_index, name] : {std::pair{0, "BPFO"}, {1, "BPFI"}})
-      add(harmonic * n * (f_orbit - f_race[race_index]),
-          harmonic == 1 ? name : fmt::format("{} {}", harmonic, name));
+  add(n * (f_orbit - f_race[0]), "BPFO");
+  add(n * (f_orbit - f_race[1]), "BPFI");
   const auto whirl = ends(reader, "cage.orbital_position");
   if (whirl.first.size() == 1)
     add(turns_per_second(whirl.first[0], whirl.second[0], seconds), "whirl");
+  // Behind all first ones, which are named where there is room for few.
+  const std::vector<desktop::ChartMark> first = out;
+  for (int harmonic = 2; harmonic <= 3; ++harmonic)
+    for (const desktop::ChartMark& mark : first)
+      if (mark.label != "shaft" && mark.label != "inner race" && mark.label != "outer race")
+        add(harmonic * mark.x, fmt::format("{} {}", harmonic, mark.label));
   return out;
 }
 
@@ -135,46 +146,6 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
     out.fastest_contact = contact->get<std::string>();
 }
 
-/// Lowest and highest load since the step stored before, for an element's file.
-void read_bands(const H5Reader& reader, const results::SolFile& file, PageContext& out) {
-  if (file.kind != results::SolKind::Element || file.header.index < 1) return;
-  const auto* low = reader.find("contact.load_low");
-  const auto* high = reader.find("contact.load_high");
-  if (low == nullptr || high == nullptr) return;
-  std::unordered_map<long, std::size_t> at;
-  const std::vector<long> numbers = reader.step_numbers();
-  for (std::size_t i = 0; i < numbers.size(); ++i) at[numbers[i]] = i;
-  const auto columns = results::sol_columns(file.header);
-  for (const auto& [race, id] :
-       {std::pair<std::size_t, const char*>{0, "contact.load.outer"}, {1, "contact.load.inner"}}) {
-    const auto column = std::find_if(columns.begin(), columns.end(),
-                                     [id = id](const auto& c) { return c.id == id; });
-    const std::size_t place = 2 * (static_cast<std::size_t>(file.header.index) - 1) + race;
-    if (column == columns.end() || place >= low->size() || place >= high->size()) continue;
-    const bool english = results::unit_of_column(file, *column) == results::unit::kForce.en;
-    const double unit = english ? results::unit::kForce.en_factor : results::unit::kForce.si_factor;
-    CurveBand band;
-    constexpr std::size_t kBlock = 4096;
-    std::vector<double> lows, highs;
-    for (std::size_t first = 0; first < reader.steps(); first += kBlock) {
-      const std::size_t count = std::min(kBlock, reader.steps() - first);
-      const auto a = reader.read("contact.load_low", first, count),
-                 b = reader.read("contact.load_high", first, count);
-      for (std::size_t i = 0; i < count; ++i) {
-        lows.push_back(a[i * low->size() + place] / unit);
-        highs.push_back(b[i * high->size() + place] / unit);
-      }
-    }
-    for (const auto& step : file.steps) {
-      const auto found = at.find(step.step);
-      const bool known = found != at.end() && found->second < lows.size();
-      band.low.push_back(known ? lows[found->second] : std::nan(""));
-      band.high.push_back(known ? highs[found->second] : std::nan(""));
-    }
-    out.bands.emplace(id, std::move(band));
-  }
-}
-
 }  // namespace
 
 std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
@@ -191,7 +162,6 @@ PageContext context_of(const results::SolFile& file) {
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
     out.frequencies = frequencies(reader);
-    read_bands(reader, file, out);
     if (reader.geometry().contains("roller_length")) {
       auto& flanges = out.facts.flanges.emplace();
       for (const char* race : {"outer", "inner"})
@@ -203,6 +173,22 @@ PageContext context_of(const results::SolFile& file) {
     // The plot file alone is enough.
   }
   return out;
+}
+
+void read_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
+                PageContext& out) {
+  std::set<std::size_t> missing;
+  const std::vector<results::SolColumn> all = results::sol_columns(file.header);
+  for (const std::size_t c : columns)
+    if (c < all.size() && !out.bands.contains(all[c].id)) missing.insert(c);
+  if (missing.empty()) return;
+  for (const std::size_t c : missing) out.bands.emplace(all[c].id, CurveBand{});
+  try {
+    for (auto& [column, band] : results::bands_of(file, missing))
+      out.bands[all[column].id] = {std::move(band.low), std::move(band.high)};
+  } catch (const std::exception&) {
+    // The plot file alone is enough.
+  }
 }
 
 }  // namespace adore::adrplot

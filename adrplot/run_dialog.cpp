@@ -1,5 +1,6 @@
 #include "adrplot/run_dialog.hpp"
 
+#include "desktop/dialogs.hpp"
 #include "desktop/listing_view.hpp"
 
 #include <QBoxLayout>
@@ -16,7 +17,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
                      std::function<std::filesystem::path(long)> files, QWidget* parent)
     : QDialog(parent) {
   setObjectName("runs");
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   setWindowTitle(runs.size() == 1 ? tr("Run %1").arg(runs.front())
                                   : tr("%1 runs").arg(runs.size()));
   resize(760, 460);

@@ -47,8 +47,9 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   Samples out;
   std::vector<double> times = all_times;
   if (times.size() < kFewest) {
-    out.note = fmt::format("The frequency spectrum needs at least {} stored steps; {} are loaded.",
-                           kFewest, times.size());
+    out.note = fmt::format(
+        "The frequency spectrum needs at least {} stored steps; of this file {} {} loaded.",
+        kFewest, times.size(), times.size() == 1 ? "is" : "are");
     return out;
   }
   if (values.size() != times.size() ||

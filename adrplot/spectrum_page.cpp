@@ -318,12 +318,14 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       ends.push_back(last_above(chart.x, relative.back(), kVisible));
     }
   choose_frequency_axis(chart, ends, kVisible);
-  if (scale == SpectrumScale::Decibel || chart.log_x) return;  // all of it has room
+  if (scale == SpectrumScale::Decibel) return;  // all of it is seen
   // A little beyond the last line that is seen, and ten lines at least.
-  double shown = 1.15 * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
-  for (const double end : ends) shown = std::max(shown, 1.15 * end);
+  const double beside = chart.log_x ? 1.4 : 1.15;
+  double shown = beside * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
+  for (const double end : ends) shown = std::max(shown, beside * end);
   for (const auto& mark : chart.marks)
-    if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
+    if (mark.label == "shaft" || mark.label == "rotation" || mark.label == "inner race")
+      shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
   chart.view_high = std::min(shown, chart.x.back());
   double beyond = 0.0, at = 0.0;

@@ -2,6 +2,7 @@
 
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
+#include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/even_digits.hpp"
 
@@ -145,6 +146,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
     panel.curves.push_back(std::move(curve));
   }
   panel.one_colour = true;
+  panel.scale_bar = true;
   page.x = fall.frequency;
   page.title = without_colon(page.title) + ": waterfall";
   page.view_low = 0.0;
@@ -152,11 +154,12 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.x_title = "Frequency";
   page.x_unit = "Hz";
   page.note += fmt::format(
-      "{}These are {} spectra ({}) of {}{}{}, from {} to {}; each stands {} above the one before "
+      "{}Drawn: {} ({}) of {}{}{}, from {} to {}; each stands {} above the one before "
       "and has a point every {}.",
-      page.note.empty() ? "" : " ", fall.time.size(), window_name(options.window),
-      small(source.title), source.curves.front().name.empty() ? "" : ", ",
-      source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
+      page.note.empty() ? "" : " ", counted(fall.time.size(), "spectrum", "spectra"),
+      window_name(options.window), small(source.title),
+      source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
+      desktop::pretty_quantity(fall.time.front(), "s", 3),
       desktop::pretty_quantity(fall.time.back(), "s", 3) +
           (steady ? std::string()
                   : fmt::format(" ({} to {})", rpm_text(speed_at(times, turns, fall.time.front())),
@@ -168,8 +171,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
     page.note += " 0 dB is the largest amplitude of all; nothing below " +
                  desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
   choose_frequency_axis(page, ends, kVisible);
-  if (page.log_x) page.view_low = page.view_high = 0.0;  // all of it has room
-  if (!page.log_x && page.view_high < page.x.back())
+  if (page.view_high < page.x.back())
     page.note +=
         fmt::format(" The first view ends at {}: nothing beyond is above {} % of the largest.",
                     desktop::pretty_quantity(page.view_high, "Hz", 3),

@@ -11,6 +11,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 class QAction;
 class QComboBox;
@@ -18,9 +20,14 @@ class QMenu;
 
 namespace adore::agore {
 
+/// Of its settings and recent files.
+inline constexpr const char* kApp = "agore";
+inline constexpr const char* kFollow = "follow";
+
 /// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
 /// moment. The wheel zooms the picture under the pointer, dragging moves it (with Shift where it
-/// is the 3D view, whose eye dragging turns), a double click shows all of it.
+/// is the 3D view, whose eye dragging turns), a double click shows all of it. Shift and a drag in
+/// the time bar or a curve mark what is to be repeated.
 class PictureWidget : public QWidget {
   Q_OBJECT
  public:
@@ -32,6 +39,8 @@ class PictureWidget : public QWidget {
   void soughtFrame(std::size_t frame);
   void viewMoved(std::size_t tile, double zoom, QPointF pan);
   void eyeMoved(double yaw, double elevation);
+  /// Shift and a drag in the time bar or a curve: what is to be played again and again [s].
+  void spanMarked(double from, double to);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -43,6 +52,9 @@ class PictureWidget : public QWidget {
 
  private:
   bool seek(QPointF position);
+  /// Of the time bar or a curve; none beside them.
+  [[nodiscard]] std::optional<double> momentAt(QPointF position) const;
+  std::optional<double> span_from_;
   /// The picture of one of the views at a position; none: beside them all.
   [[nodiscard]] std::optional<std::size_t> tileAt(QPointF position) const;
   QPointF drag_from_, pan_from_;
@@ -67,6 +79,9 @@ class AgoreWindow : public QMainWindow {
   void reload();
   /// The same for an animation in memory.
   void setAnimation(Animation animation);
+  /// Reads the files again whenever a running solver has added to them. Who looks at the last frame
+  /// goes on to the new last one; all others stay at their moment.
+  void follow(bool on);
 
   [[nodiscard]] std::size_t frameCount() const { return picture_ ? picture_->frames() : 0; }
   [[nodiscard]] std::size_t currentFrame() const { return frame_; }  ///< 0-based
@@ -83,6 +98,9 @@ class AgoreWindow : public QMainWindow {
   /// A further view beside the first, or none of that kind.
   void setBeside(View view, bool shown);
   void setLoop(bool loop) { loop_ = loop; }
+  /// What is played, repeated and saved as a film, by its ends [s]; none: from the first frame, to
+  /// the last one. Ends in the wrong order are exchanged.
+  void setSpan(std::optional<double> from, std::optional<double> to);
   /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
   void setSlowMotion(double rate);
   /// Writes a film from a frame to another, counted from 1 (0: the last of all), and says so in the
@@ -105,6 +123,13 @@ class AgoreWindow : public QMainWindow {
 
  protected:
  private:
+  void lookForGrowth();
+  /// The animation of a file in place of the one before, whose picture stays.
+  void adopt(Animation animation);
+  [[nodiscard]] bool showable(const Animation& animation) const;
+  /// First and last frame of what is played.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> playedFrames() const;
+  void markEnd(bool first);
   QAction* add(QMenu* menu, const QString& text, const QString& name, const QKeySequence& key,
                std::function<void()> act);
   void makeMenus();
@@ -140,6 +165,11 @@ class AgoreWindow : public QMainWindow {
   int direction_ = 1;
   std::size_t frame_ = 0;
   long most_frames_ = 1'000'000'000;  ///< as asked for when the file was opened
+  QTimer growth_;
+  QAction *follow_ = nullptr, *repeat_ = nullptr;
+  std::string seen_;      ///< the files of what is shown, when they were read
+  int refused_ = 0;       ///< looks at files that could not take the place of what is shown
+  bool writing_ = false;  ///< a film, from what is shown
   ViewOptions options_;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -46,7 +47,8 @@ std::vector<double> find_pockets(const Animation& animation) {
   std::vector<double> angles;
   for (std::size_t k = 0; k < static_cast<std::size_t>(animation.file.elements); ++k) {
     double sine = 0.0, cosine = 0.0;
-    for (std::size_t i = 0; i < animation.frames(); ++i) {
+    const std::size_t looks = animation.motion ? animation.exact : animation.frames();
+    for (std::size_t i = 0; i < looks; ++i) {
       const auto& element = animation.frame(i).elements[k];
       // Seen from the cage's centre, which may be far from the axis.
       const auto& centre = animation.part(i, animation.pocket_part[k]).position;
@@ -163,7 +165,7 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
   ContactFrames out;
   out.load_unit = load->unit;
   out.slip_unit = slip->unit;
-  for (std::size_t i = 0; i < animation.frames(); ++i) {
+  for (std::size_t i = 0; i < animation.exact; ++i) {
     std::vector<ContactFrame>& contacts = out.frames.emplace_back(n);
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t j = 0; j < 2; ++j) {
@@ -176,12 +178,34 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
   return out;
 }
 
-/// What a RESULTS.h5 that ends before SOL8 leaves out; times of SOL8 are rounded.
-std::string cut_words(const results::Sol8Frame& last, double end) {
-  constexpr double kRounding = 1e-6, kMs = 1e3;
-  if (!(end - last.time > kRounding * std::abs(end))) return {};
-  return fmt::format("; it ends at step {}, {:.3g} ms before SOL8's end, which is not shown",
-                     last.step, kMs * (end - last.time));
+/// Frames of SOL8 behind the end of RESULTS.h5, of whose stored steps only every second, third ...
+/// may be a frame; times of SOL8 are rounded.
+std::vector<results::Sol8Frame> frames_behind(const results::MotionFile& motion,
+                                              const std::vector<results::Sol8Frame>& frames) {
+  constexpr double kRounding = 1e-6;
+  std::vector<results::Sol8Frame> out;
+  if (!motion.segment_frames().empty()) return out;  // for which SOL8 has no room
+  const double end = motion.times().back();
+  for (const results::Sol8Frame& frame : frames)
+    if (frame.step > motion.frames().frames.back().step &&
+        (motion.every() == 1 || frame.time - end > kRounding * std::abs(end)))
+      out.push_back(frame);
+  return out;
+}
+
+/// Turns of the races between neighbouring frames, as far as they can be told: relative to each
+/// other, and what their angles say, which whole turns are missing from.
+std::vector<double> turns_of(const results::Sol8File& file) {
+  std::vector<double> out(file.frames.size(), 0.0);
+  for (std::size_t i = 1; i < file.frames.size(); ++i) {
+    const results::Sol8Frame &from = file.frames[i - 1], &to = file.frames[i];
+    out[i] = std::abs(to.revolutions - from.revolutions);
+    for (std::size_t r = 0; r < 2; ++r)
+      out[i] = std::max(
+          out[i],
+          std::abs(std::remainder(to.races[r].angles[0] - from.races[r].angles[0], kTurn)) / kTurn);
+  }
+  return out;
 }
 
 /// Does a file SOL1 to SOL6 of the same run lie beside SOL8?
@@ -198,6 +222,13 @@ bool curves_beside(const Animation& animation) {
     }
   }
   return false;
+}
+
+Known known_of(std::size_t frames, const std::function<bool(std::size_t)>& known) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < frames; ++i) count += known(i) ? 1 : 0;
+  // A last step that is shorter than all the others makes no way.
+  return count + 1 >= frames ? Known::All : 10 * count > frames ? Known::Some : Known::None;
 }
 
 void check_frames(const results::Sol8File& file, const std::string& name) {
@@ -219,6 +250,12 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
 Animation finish(Animation animation) {
   const auto& data = animation.file;
   for (const auto& frame : data.frames) animation.time.push_back(frame.time);
+  animation.turned = turns_of(data);
+  const std::size_t count = data.frames.size();
+  animation.known_centres = known_of(count, [&](auto i) { return animation.way_known(i); });
+  for (const bool past : {false, true})
+    (past ? animation.known_trails : animation.known_elements) =
+        known_of(count, [&](auto i) { return animation.way_known(i, 0, past); });
   animation.has_cage = data.geometry.cage_outer_radius > data.geometry.cage_inner_radius;
   animation.cage_angle = angle_history(data, [](const auto& f) { return f.cage.angles[0]; });
   for (std::size_t r = 0; r < 2; ++r)
@@ -237,6 +274,8 @@ Animation finish(Animation animation) {
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
                           animation.motion->stored_steps())
             : "every stored step, all digits from RESULTS.h5";
+    if (const std::string behind = animation.behind_words(); !behind.empty())
+      animation.source += "; " + behind;
   } else {
     animation.source = curves_beside(animation)
                            ? "frames of SOL8: three digits, nothing between; curves of SOL files"
@@ -270,14 +309,18 @@ Animation prepare(results::Sol8File file, long most_frames) {
   const auto most = static_cast<std::size_t>(
       std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)));
   if (auto motion = results::MotionFile::beside(file, why_not, most)) {
-    const double end = file.frames.back().time;
     animation.motion = std::make_shared<const results::MotionFile>(std::move(*motion));
     animation.file = animation.motion->frames();
     check_frames(animation.file, name);
-    const std::string cut = cut_words(animation.file.frames.back(), end);
-    animation = finish(std::move(animation));
-    animation.source += cut;
-    return animation;
+    animation.exact = animation.file.frames.size();
+    const std::vector<results::Sol8Frame> more = frames_behind(*animation.motion, file.frames);
+    if (!more.empty()) {
+      animation.file.frames.insert(animation.file.frames.end(), more.begin(), more.end());
+      Animation alone;
+      alone.file = std::move(file);
+      animation.alone = std::make_shared<const Animation>(finish(std::move(alone)));
+    }
+    return finish(std::move(animation));
   }
   animation.file = std::move(file);
   animation.no_contacts = why_not;
@@ -289,6 +332,7 @@ Animation prepare(results::MotionFile motion) {
   animation.motion = std::make_shared<const results::MotionFile>(std::move(motion));
   animation.file = animation.motion->frames();
   check_frames(animation.file, animation.file.path.string());
+  animation.exact = animation.file.frames.size();
   return finish(std::move(animation));
 }
 
@@ -354,13 +398,39 @@ LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) c
   return {force->at(i, place), value("land.angle", i, place)};
 }
 
+std::string Animation::behind_words() const {
+  return behind(frames() - 1) ? fmt::format("from SOL8 alone from frame {} on", exact + 1)
+                              : std::string();
+}
+
+const std::vector<ContactFrame>* Animation::contacts_at(std::size_t i) const {
+  return contacts && i < contacts->frames.size() ? &contacts->frames[i] : nullptr;
+}
+
+std::string Animation::no_loads(std::size_t i) const {
+  return behind(i) ? behind_words() : no_contacts;
+}
+
+bool Animation::way_known(std::size_t i) const { return i > 0 && turned.at(i) <= kKnownTurn; }
+
+bool Animation::way_known(std::size_t i, std::size_t element, bool past_others) const {
+  // Farther, a whole turn might be missing from the difference of two angles.
+  constexpr double kSure = 0.25;
+  if (i == 0 || turned.at(i) > kSure) return false;
+  const double half_pitch = 0.5 / std::max(1, file.elements);
+  const double most = past_others ? std::min(half_pitch, kKnownTurn) : kKnownTurn;
+  const double step =
+      file.frames[i].elements.at(element).theta - file.frames[i - 1].elements.at(element).theta;
+  return std::abs(std::remainder(step, kTurn)) <= most * kTurn;
+}
+
 std::string Animation::segment_remark(int segment) const {
   return segments > 1 ? fmt::format(", segment {} of {}", segment + 1, segments) : std::string();
 }
 
 double Animation::value(const std::string& channel, std::size_t i, std::size_t place) const {
   const results::MotionChannel* found = motion ? motion->channel(channel) : nullptr;
-  return found != nullptr && place < found->width ? found->at(i, place) : kNone;
+  return found != nullptr && place < found->width && i < exact ? found->at(i, place) : kNone;
 }
 
 std::vector<double> continuous(std::vector<double> angle) {

@@ -20,6 +20,9 @@
 /// is what is drawn then, nothing between, and speeds are differences over a span of frames that
 /// turns by one radian, a tenth of the file at most. A body that turns by more than half a turn
 /// from one frame to the next has no speed that the file could tell.
+///
+/// RESULTS.h5 of a run that was killed, or still goes on, may end before SOL8: the frames behind
+/// its end are SOL8's.
 namespace adore::agore {
 
 /// Oldest program version whose data sets are accepted.
@@ -57,10 +60,16 @@ struct ContactFrames {
   std::array<double, 2> largest_of_race{};        ///< of largest_load, by race
 };
 
+/// Of how many of a run's frames the way from the frame before is known.
+enum class Known : unsigned char { All, Some, None };
+
 struct Animation {
   results::Sol8File file;
   std::shared_ptr<const results::MotionFile> motion;  ///< RESULTS.h5, where it could be used
-  std::string source;                                 ///< what the pictures rest on, for people
+  std::size_t exact = 0;  ///< frames of RESULTS.h5; those behind them are SOL8's
+  /// What SOL8 itself holds, where RESULTS.h5 ends before it.
+  std::shared_ptr<const Animation> alone;
+  std::string source;  ///< what the pictures rest on, for people
   bool has_cage = false;
   int segments = 0;                ///< of the cage; 1: in one piece
   std::vector<int> pocket_part{};  ///< segment that the element's pocket belongs to
@@ -74,9 +83,25 @@ struct Animation {
   std::string no_contacts;                        ///< why there are none
   std::map<std::string, RunRange> run_ranges;     ///< of quantities that colour, by channel
   std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
+  std::vector<double> turned;  ///< by the races since the frame before, at least [rev]
+  /// Ways of centres, of elements about the axis, and of elements past each other.
+  Known known_centres = Known::All, known_elements = Known::All, known_trails = Known::All;
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }
   [[nodiscard]] const results::Sol8Frame& frame(std::size_t i) const { return file.frames.at(i); }
+  /// Is it a frame of SOL8 behind the end of RESULTS.h5?
+  [[nodiscard]] bool behind(std::size_t frame) const { return motion && frame >= exact; }
+  /// "from SOL8 alone from frame 120 on"; nothing where RESULTS.h5 holds all.
+  [[nodiscard]] std::string behind_words() const;
+  /// Contacts of the elements at a frame; null where it has none, for the reason of `no_loads`.
+  [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;
+  [[nodiscard]] std::string no_loads(std::size_t frame) const;
+  /// May the way of a centre be drawn as a line from the frame before? Where the bearing turns far
+  /// in between, nobody knows it.
+  [[nodiscard]] bool way_known(std::size_t frame) const;
+  /// The same of an element; `past_others`: against its neighbours, whose places are not to be
+  /// taken for its own.
+  [[nodiscard]] bool way_known(std::size_t frame, std::size_t element, bool past_others) const;
   /// Cage, or the segment that holds an element's pocket, at a frame.
   [[nodiscard]] const results::Sol8Body& cage_of(std::size_t frame, std::size_t element) const;
   [[nodiscard]] const results::Sol8Body& part(std::size_t frame, int segment) const;
@@ -90,8 +115,13 @@ struct Animation {
                              std::size_t place) const;
 };
 
+/// The most that the races, or an element, turn from frame to frame where the way between is
+/// known [rev]: a chord of it leaves its circle by a hundredth of the radius.
+inline constexpr double kKnownTurn = 1.0 / 24.0;
+
 /// A curve beside the picture: at the steps of RESULTS.h5, else of the SOL file of that body beside
-/// SOL8, else at the frames of SOL8.
+/// SOL8, else at the frames of SOL8. Where RESULTS.h5 ends before SOL8, what those have behind it
+/// goes on from there.
 struct History {
   std::vector<double> time;  ///< [s]
   std::vector<double> value;
@@ -112,6 +142,9 @@ struct History {
 /// Mass centre of a race, coordinate 0, 1, 2 = x, y, z.
 [[nodiscard]] History race_position(const Animation& animation, std::size_t race,
                                     std::size_t coordinate);
+/// Load of an element at a race (0 outer, 1 inner).
+[[nodiscard]] History contact_load(const Animation& animation, std::size_t element,
+                                   std::size_t race);
 /// Of one element at one race (0 outer, 1 inner); `what`: "force" or "gap"; side 0 = -x, 1 = +x.
 [[nodiscard]] History flange_history(const Animation& animation, const std::string& what,
                                      std::size_t element, std::size_t race, std::size_t side);

@@ -1,5 +1,6 @@
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <QLineF>
@@ -89,22 +90,21 @@ QString frame_name(const Scene& s) {
 }
 
 void draw_trails(const Scene& s) {
-  QPainter& p = s.sketch.painter();
-  p.setBrush(Qt::NoBrush);
-  p.setPen(QPen(trail_colour(s), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  std::vector<WayPoint> way;
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-    QPolygonF line;
+    way.clear();
     for (const TrailPoint& point : element_trail(s, k))
-      append_seen(line, s.sketch.at(point.centre.x(), point.centre.y()));
-    p.drawPolyline(line);
+      way.push_back({s.sketch.at(point.centre.x(), point.centre.y()), point.joined});
+    draw_way(s.sketch.painter(), s.sketch.area(), way, trail_colour(s), 2.0);
   }
 }
 
 /// Forces of both races on every element, the largest of the run as long as an element's radius
 /// where the outer race is as thick: its arrows end below the elements' numbers.
 void draw_all_loads(const Scene& s) {
-  if (!s.animation.contacts || !(s.animation.contacts->largest_load > 0.0)) return;
-  const auto& contacts = s.animation.contacts->frames.at(s.index);
+  const auto* const all = s.animation.contacts_at(s.index);
+  if (all == nullptr || !(s.animation.contacts->largest_load > 0.0)) return;
+  const auto& contacts = *all;
   const double radius = s.geometry().element_radius;
   const double longest = longest_load_arrow(s, radius, outer_rim(s.geometry()));
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -212,13 +212,14 @@ void bearing_view(const Scene& s) {
     add_cage_contacts(s, key);
     if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
   }
-  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
-  if (s.options.contacts && s.animation.contacts) {
+  if (s.options.trails) key.push_back(trail_entry(s));
+  if (s.options.contacts && s.animation.contacts_at(s.index) != nullptr) {
     const auto& largest = s.animation.contacts->largest_of_race;
     key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
     key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   } else if (s.options.contacts) {
-    key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
+    key.push_back(
+        {t.muted, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
   }
   if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
     const std::vector<KeyEntry> ends = scale_entries(s);
@@ -251,7 +252,9 @@ void cage_view(const Scene& s) {
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
   if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
-  key.push_back({t.curves[0], cleared ? way : QString("orbit about its middle")});
+  key.push_back(way_entry(
+      t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
+      s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

@@ -95,6 +95,10 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
                                          : animation.no_contacts);
     return out;
   }
+  if (animation.behind(frame)) {
+    out.why_none = "no colours " + animation.behind_words();
+    return out;
+  }
   if (by == ColourBy::Temperature) {
     // A temperature that nothing raises is the deck's own.
     const results::MotionChannel* rise = animation.motion->channel("contact.temperature_rise");
@@ -142,20 +146,47 @@ QColor scale_colour(double part) {
           mix(kStops[i].blue, kStops[i + 1].blue)};
 }
 
+namespace {
+
+/// Words in lines that fit, broken between words.
+QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
+  QStringList out;
+  for (const QString& word : text.split(' ')) {
+    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
+    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      out.back() = longer;
+    else
+      out << word;
+  }
+  return out;
+}
+
+}  // namespace
+
 void draw_scale(const Scene& s, const Colouring& colours) {
   const Sketch& sketch = s.sketch;
   QPainter& p = sketch.painter();
-  if (s.options.one_of_several && too_low(s.options, sketch.area().height())) return;
   const QRectF& area = sketch.area();
-  p.setFont(desktop::ui_font(12));
-  const QFontMetricsF metrics(p.font());
-  const qreal width = area.width() < 480.0 ? 104.0 : 150.0, left = area.right() - width - 6.0,
+  const QSizeF room = scale_room(s.options, area.size());
+  if (room.isEmpty()) return;
+  const qreal right = area.right() - 6.0, width = room.width() - 6.0, left = right - width,
               top = area.top() + 20.0;
   p.setPen(sketch.theme().muted);
+  const auto write = [&](const QString& text, qreal y) {
+    // In smaller letters where a line of one word, or of a number, is longer than the bar.
+    for (const int letters : {12, 11, 10}) {
+      p.setFont(desktop::ui_font(letters));
+      if (QFontMetricsF(p.font()).horizontalAdvance(text) <= width) break;
+    }
+    p.drawText(QPointF(right - QFontMetricsF(p.font()).horizontalAdvance(text), y), text);
+  };
+  const QFontMetricsF metrics(desktop::ui_font(12));
   if (!colours.any()) {
-    const QString why = QString::fromStdString(colours.why_none);
-    p.drawText(QPointF(area.right() - metrics.horizontalAdvance(why) - 6.0, area.top() + 14.0),
-               why);
+    qreal y = area.top() + 14.0;
+    for (const QString& line : in_lines(QString::fromStdString(colours.why_none), width, metrics)) {
+      write(line, y);
+      y += 14.0;
+    }
     return;
   }
   QLinearGradient shade(left, 0.0, left + width, 0.0);
@@ -165,17 +196,24 @@ void draw_scale(const Scene& s, const Colouring& colours) {
                      scale_colour(static_cast<double>(i) / kStops));
   p.setBrush(shade);
   p.drawRect(QRectF(left, top, width, 9.0));
+  const QString least = QString::fromStdString(colours.low_end()),
+                most = QString::fromStdString(colours.high_end());
+  for (const int letters : {12, 11, 10}) {
+    p.setFont(desktop::ui_font(letters));
+    if (QFontMetricsF(p.font()).horizontalAdvance(least + "  " + most) <= width) break;
+  }
+  p.drawText(QPointF(left, top + 22.0), least);
+  p.drawText(QPointF(right - QFontMetricsF(p.font()).horizontalAdvance(most), top + 22.0), most);
+  p.setFont(desktop::ui_font(12));
   p.drawText(QPointF(left, top - 5.0), QString::fromStdString(colours.title));
-  p.drawText(QPointF(left, top + 22.0), QString::fromStdString(colours.low_end()));
-  const QString most = QString::fromStdString(colours.high_end());
-  p.drawText(QPointF(left + width - metrics.horizontalAdvance(most), top + 22.0), most);
-  // Beside a bearing there is room for the width of the bar and a half.
+  // Broken behind its commas.
   QStringList lines{QString::fromStdString(colours.scale)};
-  if (metrics.horizontalAdvance(lines.front()) > 1.5 * width) lines = lines.front().split(", ");
+  if (metrics.horizontalAdvance(lines.front()) > width) {
+    lines = lines.front().split(", ");
+    for (qsizetype i = 0; i + 1 < lines.size(); ++i) lines[i] += ",";
+  }
   for (qsizetype i = 0; i < lines.size(); ++i)
-    p.drawText(QPointF(area.right() - 6.0 - metrics.horizontalAdvance(lines[i]),
-                       top + 37.0 + 14.0 * static_cast<double>(i)),
-               lines[i]);
+    write(lines[i], top + 37.0 + 14.0 * static_cast<double>(i));
 }
 
 std::vector<KeyEntry> scale_entries(const Scene& s) {

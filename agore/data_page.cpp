@@ -41,10 +41,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
         page.title = fmt::format("Contact loads of element {}", options.element);
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
-          History load;
-          load.time = animation.motion->times();
-          load.value = animation.motion->series("contact.load", 2 * k + race, &load.unit);
-          add(page, "Load", name, load, exact);
+          add(page, "Load", name, contact_load(animation, k, race), exact);
         }
         break;
       }
@@ -102,6 +99,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
   }
+  // What is behind the end of RESULTS.h5 has other digits, or none.
+  if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});
   return page;
 }
 

@@ -59,13 +59,33 @@ std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
     const Scene then{s.sketch, s.animation, i,       s.animation.frame(i),
                      s.factor, s.options,   s.cages, s.key};
     const auto& element = then.frame.elements.at(k);
-    out.push_back({element_centre(then, k), element.x});
+    out.push_back(
+        {element_centre(then, k), element.x, i < s.index && s.animation.way_known(i + 1, k, true)});
     if (i == 0) break;
     swept += std::abs(
         std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
     if (swept > 0.8 * pitch) break;
   }
+  // Where it is now is seen by itself.
+  if (out.size() == 1 || !out[1].joined) out.erase(out.begin());
   return out;
+}
+
+KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const QString& places) {
+  switch (known) {
+    case Known::All:
+      break;
+    case Known::Some:
+      return {colour, what + ", dots where unknown"};
+    case Known::None:
+      return {colour, places + ", way between unknown", KeyMark::Dots};
+  }
+  return {colour, what};
+}
+
+KeyEntry trail_entry(const Scene& s) {
+  return way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
+                   "earlier frames");
 }
 
 namespace {
@@ -99,9 +119,13 @@ void draw_elements(const Scene& s) {
 
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
+  const double star = std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0);
+  // Beside the cage's ring and the stars on it, which have a rim.
+  constexpr double kHalfNumber = 9.0, kRim = 3.0;  // pixels
   const double outside =
       s.options.view == View::Cage
-          ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+          ? std::max(s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55,
+                     s.pitch_radius() + (star + kRim + kHalfNumber) / s.sketch.scale())
           : outer_rim(s.geometry()) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   // Numbers of a small picture are as small as leaves them apart.
   const double apart = 2.0 * kPi * outside * s.sketch.scale() /
@@ -111,9 +135,7 @@ void draw_contact_marks(const Scene& s) {
     const QPointF centre = element_centre(s, k);
     const bool contact = s.frame.elements[k].pocket_force > 0.0;
     if (s.animation.has_cage && contact)
-      s.sketch.asterisk(
-          s.sketch.at(centre.x(), centre.y()),
-          std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0), t.red);
+      s.sketch.asterisk(s.sketch.at(centre.x(), centre.y()), star, t.red);
     // About the ring that they stand beside: the cage's own where it is alone.
     const QPointF hub =
         s.options.view == View::Cage ? s.place(s.animation.cage_of(s.index, k)) : QPointF(0, 0);

@@ -1,5 +1,6 @@
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 #include "desktop/even_digits.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 /// as long as its diameter or as the picture has room, with load and slip in the key.
 void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
   const ContactFrames& all = *s.animation.contacts;
-  const ContactFrame& contact = all.frames.at(s.index).at(k);
+  const ContactFrame& contact = s.animation.contacts_at(s.index)->at(k);
   const double distance = std::hypot(centre.x(), centre.y());
   if (!(distance > 0.0)) return;
   const QPointF outward = centre / distance;
@@ -62,30 +63,33 @@ void element_view(const Scene& s) {
   const auto& t = s.sketch.theme();
   const auto k = static_cast<std::size_t>(s.options.element - 1);
   // The way of the element so far, half a turn at most.
-  const auto& way = s.animation.file.frames;
-  QPolygonF trail;
+  const auto& frames = s.animation.file.frames;
+  std::vector<WayPoint> way;
   double swept = 0.0;
   for (std::size_t i = s.index;; --i) {
-    const auto& e = way[i].elements.at(k);
-    trail.append(s.sketch.around({0, 0}, e.r, e.theta));
+    const auto& e = frames[i].elements.at(k);
+    way.push_back({s.sketch.around({0, 0}, e.r, e.theta),
+                   i < s.index && s.animation.way_known(i + 1, k, false)});
     if (i == 0 || swept > kPi) break;
-    swept += std::abs(std::remainder(e.theta - way[i - 1].elements.at(k).theta, 2.0 * kPi));
+    swept += std::abs(std::remainder(e.theta - frames[i - 1].elements.at(k).theta, 2.0 * kPi));
   }
-  s.sketch.painter().setPen(QPen(trail_colour(s), 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  s.sketch.painter().setBrush(Qt::NoBrush);
-  s.sketch.painter().drawPolyline(trail);
+  if (way.size() == 1 || !way[1].joined) way.erase(way.begin());  // where it is now
+  draw_way(s.sketch.painter(), s.sketch.area(), way, trail_colour(s), 2.4);
   const QPointF centre = element_centre(s, k);
   draw_element(s, k);
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
                  t.blue);
   // Beside the arrow of the outer race, where there is one.
   const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
-  const double aside = s.animation.contacts ? 24.0 / (rim * s.sketch.scale()) : 0.0;
+  const bool loads = s.animation.contacts_at(s.index) != nullptr;
+  const double aside = loads ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);
-  std::vector<KeyEntry> key{{t.blue, "inner race frame"}, {trail_colour(s), "path of the element"}};
-  QString remark = QString::fromStdString("no contact loads: " + s.animation.no_contacts);
-  if (s.animation.contacts) {
+  std::vector<KeyEntry> key{{t.blue, "inner race frame"},
+                            way_entry(trail_colour(s), s.animation.known_elements,
+                                      "path of the element", "earlier frames")};
+  QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
+  if (loads) {
     draw_contact_loads(s, k, centre, key);
     remark = "loads and largest slip in the contacts, from RESULTS.h5";
   }

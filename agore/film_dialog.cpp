@@ -18,7 +18,8 @@ namespace {
 constexpr double kMs = 1e3;
 }
 
-FilmDialog::FilmDialog(std::vector<double> time, Tell tell, QWidget* parent)
+FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::size_t> part,
+                       Tell tell, QWidget* parent)
     : QDialog(parent), time_(std::move(time)), tell_(std::move(tell)) {
   setObjectName("filmRange");
   setWindowTitle(tr("Save Film"));
@@ -33,9 +34,9 @@ FilmDialog::FilmDialog(std::vector<double> time, Tell tell, QWidget* parent)
     line->addWidget(end.time);
     form->addRow(text, line);
   };
-  from_ = makeEnd("filmFrom", 0);
+  from_ = makeEnd("filmFrom", part.first);
   row(tr("From frame"), from_);
-  to_ = makeEnd("filmTo", time_.size() - 1);
+  to_ = makeEnd("filmTo", part.second);
   row(tr("To frame"), to_);
   length_ = new QLabel(this);
   length_->setObjectName("filmLength");

@@ -20,7 +20,9 @@ class FilmDialog : public QDialog {
  public:
   /// What a choice of first and last frame means, in words, and whether it can be a film.
   using Tell = std::function<std::pair<QString, bool>(std::size_t first, std::size_t last)>;
-  FilmDialog(std::vector<double> time, Tell tell, QWidget* parent);
+  /// @param part first and last frame that it begins with, from 0
+  FilmDialog(std::vector<double> time, std::pair<std::size_t, std::size_t> part, Tell tell,
+             QWidget* parent);
   [[nodiscard]] std::size_t first() const;  ///< from 0
   [[nodiscard]] std::size_t last() const;
 

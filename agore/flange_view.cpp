@@ -31,7 +31,7 @@ void flange_view(const Scene& s) {
   const results::MotionChannel* forces = s.animation.motion->channel("flange.force");
   double widest = 0.0, largest = 0.0;
   const auto place = [&](std::size_t side) { return 4 * k + 2 * race + side; };
-  for (std::size_t i = 0; gaps != nullptr && forces != nullptr && i < s.animation.frames(); ++i)
+  for (std::size_t i = 0; gaps != nullptr && forces != nullptr && i < s.animation.exact; ++i)
     for (std::size_t side = 0; side < 2; ++side) {
       widest = std::max(widest, gaps->at(i, place(side)));
       largest = std::max(largest, forces->at(i, place(side)));
@@ -76,13 +76,14 @@ void flange_view(const Scene& s) {
     key.push_back({force > 0.0 ? t.red : QColor(),
                    QString::fromStdString(fmt::format(
                        "flange at {}x: {}", side == 0 ? "−" : "+",
-                       !near ? std::string("the roller's end is nowhere near")
-                             : fmt::format("{}, {} {}",
-                                           force > 0.0 ? desktop::pretty_quantity(
-                                                             force, s.animation.file.units[2], 3)
-                                                       : std::string("no contact"),
-                                           gap < 0.0 ? "pressed in by" : "gap",
-                                           desktop::pretty_quantity(std::abs(gap), unit, 3))))});
+                       s.animation.behind(s.index) ? "not known " + s.animation.behind_words()
+                       : !near                     ? std::string("the roller's end is nowhere near")
+                                                   : fmt::format("{}, {} {}",
+                                             force > 0.0 ? desktop::pretty_quantity(
+                                                                                   force, s.animation.file.units[2], 3)
+                                                                             : std::string("no contact"),
+                                             gap < 0.0 ? "pressed in by" : "gap",
+                                                                 desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
   draw_key(s, key,
            QString::fromStdString(

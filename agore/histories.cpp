@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -43,6 +44,28 @@ History of_motion(const Animation& animation, const std::string& id, std::size_t
 
 std::vector<double> shaft_of_motion(const Animation& animation) {
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
+}
+
+/// What RESULTS.h5 has, and behind its end what SOL8 or a SOL file beside it has; `alone` null:
+/// they do not have it, and the curve ends before the frames do.
+History with_rest(const Animation& animation, History exact,
+                  const std::function<History(const Animation&)>& alone) {
+  if (!animation.alone || exact.time.empty()) return exact;
+  constexpr double kRounding = 1e-6;  // of times in SOL files
+  const double end = exact.time.back();
+  const auto add = [&](double time, double value) {
+    if (!(time - end > kRounding * std::abs(end))) return;
+    exact.time.push_back(time);
+    exact.value.push_back(value);
+  };
+  if (!alone) {
+    for (std::size_t i = animation.exact; i < animation.frames(); ++i)
+      add(animation.time[i], kNone);
+    return exact;
+  }
+  const History more = alone(*animation.alone);
+  for (std::size_t i = 0; i < more.time.size(); ++i) add(more.time[i], more.value.at(i));
+  return exact;
 }
 
 // --- SOL1-SOL6 beside a lone SOL8
@@ -171,7 +194,10 @@ History land_force(const Animation& animation, std::size_t land, int segment) {
   if (animation.motion && animation.motion->has("land.force")) {
     const auto parts = static_cast<std::size_t>(std::max(animation.segments, 1));
     const std::size_t lands = animation.motion->channel("land.force")->width / parts;
-    return of_motion(animation, "land.force", static_cast<std::size_t>(segment) * lands + land);
+    return with_rest(
+        animation,
+        of_motion(animation, "land.force", static_cast<std::size_t>(segment) * lands + land),
+        [&](const Animation& alone) { return land_force(alone, land, segment); });
   }
   if (auto stored = one_column(animation, cage_index(animation),
                                land == 0 ? "cage.land1_force" : "cage.land2_force"))
@@ -190,7 +216,8 @@ History pocket_force(const Animation& animation, std::size_t element) {
       const auto more = animation.motion->series("pocket.force", element * surfaces + j);
       for (std::size_t i = 0; i < more.size(); ++i) out.value[i] = std::max(out.value[i], more[i]);
     }
-    return out;
+    return with_rest(animation, std::move(out),
+                     [&](const Animation& alone) { return pocket_force(alone, element); });
   }
   if (auto stored = one_column(animation, cage_index(animation),
                                fmt::format("pocket.force.{}.1", element + 1)))
@@ -201,7 +228,9 @@ History pocket_force(const Animation& animation, std::size_t element) {
 
 History cage_whirl(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.whirl_ratio"))
-    return of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
+    return with_rest(animation,
+                     of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment)),
+                     [&](const Animation& alone) { return cage_whirl(alone, segment); });
   if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
     return *stored;
   std::vector<double> angle;
@@ -223,7 +252,9 @@ History cage_whirl(const Animation& animation, int segment) {
 
 History cage_speed(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.speed_ratio"))
-    return of_motion(animation, "cage.speed_ratio", static_cast<std::size_t>(segment));
+    return with_rest(animation,
+                     of_motion(animation, "cage.speed_ratio", static_cast<std::size_t>(segment)),
+                     [&](const Animation& alone) { return cage_speed(alone, segment); });
   if (auto stored = one_column(animation, cage_index(animation), "cage.speed_ratio"))
     return *stored;
   return by_differences(animation, animation.cage_angle, 0.6);
@@ -235,7 +266,8 @@ History element_orbit(const Animation& animation, std::size_t element) {
     for (double& value : out.value) value *= kRpm;
     divide(out.value, shaft_of_motion(animation));
     out.unit.clear();
-    return out;
+    return with_rest(animation, std::move(out),
+                     [&](const Animation& alone) { return element_orbit(alone, element); });
   }
   if (auto stored =
           speed_column(animation, static_cast<int>(element) + 1, "element.orbital_velocity"))
@@ -255,7 +287,8 @@ History element_spin(const Animation& animation, std::size_t element) {
     for (double& value : out.value) value *= kRpm;
     divide(out.value, shaft_of_motion(animation));
     out.unit.clear();
-    return size(std::move(out));
+    return with_rest(animation, size(std::move(out)),
+                     [&](const Animation& alone) { return element_spin(alone, element); });
   }
   if (auto stored =
           speed_column(animation, static_cast<int>(element) + 1, "element.angular_velocity"))
@@ -277,12 +310,21 @@ History element_spin(const Animation& animation, std::size_t element) {
 
 History race_position(const Animation& animation, std::size_t race, std::size_t coordinate) {
   const std::string axis(1, "xyz"[coordinate]);
-  if (animation.motion) return of_motion(animation, "race." + axis, race);
+  if (animation.motion)
+    return with_rest(
+        animation, of_motion(animation, "race." + axis, race),
+        [&](const Animation& alone) { return race_position(alone, race, coordinate); });
   if (auto stored = one_column(animation, race_index(animation, race), "race." + axis))
     return *stored;
   return of_frames(animation, animation.file.units[0], [race, coordinate](const auto& f) {
     return f.races[race].position[coordinate];
   });
+}
+
+History contact_load(const Animation& animation, std::size_t element, std::size_t race) {
+  if (!animation.motion || !animation.motion->has("contact.load"))
+    return {{}, {}, "", "Contact loads need RESULTS.h5 beside the file."};
+  return with_rest(animation, of_motion(animation, "contact.load", 2 * element + race), {});
 }
 
 History flange_history(const Animation& animation, const std::string& what, std::size_t element,
@@ -294,7 +336,7 @@ History flange_history(const Animation& animation, const std::string& what, std:
   if (what == "gap")
     for (double& value : out.value)
       if (value == 0.0) value = kNone;
-  return out;
+  return with_rest(animation, std::move(out), {});
 }
 
 bool has_flange(const Animation& animation, std::size_t race, std::size_t side) {

@@ -31,6 +31,7 @@ struct Request {
               scale = "usual";
   std::string beside, project;
   int frame = 0, every = 0, rate = 25;
+  bool follow = false;
   agore::RenderOptions options;
 };
 
@@ -97,8 +98,14 @@ int show(int& argc, char** argv, const Request& request) {
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
   else if (window.openFile(request.file)) {
     window.setView(request.options.view.view, request.options.view.element);
-    for (const agore::SideView& side : request.options.view.beside)
-      window.setBeside(side.view, true);
+    const agore::ViewOptions& view = request.options.view;
+    for (const agore::SideView& side : view.beside) window.setBeside(side.view, true);
+    window.setContacts(view.contacts);
+    window.setTrails(view.trails);
+    window.setExaggeration(view.exaggeration);
+    window.setColour(view.colour);
+    if (view.scale != agore::ScaleChoice{}) window.setScale(view.scale);  // else as chosen last
+    if (request.follow) window.follow(true);
   }
   return QApplication::exec();
 }
@@ -184,10 +191,13 @@ int main(int argc, char** argv) {
                "arrows of the race loads on all elements");
   cli.add_flag("--trails", request.options.view.trails,
                "the path of every element, back over 0.8 of their spacing");
+  cli.add_flag("--follow", request.follow, "read the files again while a run goes on")
+      ->excludes(folder);
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   // A window that is there takes files alone.
-  for (const char* of_first : {"--render", "--view", "--beside", "--race", "--element",
-                               "--exaggerate", "--colour", "--scale", "--contacts", "--trails"})
+  for (const char* of_first :
+       {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--colour",
+        "--scale", "--contacts", "--trails", "--follow"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {

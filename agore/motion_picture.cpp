@@ -116,11 +116,9 @@ std::string speed_text(const Animation& animation) {
 
 MotionPicture::MotionPicture(Animation animation) : animation_(std::move(animation)) {}
 
-double MotionPicture::progress(std::size_t frame) const {
+double MotionPicture::progressAt(double time) const {
   const double span = animation_.time.back() - animation_.time.front();
-  return span > 0.0
-             ? std::clamp((animation_.time.at(frame) - animation_.time.front()) / span, 0.0, 1.0)
-             : 1.0;
+  return span > 0.0 ? std::clamp((time - animation_.time.front()) / span, 0.0, 1.0) : 1.0;
 }
 
 namespace {
@@ -200,6 +198,7 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
   for (std::size_t i = 0; i <= options.beside.size(); ++i) check_view(animation_, options.tile(i));
   const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size());
   kept_.resize(std::max(kept_.size(), tiles.size()));
+  for (Kept& kept : kept_) kept.stamps = stamps_;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (on_pixels(painter)) {
@@ -223,7 +222,7 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
     shared_key_.draw(painter, place, theme_of(options), std::move(entries));
   }
   paintMoment(painter, dataArea(area, tiles.size()), frame, options);
-  paintTimeBar(painter, timeBar(area), frame, theme_of(options));
+  paintTimeBar(painter, timeBar(area), frame, options);
   painter.restore();
 }
 
@@ -321,7 +320,11 @@ void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
   if (now == data_setting_) return;
   data_.setTheme(theme_of(options));
   data_.setPageSize(size);
-  data_.setPage(data_page(animation_, options));
+  desktop::ChartPage page = data_page(animation_, options);
+  // Stored values are marked where they are seen apart: nothing is known between them.
+  constexpr double kApart = 6.0;  // pixels
+  page.points = static_cast<double>(page.x.size()) * kApart < size.width();
+  data_.setPage(std::move(page));
   data_setting_ = now;
 }
 
@@ -329,6 +332,15 @@ void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
 void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size_t frame,
                                 const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
+  if (options.span_from || options.span_to) {
+    QColor pale = t.accent;
+    pale.setAlpha(45);
+    const double from = data_.positionOf(options.span_from.value_or(animation_.time.front())),
+                 to = data_.positionOf(options.span_to.value_or(animation_.time.back()));
+    for (const QRectF& plot : data_.plotAreas())
+      painter.fillRect(
+          QRectF(area.left() + from, area.top() + plot.top(), to - from, plot.height()), pale);
+  }
   painter.setPen(QPen(t.red, 1.4));
   const double x = area.left() + data_.positionOf(animation_.time.at(frame));
   const auto& plots = data_.plotAreas();
@@ -353,7 +365,8 @@ void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size
 }
 
 void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
-                                 const desktop::Theme& t) const {
+                                 const ViewOptions& options) const {
+  const desktop::Theme& t = theme_of(options);
   const double radius = 0.5 * bar.height();
   painter.setPen(Qt::NoPen);
   painter.setBrush(t.raised);
@@ -362,6 +375,29 @@ void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size
   filled.setWidth(std::max(bar.height(), bar.width() * progress(frame)));
   painter.setBrush(t.accent);
   painter.drawRoundedRect(filled, radius, radius);
+  const auto at = [&](double time) { return bar.left() + bar.width() * progressAt(time); };
+  if (options.span_from || options.span_to) {
+    // Brackets about what is repeated.
+    painter.setPen(QPen(t.text, 2.0, Qt::SolidLine, Qt::FlatCap));
+    constexpr double kOver = 3.0, kArm = 5.0;
+    const auto bracket = [&](double x, double arm) {
+      const double top = bar.top() - kOver, bottom = bar.bottom() + kOver;
+      painter.drawPolyline(QPolygonF{{x + arm, top}, {x, top}, {x, bottom}, {x + arm, bottom}});
+    };
+    if (options.span_from) bracket(at(*options.span_from), kArm);
+    if (options.span_to) bracket(at(*options.span_to), -kArm);
+  }
+  if (animation_.alone) {  // from here on of SOL8 alone
+    painter.setPen(QPen(t.muted, 1.4, Qt::DashLine));
+    const double x = at(animation_.time.at(animation_.exact - 1));
+    painter.drawLine(QPointF(x, bar.top() - 3.0), QPointF(x, bar.bottom() + 3.0));
+  }
+  QString remarks;
+  if (options.span_from || options.span_to)
+    remarks += QString("repeats frames %1 to %2   ·   ")
+                   .arg(1 + (options.span_from ? frameAt(*options.span_from) : 0))
+                   .arg(options.span_to ? 1 + frameAt(*options.span_to) : frames());
+  if (animation_.behind(frame)) remarks += "from SOL8 alone   ·   ";
   const auto& now = animation_.frame(frame);
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
@@ -372,7 +408,7 @@ void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size
                                          desktop::pretty_quantity(now.time, "s", 5),
                                          desktop::tick_text(now.revolutions, 3), now.step)));
   painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
-                   QString("frame %1 of %2").arg(frame + 1).arg(frames()));
+                   remarks + QString("frame %1 of %2").arg(frame + 1).arg(frames()));
 }
 
 QImage MotionPicture::image(QSize size, std::size_t frame, const ViewOptions& options) {

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QPainter>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,10 @@ class MotionPicture {
   void paintOnPaper(QPainter& painter, const QRectF& paper, QSizeF size, std::size_t frame,
                     const ViewOptions& options);
   /// Part of the simulated time shown so far, 0 to 1.
-  [[nodiscard]] double progress(std::size_t frame) const;
+  [[nodiscard]] double progress(std::size_t frame) const {
+    return progressAt(animation_.time.at(frame));
+  }
+  [[nodiscard]] double progressAt(double time) const;
   /// The time bar inside `area`, so that a window can be clicked there.
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
   /// Places of the pictures (one for each view) and of the curves inside `area`.
@@ -40,6 +44,8 @@ class MotionPicture {
   /// Time at a position on one of the curves' panels, as painted last; none beside them.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
+  /// Of the images of moving parts that all views keep [bytes].
+  [[nodiscard]] double keptBytes() const { return stamps_->bytes(); }
 
  private:
   /// Where the pictures themselves are drawn; beside their frames and titles, if several.
@@ -53,7 +59,7 @@ class MotionPicture {
   void paintMoment(QPainter& painter, const QRectF& data, std::size_t frame,
                    const ViewOptions& options);
   void paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
-                    const desktop::Theme& theme) const;
+                    const ViewOptions& options) const;
 
   Animation animation_;
   desktop::ChartScene data_{desktop::ChartStyle::Compact};
@@ -74,6 +80,7 @@ class MotionPicture {
   Setting setting_, data_setting_;
   std::vector<StillKey> still_;  ///< of each view
   std::vector<Kept> kept_;       ///< of each view
+  std::shared_ptr<Stamps> stamps_ = std::make_shared<Stamps>();
   SharedKey shared_key_;
 };
 

@@ -1,4 +1,5 @@
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <algorithm>
@@ -29,24 +30,22 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
   const auto place = [&](const QPointF& p) {
     return s.sketch.at(p.x() * enlargement, p.y() * enlargement);
   };
+  std::vector<WayPoint> way;
   const auto path = [&](std::size_t first, std::size_t last) {
-    QPolygonF line{place(orbit[first])};
-    for (std::size_t i = first + 1; i < last; ++i) append_seen(line, place(orbit[i]));
-    if (last > first) line.append(place(orbit[last]));
-    return line;
+    way.clear();
+    for (std::size_t i = first; i <= last; ++i)
+      way.push_back({place(orbit[i]), s.animation.way_known(i)});
   };
-  const QPolygonF line = path(0, s.index), rest = path(s.index, orbit.size() - 1);
   QPainter& p = s.sketch.painter();
-  p.setBrush(Qt::NoBrush);
   QColor pale = t.curves[0];
   pale.setAlpha(70);
-  p.setPen(QPen(pale, 1.2));
-  p.drawPolyline(rest);
-  p.setPen(QPen(t.curves[0], 1.6));
-  p.drawPolyline(line);
+  path(s.index, orbit.size() - 1);
+  draw_way(p, s.sketch.area(), way, pale, 1.2);
+  path(0, s.index);
+  draw_way(p, s.sketch.area(), way, t.curves[0], 1.6);
   p.setPen(QPen(t.surface, 1.5));
   p.setBrush(t.curves[0]);
-  p.drawEllipse(line.back(), 5.5, 5.5);
+  p.drawEllipse(way.back().at, 5.5, 5.5);
   return {enlargement, orbit[s.index] * enlargement};
 }
 

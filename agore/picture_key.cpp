@@ -2,6 +2,7 @@
 
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 
 #include <QFontMetricsF>
 #include <QPaintDevice>
@@ -9,7 +10,8 @@
 #include <QPainterPath>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <optional>
 
 namespace adore::agore {
 
@@ -21,7 +23,19 @@ constexpr double kKeyColumn = 182.0;  // that holds the entries of views with ma
 void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
   const double length = kKeyIndent - 8.0;
   if (mark == KeyMark::Star) {
-    draw_asterisk(p, at + QPointF(0.5 * length, 0.0), 5.0, colour);
+    // Without the rim that keeps it readable on steel: on dark paper that would be a blob.
+    p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
+    for (int i = 0; i < 3; ++i) {
+      const double a = kPi * (i / 3.0 + 0.5);
+      const QPointF d = 5.0 * QPointF(std::cos(a), std::sin(a));
+      p.drawLine(at + QPointF(0.5 * length, 0.0) - d, at + QPointF(0.5 * length, 0.0) + d);
+    }
+    return;
+  }
+  if (mark == KeyMark::Dots) {
+    constexpr double kWidth = 2.0;  // of the ways in the pictures
+    for (const double part : {0.1, 0.5, 0.9})
+      draw_frame_mark(p, at + QPointF(part * length, 0.0), kWidth, colour);
     return;
   }
   QPen pen(colour, mark == KeyMark::Dashed ? 1.6 : 3.0, Qt::SolidLine, Qt::FlatCap);
@@ -50,15 +64,14 @@ QStringList in_lines(const QString& text, double width, const QFontMetricsF& met
 }
 
 /// A remark in lines that fit, broken between its parts.
-QStringList wrapped(const QString& remark, double width) {
-  const QFontMetricsF metrics(desktop::ui_font(12));
+QStringList wrapped(const QString& remark, double width, const QFontMetricsF& metrics) {
   QStringList out;
   for (const QString& part : remark.split("  ·  ", Qt::SkipEmptyParts)) {
     const QString longer = out.isEmpty() ? part : out.back() + "  ·  " + part;
     if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
       out.back() = longer;
     else
-      out << part;
+      out << in_lines(part, width, metrics);  // one that is longer than a line goes on in the next
   }
   return out;
 }
@@ -104,76 +117,135 @@ void KeyPicture::draw(const Sketch& sketch, const std::vector<KeyEntry>& entries
   painter.drawImage(place_.topLeft(), image_);
 }
 
+namespace {
+
+/// An entry, or a remark, where it stands: its lines begin in a row of the key.
+struct Placed {
+  const KeyEntry* entry = nullptr;  ///< null: a remark
+  QStringList lines;
+  std::size_t row = 0;
+  double left = 0.0, right = 0.0;
+};
+
+struct Layout {
+  int letters = 12;
+  double line = 0.0;
+  std::size_t rows = 0;
+  std::vector<Placed> parts;
+  [[nodiscard]] double height() const { return line * static_cast<double>(rows); }
+};
+
+Layout empty_layout(int letters) {
+  return {letters,
+          QFontMetricsF(desktop::ui_font(letters)).height() + (letters < 12 ? 1.0 : 2.0),
+          0,
+          {}};
+}
+
+/// Entries beside each other in lines that they fill, each whole: what is longer than a line goes
+/// on in the next ones.
+Layout flowing(const std::vector<KeyEntry>& entries, double width, int letters) {
+  constexpr double kGap = 14.0;
+  Layout out = empty_layout(letters);
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  double x = 0.0;
+  for (const KeyEntry& entry : entries) {
+    const double wanted = width_of(entry, metrics);
+    if (x > 0.0 && x + wanted > width) x = 0.0, ++out.rows;
+    Placed part{&entry, {entry.text}, out.rows, x, x + wanted};
+    if (wanted > width) {
+      part.lines = in_lines(entry.text, width - kKeyIndent, metrics);
+      part.right = width;
+      out.rows += static_cast<std::size_t>(part.lines.size()) - 1;
+    }
+    x = part.right + kGap;
+    out.parts.push_back(std::move(part));
+  }
+  if (!entries.empty()) ++out.rows;
+  return out;
+}
+
+/// In columns of their longest entries; nothing where those are wider than there is room.
+std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size_t columns,
+                                 double width, int letters) {
+  constexpr double kGap = 12.0;
+  Layout out = empty_layout(letters);
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  out.rows = (entries.size() + columns - 1) / columns;
+  double left = 0.0;
+  for (std::size_t first = 0; first < entries.size(); first += out.rows) {
+    double longest = 0.0;
+    for (std::size_t i = first; i < std::min(first + out.rows, entries.size()); ++i) {
+      const double wide = width_of(entries[i], metrics);
+      longest = std::max(longest, wide);
+      out.parts.push_back({&entries[i], {entries[i].text}, i - first, left, left + wide});
+    }
+    if (left + longest > width) return std::nullopt;
+    left += longest + kGap;
+  }
+  return out;
+}
+
+/// Two columns in a small picture, one in others; flowing, and in smaller letters, where those cut
+/// an entry or take too much of the picture.
+Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
+  const double width = area.width() - 12.0;
+  constexpr double kMostOfHeight = 1.0 / 3.0;
+  const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
+  if (const auto plain = in_columns(entries, columns, width, 12))
+    if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
+  Layout out;
+  for (const int letters : {12, 11, 10}) {
+    out = flowing(entries, width, letters);
+    if (out.height() < kMostOfHeight * area.height()) break;
+  }
+  return out;
+}
+
+void draw_part(QPainter& p, const Placed& part, double line, QPointF corner, const QColor& colour) {
+  double y = corner.y() + line * static_cast<double>(part.row + 1) - 4.0;
+  const double left = corner.x() + part.left;
+  const bool marked = part.entry != nullptr && part.entry->colour.isValid();
+  if (marked) draw_mark(p, part.entry->mark, part.entry->colour, {left, y - 4.0});
+  p.setPen(colour);
+  for (const QString& text : part.lines) {
+    p.drawText(QPointF(marked ? left + kKeyIndent : left, y), text);
+    y += line;
+  }
+}
+
+}  // namespace
+
 QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& theme,
                          const std::vector<KeyEntry>& entries, const QString& remark) {
-  p.setFont(desktop::ui_font(12));
-  const QFontMetricsF metrics(p.font());
-  const double line = key_line(), x = area.left() + 4;
-  const QStringList remarks = wrapped(remark, area.width() - 12.0);
-  double width = 0.0;
-  for (const QString& text : remarks) width = std::max(width, metrics.horizontalAdvance(text));
-  constexpr double kGap = 12.0;
-  auto columns = static_cast<std::size_t>(key_columns(entries.size(), area.size()));
-  // Entries that two columns would cut stand in one, if that leaves the picture its room.
-  constexpr double kMostOfHeight = 1.0 / 3.0;
-  const auto all = static_cast<double>(entries.size()) + static_cast<double>(remarks.size());
-  const auto longest = [&](std::size_t from, std::size_t to) {
-    double out = 0.0;
-    for (std::size_t i = from; i < to; ++i) out = std::max(out, width_of(entries[i], metrics));
-    return out;
-  };
-  const std::size_t half = (entries.size() + 1) / 2;
-  if (longest(0, half) + kGap + longest(half, entries.size()) > area.width() - 8.0 &&
-      line * all < kMostOfHeight * area.height())
-    columns = 1;
-  const std::size_t rows = (entries.size() + columns - 1) / columns;
-  std::array<double, 2> column{};
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    column[i / rows] = std::max(column[i / rows], width_of(entries[i], metrics));
-  width = std::max(width, column[0] + (columns == 2 ? kGap + column[1] : 0.0));
-  width = std::min(width, area.width() - 8);
-  const double height = line * (static_cast<double>(rows) + static_cast<double>(remarks.size()));
-  // What stands below stays readable and does not disturb.
+  Layout key = layout_of(entries, area.size());
+  const QFontMetricsF metrics(desktop::ui_font(key.letters));
+  for (const QString& text : wrapped(remark, area.width() - 12.0, metrics))
+    key.parts.push_back({nullptr, {text}, key.rows++, 0.0, metrics.horizontalAdvance(text)});
+  // What stands below stays readable and does not disturb. Each line has its own paper as wide as
+  // it is: a box about all of them bites into what is beside.
+  std::vector<double> ends(key.rows, 0.0);
+  for (const Placed& part : key.parts)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(part.lines.size()); ++i)
+      ends[part.row + i] = std::max(ends[part.row + i], part.right);
+  const QPointF corner(area.left() + 4.0, area.bottom() - 2.0 - key.height());
+  QPainterPath behind;
+  behind.setFillRule(Qt::WindingFill);
+  double widest = 0.0;
+  for (std::size_t row = 0; row < key.rows; ++row) {
+    behind.addRoundedRect(QRectF(area.left(), corner.y() + key.line * static_cast<double>(row),
+                                 ends[row] + 10.0, key.line + 2.0),
+                          4, 4);
+    widest = std::max(widest, ends[row]);
+  }
   QColor paper = theme.surface;
   paper.setAlpha(215);
   p.setPen(Qt::NoPen);
   p.setBrush(paper);
-  const QRectF box(x - 4, area.bottom() - height - 2, width + 10, height + 2);
-  // Each line has its own as wide as it is: a box about all of them bites into what is beside.
-  QPainterPath behind;
-  behind.setFillRule(Qt::WindingFill);
-  const auto line_behind = [&](std::size_t row, double long_as) {
-    behind.addRoundedRect(QRectF(box.left(), box.top() + line * static_cast<double>(row),
-                                 std::min(long_as + 10.0, box.width()), line + 4.0),
-                          4, 4);
-  };
-  for (std::size_t row = 0; row < rows; ++row) {
-    double long_as = width_of(entries[row], metrics);
-    if (columns == 2 && row + rows < entries.size())
-      long_as = column[0] + kGap + width_of(entries[row + rows], metrics);
-    line_behind(row, long_as);
-  }
-  for (qsizetype i = 0; i < remarks.size(); ++i)
-    line_behind(rows + static_cast<std::size_t>(i), metrics.horizontalAdvance(remarks[i]));
   p.drawPath(behind);
-  double y = area.bottom() - 6;
-  const auto write = [&](const QString& text, double left) {
-    p.setPen(theme.muted);
-    p.drawText(QPointF(left, y), metrics.elidedText(text, Qt::ElideRight, area.right() - left - 4));
-  };
-  for (auto text = remarks.rbegin(); text != remarks.rend(); ++text) {
-    write(*text, x);
-    y -= line;
-  }
-  const double top = y - line * static_cast<double>(rows);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const KeyEntry& entry = entries[i];
-    const double left = i < rows ? x : x + column[0] + kGap;
-    y = top + line * static_cast<double>(i % rows + 1);
-    write(entry.text, entry.colour.isValid() ? left + kKeyIndent : left);
-    if (entry.colour.isValid()) draw_mark(p, entry.mark, entry.colour, {left, y - 4});
-  }
-  return box;
+  p.setFont(desktop::ui_font(key.letters));
+  for (const Placed& part : key.parts) draw_part(p, part, key.line, corner, theme.muted);
+  return {area.left(), corner.y(), widest + 10.0, key.height() + 2.0};
 }
 
 double SharedKey::height() { return kLines * key_line() + 4.0; }
@@ -206,39 +278,23 @@ void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Them
 
 void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& theme,
                       const std::vector<KeyEntry>& entries) {
-  constexpr double kGap = 16.0;
-  p.setFont(desktop::ui_font(12));
-  const QFontMetricsF metrics(p.font());
-  const double line = key_line();
-  const auto more = [](std::size_t count) { return QString("%1 more").arg(count); };
-  const double kept = metrics.horizontalAdvance(more(entries.size())) + kGap;
-  double x = place.left(), y = place.top() + line - 4.0;
-  int row = 1;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const KeyEntry& entry = entries[i];
-    const double width = width_of(entry, metrics);
-    const bool last = i + 1 == entries.size();
-    // One that is longer than a line goes on in the next ones.
-    const QStringList lines = width > place.width()
-                                  ? in_lines(entry.text, place.width() - kKeyIndent, metrics)
-                                  : QStringList{entry.text};
-    if (x > place.left() && row < kLines && x + width > place.right())
-      x = place.left(), y += line, ++row;
-    const auto lowest = row + static_cast<int>(lines.size()) - 1;
-    const double end = lines.size() > 1 ? place.left() : x + width;
-    if (lowest > kLines || (lowest == kLines && end > place.right() - (last ? 0.0 : kept))) {
-      p.setPen(theme.muted);
-      p.drawText(QPointF(x, y), more(entries.size() - i));
-      return;
-    }
-    draw_mark(p, entry.mark, entry.colour, {x, y - 4.0});
-    p.setPen(theme.muted);
-    for (qsizetype k = 0; k < lines.size(); ++k) {
-      if (k > 0) y += line, ++row;
-      p.drawText(QPointF(x + kKeyIndent, y), lines[k]);
-    }
-    x = lines.size() > 1 ? place.right() : x + width + kGap;
+  Layout key;
+  for (const int letters : {12, 11, 10, 9}) {
+    key = flowing(entries, place.width(), letters);
+    if (key.height() <= place.height()) break;
   }
+  p.setFont(desktop::ui_font(key.letters));
+  const auto last = static_cast<std::size_t>(place.height() / key.line);
+  std::size_t drawn = 0;
+  for (const Placed& part : key.parts) {
+    const std::size_t end = part.row + static_cast<std::size_t>(part.lines.size());
+    if (key.rows > last && end >= last) break;
+    draw_part(p, part, key.line, place.topLeft(), theme.muted);
+    ++drawn;
+  }
+  if (drawn == entries.size()) return;
+  p.drawText(QPointF(place.left(), place.top() + key.line * static_cast<double>(last) - 4.0),
+             QString("%1 more: each view alone (V) has its own key").arg(entries.size() - drawn));
 }
 
 }  // namespace adore::agore

@@ -17,7 +17,7 @@ namespace adore::agore {
 class Sketch;
 
 /// What stands before the words of a key, as in the picture.
-enum class KeyMark { Line, Dashed, Star };
+enum class KeyMark { Line, Dashed, Star, Dots };
 
 struct KeyEntry {
   QColor colour;  ///< invalid: words about what is not drawn
@@ -36,6 +36,8 @@ struct KeyEntry {
 class KeyPicture {
  public:
   void draw(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
+  /// What was drawn last on a screen.
+  [[nodiscard]] const std::vector<KeyEntry>& entries() const { return entries_; }
   /// Marks of the view last drawn that its picture was too low to name.
   [[nodiscard]] const std::vector<KeyEntry>& leftOut() const { return left_out_; }
   void leaveOut(std::vector<KeyEntry> entries) { left_out_ = std::move(entries); }
@@ -53,10 +55,10 @@ class KeyPicture {
 };
 
 /// One key for several small pictures, which have no room for their own: entries beside each other
-/// in lines of one height. What has no line of its own is counted.
+/// in lines of one height, in letters as small as leave room for all of them.
 class SharedKey {
  public:
-  static constexpr int kLines = 9;
+  static constexpr int kLines = 10;
   /// Height of its lines [pixels].
   [[nodiscard]] static double height();
   void draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,

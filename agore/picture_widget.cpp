@@ -49,7 +49,13 @@ std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
 }
 
 void PictureWidget::mousePressEvent(QMouseEvent* event) {
+  span_from_.reset();
   drag_from_ = event->position();
+  if (event->modifiers() & Qt::ShiftModifier) {
+    drag_tile_ = tileAt(drag_from_);
+    span_from_ = momentAt(drag_from_);
+    if (span_from_) return;
+  }
   drag_tile_ = tileAt(drag_from_);
   turning_ = false;
   if (drag_tile_) {
@@ -63,6 +69,12 @@ void PictureWidget::mousePressEvent(QMouseEvent* event) {
 
 void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
   if (!picture_ || !(event->buttons() & Qt::LeftButton)) return;
+  if (span_from_) {
+    // As long as it is about the height at which it began, wherever the hand goes.
+    const auto to = momentAt({event->position().x(), drag_from_.y()});
+    if (to && *to != *span_from_) emit spanMarked(*span_from_, *to);
+    return;
+  }
   if (!drag_tile_) {
     seek(event->position());
     return;
@@ -109,16 +121,34 @@ void PictureWidget::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+namespace {
+
+/// Of the time bar, about which a hand may miss it a little; none beside it.
+std::optional<double> progress_at(const QRectF& area, QPointF position) {
+  const QRectF bar = MotionPicture::timeBar(area);
+  if (!bar.adjusted(-12, -10, 12, 10).contains(position)) return std::nullopt;
+  return std::clamp((position.x() - bar.left()) / bar.width(), 0.0, 1.0);
+}
+
+}  // namespace
+
 bool PictureWidget::seek(QPointF position) {
   if (!picture_) return false;
-  const QRectF bar = MotionPicture::timeBar(rect());
-  if (bar.adjusted(-12, -10, 12, 10).contains(position)) {
-    emit soughtTo(std::clamp((position.x() - bar.left()) / bar.width(), 0.0, 1.0));
+  if (const auto progress = progress_at(rect(), position)) {
+    emit soughtTo(*progress);
     return true;
   }
   const auto time = picture_->timeAt(rect(), position);
   if (time) emit soughtFrame(picture_->frameAt(*time));
   return time.has_value();
+}
+
+std::optional<double> PictureWidget::momentAt(QPointF position) const {
+  if (!picture_) return std::nullopt;
+  const auto& time = picture_->animation().time;
+  if (const auto progress = progress_at(rect(), position))
+    return time.front() + *progress * (time.back() - time.front());
+  return picture_->timeAt(rect(), position);
 }
 
 }  // namespace adore::agore

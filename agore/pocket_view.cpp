@@ -75,7 +75,7 @@ struct RollerPose {
 /// surfaces are stored in pairs, first the one that drives. Nothing where they are not in pairs.
 std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t frame,
                                       std::size_t element, bool to_the_right) {
-  if (!animation.motion) return std::nullopt;
+  if (!animation.motion || animation.behind(frame)) return std::nullopt;
   const results::MotionChannel* const gap = animation.motion->channel("pocket.gap");
   const results::MotionChannel* const force = animation.motion->channel("pocket.force");
   const results::MotionChannel* const angle = animation.motion->channel("pocket.theta");
@@ -218,8 +218,12 @@ void pocket_view(const Scene& s) {
   } else {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
-  constexpr double kHalfHead = 15.0;  // pixels of the arrow
-  const double top = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
+  constexpr double kHalfHead = 15.0, kHalfArrow = 4.0;  // pixels of the arrow
+  // Within the picture, above which its title stands where it is one of several.
+  const double most =
+      (s.sketch.at(0, 0).y() - s.sketch.area().top() - kHalfArrow) / s.sketch.scale();
+  const double wanted = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
+  const double top = s.options.zoom == 1.0 ? std::min(wanted, most) : wanted;
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
                  s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
   // A small picture has no room for it below the view's title.

@@ -49,7 +49,9 @@ void race_view(const Scene& s) {
   s.sketch.frame(now, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
   std::vector<KeyEntry> key{{t.blue, "frame of the race"},
                             {t.blue, "spot that turns with it", KeyMark::Star}};
-  if (enlargement > 0.0) key.push_back({t.curves[0], "path of the race centre"});
+  if (enlargement > 0.0)
+    key.push_back(way_entry(t.curves[0], s.animation.known_centres, "path of the race centre",
+                            "race centre at the frames"));
   draw_key(s, key,
            QString::fromStdString(
                (enlargement > 0.0 ? fmt::format("path about its middle × {}",

@@ -128,7 +128,8 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
 void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
   const results::MotionChannel* forces =
       s.animation.motion ? s.animation.motion->channel("flange.force") : nullptr;
-  if (forces == nullptr || !s.animation.contacts || !(s.animation.contacts->largest_load > 0.0))
+  if (forces == nullptr || s.animation.contacts_at(s.index) == nullptr ||
+      !(s.animation.contacts->largest_load > 0.0))
     return;
   const double longest = s.animation.contacts->largest_load;
   double largest = 0.0;
@@ -195,8 +196,11 @@ void section_view(const Scene& s) {
   if (s.animation.has_cage) draw_cage_cut(s, cut, k);
   std::vector<KeyEntry> key;
   const char* const names[] = {"outer race", "inner race"};
-  for (std::size_t j = 0; j < 2 && s.animation.contacts; ++j) {
-    const auto& contact = s.animation.contacts->frames.at(s.index).at(k);
+  const auto* const contacts = s.animation.contacts_at(s.index);
+  if (contacts == nullptr)
+    key.push_back({{}, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
+  for (std::size_t j = 0; j < 2 && contacts != nullptr; ++j) {
+    const auto& contact = contacts->at(k);
     const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
     if (!(contact.load[j] > 0.0)) {
       key.push_back({{}, QString("%1: no contact").arg(names[j])});

@@ -44,13 +44,13 @@ void append_seen(QPolygonF& line, QPointF next) {
 }
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-               QPointF pan, double foot, Stamps* stamps)
+               QPointF pan, double foot, Stamps* stamps, double head)
     : painter_(painter),
       area_(area),
       theme_(theme),
-      centre_(area.center() - QPointF(0.0, 0.5 * foot) +
+      centre_(area.center() + QPointF(0.0, 0.5 * (head - foot)) +
               QPointF(pan.x() * area.width(), pan.y() * area.height())),
-      half_(0.5 * std::min(area.width(), area.height() - foot)),
+      half_(0.5 * std::min(area.width(), area.height() - foot - head)),
       scale_(half_ / radius),
       stamps_(stamps) {}
 
@@ -131,7 +131,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
     draw(painter_, there);
   else
     stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
-  orientation_mark(there, r, mark);
+  orientation_mark(there, r, mark, tint);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -151,16 +151,19 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
     draw(painter_, there);
   else
     stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
-  orientation_mark(there, r, mark);
+  orientation_mark(there, r, mark, tint);
 }
 
-/// On the surface, paler on the far side.
-void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const {
+/// On the surface, paler on the far side; pale on a dark colour of the scale.
+void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
+                              const QColor& tint) const {
   if (mark == std::array<double, 3>{}) return;
   if (!std::isfinite(mark[0] + mark[1] + mark[2])) return;  // stars in the file
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
+  constexpr int kDark = 100;
+  if (tint.isValid() && qGray(tint.rgb()) < kDark) colour = QColor("#f0f0f0");
   colour.setAlpha(mark[2] >= kBehind ? 255 : 130);
   painter_.setPen(QPen(colour, std::clamp(0.09 * r, 1.0, 5.0), Qt::SolidLine, Qt::RoundCap));
   painter_.drawLine(middle, tip);

@@ -25,9 +25,10 @@ class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.
   /// `pan`: how far its middle is moved, in parts of the area. `foot`: height at the bottom that
-  /// the circle leaves free [pixels]. `stamps`: keeps drawings that only move; may be null.
+  /// the circle leaves free [pixels], `head`: at the top. `stamps`: keeps drawings that only move;
+  /// may be null.
   Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-         QPointF pan = {0.0, 0.0}, double foot = 0.0, Stamps* stamps = nullptr);
+         QPointF pan = {0.0, 0.0}, double foot = 0.0, Stamps* stamps = nullptr, double head = 0.0);
 
   [[nodiscard]] QPainter& painter() const { return painter_; }
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
@@ -78,7 +79,8 @@ class Sketch {
   void stamp(QPointF middle, double reach, const Stamps::Look& look,
              const std::function<void(QPainter&, QPointF)>& paint) const;
   void pale_cage(QPainter& painter, const QPainterPath& path) const;
-  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const;
+  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
+                        const QColor& tint) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;

@@ -1,6 +1,7 @@
 #include "agore/solid_view.hpp"
 
 #include "agore/view_layout.hpp"
+#include "agore/ways.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -307,20 +308,25 @@ Vec3 roller_axis(const results::Sol8Element& e, double nominal, double factor) {
 }
 
 /// Of the marks that turn with elements: with light and shade of their own, for a flat dark one
-/// looks like a hole, and none of the colours of the scale.
-QColor mark_colour() { return QColor("#7a3fa0"); }
+/// looks like a hole. On an element that the scale colours a grey, which is none of its colours,
+/// pale on dark ones and dark on pale ones.
+QColor mark_colour(const QColor& tint) {
+  if (!tint.isValid()) return QColor("#7a3fa0");
+  return qGray(tint.rgb()) < 120 ? QColor("#e8e8e8") : QColor("#3a3a3a");
+}
 
 void add_elements(Modeller& m, const Scene& s, double roller_factor) {
   const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   const desktop::Theme& t = s.sketch.theme();
   const bool balls = s.animation.file.bearing_type == 1;
-  const Shades steel = shades_of(t.steel_light), paint = shades_of(mark_colour());
+  const Shades steel = shades_of(t.steel_light), plain_mark = shades_of(mark_colour({}));
   const double nominal = nominal_lean(s.animation);
   const RollerProfile roller = roller_profile(s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     const auto& e = s.frame.elements[k];
     const QColor tint = colours.of(k);
     const Shades shades = tint.isValid() ? shades_of(tint) : steel;
+    const Shades paint = tint.isValid() ? shades_of(mark_colour(tint)) : plain_mark;
     const bool followed = e.angles != std::array<double, 3>{};
     const Mat3 attitude = rotation(e.angles);
     const Vec3 centre = element_place(s, k);
@@ -470,19 +476,22 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   // Over the bodies: a line hidden in the metal says nothing.
   if (s.options.trails)
     for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-      QPolygonF line;
+      std::vector<WayPoint> way;
       for (const TrailPoint& point : element_trail(s, k))
-        append_seen(line, at({point.x, point.centre.x(), point.centre.y()}));
-      p.setPen(QPen(trail_colour(s), 1.8));
-      p.drawPolyline(line);
+        way.push_back({at({point.x, point.centre.x(), point.centre.y()}), point.joined});
+      draw_way(p, s.sketch.area(), way, trail_colour(s), 1.8);
     }
   std::vector<KeyEntry> key;
   if (outer_spot_shown(s, eye)) key.push_back({t.light_blue, "spot of the outer race"});
   key.push_back({t.blue, "spot of the inner race"});
-  if (!land_places(s.animation).empty()) key.push_back({t.red, "guide lands on the race"});
-  if (s.options.trails) key.push_back({trail_colour(s), "paths of the elements"});
-  if (s.options.contacts && s.animation.contacts && s.animation.contacts->largest_load > 0.0) {
-    const auto& contacts = s.animation.contacts->frames.at(s.index);
+  if (!land_places(s.animation).empty()) key.push_back({t.red, "guide lands"});
+  if (s.options.trails) key.push_back(trail_entry(s));
+  const auto* const loads = s.options.contacts ? s.animation.contacts_at(s.index) : nullptr;
+  if (s.options.contacts && loads == nullptr)
+    key.push_back(
+        {t.muted, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
+  if (loads != nullptr && s.animation.contacts->largest_load > 0.0) {
+    const auto& contacts = *loads;
     const double radius = s.geometry().element_radius;
     for (std::size_t k = 0; k < contacts.size(); ++k)
       for (std::size_t j = 0; j < 2; ++j) {

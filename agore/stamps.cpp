@@ -2,7 +2,10 @@
 
 #include <QPaintDevice>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace adore::agore {
 
@@ -10,9 +13,25 @@ namespace {
 
 constexpr double kSmall = 64.0;     // reach [pixels of the device] that is kept in quarters
 constexpr double kLargest = 700.0;  // reach: larger ones are drawn, their images would be too dear
-constexpr double kMost = 32e6;      // pixels of all images: 128 MB
+
+double bytes_of(const QImage& image) { return static_cast<double>(image.sizeInBytes()); }
 
 }  // namespace
+
+void Stamps::make_room(double bytes) {
+  if (bytes_ + bytes <= room_) return;
+  // A quarter more than is needed: the next one shall not have to search again.
+  const double wanted = std::max(0.0, 0.75 * room_ - bytes);
+  std::vector<std::pair<std::uint64_t, const Key*>> oldest;
+  for (const auto& [key, image] : images_) oldest.emplace_back(image.drawn, &key);
+  std::sort(oldest.begin(), oldest.end());
+  for (const auto& [drawn, key] : oldest) {
+    if (bytes_ <= wanted) break;
+    const auto found = images_.find(*key);
+    bytes_ -= bytes_of(found->second.image);
+    images_.erase(found);
+  }
+}
 
 void Stamps::draw(QPainter& painter, QPointF middle, double reach, const Look& look,
                   const std::function<void(QPainter&, QPointF)>& paint) {
@@ -32,7 +51,6 @@ void Stamps::draw(QPainter& painter, QPointF middle, double reach, const Look& l
   auto found = images_.find(key);
   if (found == images_.end()) {
     const int side = 2 * static_cast<int>(half) + 1;
-    if (pixels_ + static_cast<double>(side) * side > kMost) images_.clear(), pixels_ = 0.0;
     QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(ratio);
     image.fill(Qt::transparent);
@@ -42,10 +60,12 @@ void Stamps::draw(QPainter& painter, QPointF middle, double reach, const Look& l
                         half + static_cast<double>(down) / parts) /
                     ratio);
     once.end();
-    pixels_ += static_cast<double>(side) * side;
-    found = images_.emplace(key, std::move(image)).first;
+    make_room(bytes_of(image));
+    bytes_ += bytes_of(image);
+    found = images_.emplace(key, Image{std::move(image)}).first;
   }
-  painter.drawImage(QPointF(x - half, y - half) / ratio, found->second);
+  found->second.drawn = ++drawings_;
+  painter.drawImage(QPointF(x - half, y - half) / ratio, found->second.image);
 }
 
 }  // namespace adore::agore

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <compare>
+#include <cstdint>
 #include <functional>
 #include <map>
 
@@ -17,10 +18,16 @@
 /// An image lies on whole pixels, so it is kept for places between them: in quarters of a pixel
 /// where it is small, in halves where it is large. What is drawn is nowhere farther off than 1/8
 /// and 1/4 of a pixel each way.
+///
+/// All views of a window keep theirs together, within one room. Where that is full, those go that
+/// were not drawn for the longest time.
 namespace adore::agore {
 
 class Stamps {
  public:
+  static constexpr double kRoom = 160e6;  ///< [bytes]
+  /// @param room for all images [bytes]
+  explicit Stamps(double room = kRoom) : room_(room) {}
   /// What a drawing looks like: equal ones are equal pictures.
   struct Look {
     int kind = 0;
@@ -33,6 +40,7 @@ class Stamps {
             const std::function<void(QPainter&, QPointF)>& paint);
   /// Images that are kept.
   [[nodiscard]] std::size_t size() const { return images_.size(); }
+  [[nodiscard]] double bytes() const { return bytes_; }
 
  private:
   struct Key {
@@ -41,8 +49,15 @@ class Stamps {
     double ratio = 0.0;
     auto operator<=>(const Key&) const = default;
   };
-  std::map<Key, QImage> images_;
-  double pixels_ = 0.0;  ///< of all images
+  struct Image {
+    QImage image;
+    std::uint64_t drawn = 0;  ///< when last, counted in drawings
+  };
+  /// Lets images go until that much is free.
+  void make_room(double bytes);
+  std::map<Key, Image> images_;
+  double room_, bytes_ = 0.0;
+  std::uint64_t drawings_ = 0;
 };
 
 }  // namespace adore::agore

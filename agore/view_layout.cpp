@@ -48,7 +48,7 @@ namespace {
 
 /// Entries of the keys of views that have many.
 std::size_t key_entries(const Animation& animation, const ViewOptions& options) {
-  const std::size_t loads = options.contacts ? 1 : 0, trails = options.trails ? 1 : 0;
+  const std::size_t loads = options.contacts ? 2 : 0, trails = options.trails ? 1 : 0;
   const std::size_t guide = animation.guide != Guide::None ? 2 : 0;
   if (options.view == View::Cage) return 3 + guide;
   return 2 + (animation.has_cage ? 2 + guide : 0) + loads + trails;
@@ -97,7 +97,11 @@ double key_width(const Animation& animation, const ViewOptions& options, QSizeF 
 
 }  // namespace
 
-double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+namespace {
+
+/// Of a picture that leaves `head` free at its top.
+double foot_below(const Animation& animation, const ViewOptions& options, QSizeF size,
+                  double head) {
   constexpr double kWide = 520.0;
   const bool low = too_low(options, size.height());
   const bool round =
@@ -112,15 +116,46 @@ double key_foot(const Animation& animation, const ViewOptions& options, QSizeF s
   const bool numbers = options.view == View::Bearing || options.view == View::Cage;
   const double rim = options.view == View::Solid ? 0.13 * half : numbers ? 0.0 : 20.0;
   for (double foot = 0.0; foot < height; foot += 4.0) {
-    const double radius = 0.5 * std::min(size.width(), size.height() - foot);
-    const double below = std::max(0.0, size.height() - height - 0.5 * (size.height() - foot));
+    const double high = size.height() - foot - head;
+    const double radius = 0.5 * std::min(size.width(), high);
+    const double below = std::max(0.0, size.height() - height - head - 0.5 * high);
     if (std::hypot(beside, below) > radius - rim) return foot;
   }
   return height;
 }
 
+}  // namespace
+
+double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  return foot_below(animation, options, size, scale_head(animation, options, size));
+}
+
+QSizeF scale_room(const ViewOptions& options, QSizeF size) {
+  const bool round = options.view == View::Bearing || options.view == View::Solid;
+  if (options.colour == ColourBy::None || !round) return {0.0, 0.0};
+  if (options.one_of_several && too_low(options, size.height())) return {0.0, 0.0};
+  const double lines = options.scale.kind == ColourScale::Typed ? 3.0 : 2.0;
+  return {size.width() < 480.0 ? 110.0 : 156.0, 46.0 + 14.0 * lines};
+}
+
+double scale_head(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const QSizeF room = scale_room(options, size);
+  if (room.isEmpty()) return 0.0;
+  // A higher foot, which a head may ask for, makes the picture as much smaller as it lifts it.
+  const double foot = foot_below(animation, options, size, 0.0);
+  constexpr double kStep = 2.0, kBeside = 4.0;
+  const double right = std::max(0.0, 0.5 * size.width() - room.width());
+  for (double head = 0.0; head < room.height(); head += kStep) {
+    const double high = size.height() - foot - head, radius = 0.5 * std::min(size.width(), high);
+    const double up = std::max(0.0, head + 0.5 * high - room.height());
+    if (std::hypot(right, up) > radius + kBeside) return head;
+  }
+  return room.height();
+}
+
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area) {
-  return area.center() - QPointF(0.0, 0.5 * key_foot(animation, options, area.size()));
+  return area.center() + QPointF(0.0, 0.5 * (scale_head(animation, options, area.size()) -
+                                             key_foot(animation, options, area.size())));
 }
 
 }  // namespace adore::agore

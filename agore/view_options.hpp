@@ -4,6 +4,7 @@
 
 #include <QPointF>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,8 +61,10 @@ struct ViewOptions {
   QPointF pan{0.0, 0.0};                ///< of the picture, in parts of its size
   double yaw = 32.0, elevation = 18.0;  ///< of the 3D view's eye [degrees], from +X
   bool moving = false;                  ///< a quick picture of the 3D view is enough
-  bool one_of_several = false;          ///< beside others: smaller ones share a key below them
-  std::vector<SideView> beside = {};    ///< drawn beside the first, at the same frame
+  /// What is to be repeated, as the time line shows it [s]; none: to that end of the run.
+  std::optional<double> span_from, span_to;
+  bool one_of_several = false;        ///< beside others: smaller ones share a key below them
+  std::vector<SideView> beside = {};  ///< drawn beside the first, at the same frame
 
   /// The options of one of the pictures: 0 is the first view, others are those beside it.
   [[nodiscard]] ViewOptions tile(std::size_t number) const;

@@ -63,8 +63,14 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 struct TrailPoint {
   QPointF centre;
   double x = 0.0;
+  bool joined = false;  ///< is the way to the point before, which is a later frame, known?
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
+/// Of a way in a key; `what`: "path" or the like, `places`: what its marks are where it is unknown.
+[[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
+                                 const QString& places);
+/// Of the ways that element_trail() makes.
+[[nodiscard]] KeyEntry trail_entry(const Scene& scene);
 /// Told apart from loads, frames and marks with every colour vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
 

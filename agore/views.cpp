@@ -22,14 +22,16 @@ namespace {
 Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animation,
                  const ViewOptions& options, Stamps* stamps = nullptr) {
   const double foot = key_foot(animation, options, area.size());
-  const QSizeF room(area.width(), area.height() - foot);
+  const double head = scale_head(animation, options, area.size());
+  const QSizeF room(area.width(), area.height() - foot - head);
   return {painter,
           area,
           picture_radius(animation, options, room) / std::max(options.zoom, 1e-3),
           theme_of(options),
           options.pan,
           foot,
-          stamps};
+          stamps,
+          head};
 }
 
 /// A picture that is whole ends in its area by itself.
@@ -104,7 +106,7 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (is_clipped(options)) painter.setClipRect(area);
-  const Sketch sketch = sketch_of(painter, area, animation, options, &kept->stamps);
+  const Sketch sketch = sketch_of(painter, area, animation, options, kept->stamps.get());
   const Scene scene{
       sketch,  animation,   index,    animation.frame(index), used_exaggeration(animation, options),
       options, kept->cages, kept->key};

@@ -199,23 +199,42 @@ void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all) {
   axis.decimals = decimals_for(axis.step);
 }
 
-AxisScale log_axis(double low, double high, std::string_view unit, bool tight) {
+namespace {
+
+/// The prefix in which a range of decades has few digits: 10 kHz and more are no 10000 Hz, unless
+/// the small numbers got so long then.
+Multiple multiple_of_decades(double low, double high, std::string_view unit) {
+  constexpr double kLong = 1e4, kShortest = 9e-4;
+  Multiple out{1.0, pretty_unit(unit)};
+  if (!takes_prefix(unit) || high < kLong * (1.0 - 1e-9)) return out;
+  const Multiple scaled = multiple_for(high, unit);
+  return low / scaled.factor < kShortest ? out : scaled;
+}
+
+}  // namespace
+
+AxisScale log_axis(double low, double high, std::string_view unit, bool tight, double room) {
   constexpr double kSmallest = 1e-300, kMostDecades = 40.0;
   if (!(high > kSmallest) || !std::isfinite(high)) low = 1.0, high = 10.0;
   low = std::max({std::isfinite(low) && low > 0.0 ? low : 0.0, kSmallest,
                   high * std::pow(10.0, -kMostDecades)});
   AxisScale axis;
   axis.log = true;
-  axis.unit = pretty_unit(unit);
-  axis.min = std::log10(low);
-  axis.max = std::log10(high);
+  const Multiple multiple = multiple_of_decades(low, high, unit);
+  axis.factor = multiple.factor;
+  axis.unit = multiple.unit;
+  axis.min = axis.shown(low);
+  axis.max = axis.shown(high);
   if (!tight || !(axis.max - axis.min > 1e-6)) {
     axis.min = std::floor(axis.min + 1e-9);
     axis.max = std::ceil(axis.max - 1e-9);
     if (axis.max - axis.min < 1.0) axis.max = axis.min + 1.0;
   }
-  axis.step = std::max(1.0, std::ceil((axis.max - axis.min) / 10.0));
+  const double decades = axis.max - axis.min;
+  axis.step = std::max(1.0, std::ceil(decades / 10.0));
   axis.decimals = 0;
+  constexpr double kFew = 2.5, kNarrowest = 0.301;  // from 1 to 2 [decades]
+  axis.between = decades < kFew || (axis.step == 1.0 && decades <= kNarrowest * room);
   return axis;
 }
 
@@ -234,11 +253,10 @@ std::vector<AxisTick> axis_ticks(const AxisScale& axis) {
     return out;
   }
   const bool plain = axis.min > -3.5 && axis.max < 5.5;
-  const bool between = axis.max - axis.min < 2.5;  // 1, 2, 5 of each decade
   for (double decade = axis.step * std::floor(axis.min / axis.step); decade <= axis.max + slack;
        decade += axis.step)
     for (const int digit : {1, 2, 5}) {
-      if (digit > 1 && !between) continue;
+      if (digit > 1 && !axis.between) continue;
       const double value = digit * std::pow(10.0, decade);
       add(std::log10(value),
           plain        ? pretty_number(value, 3)

@@ -18,13 +18,14 @@ struct AxisScale {
   std::string unit;  ///< to be shown in brackets: "µm", "10³ rpm/s"; empty for a plain number
   std::string offset_text;  ///< "35.12 mm" when that was taken out of the numbers, else empty
 
-  bool log = false;  ///< shown = log10(value): one decade per shown unit
+  bool log = false;      ///< shown = log10(value / factor): one decade per shown unit
+  bool between = false;  ///< of a logarithmic one: 2 and 5 times each power of ten are ticks, too
 
   [[nodiscard]] double shown(double value) const {
-    return log ? std::log10(value) : (value - offset) / factor;
+    return log ? std::log10(value / factor) : (value - offset) / factor;
   }
   [[nodiscard]] double value(double at) const {
-    return log ? std::pow(10.0, at) : at * factor + offset;
+    return log ? std::pow(10.0, at) * factor : at * factor + offset;
   }
 };
 
@@ -63,8 +64,10 @@ AxisScale tight_axis(double low, double high, std::string_view unit, int parts);
 void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all);
 
 /// Logarithmic scale over the positive part of the range: whole decades around it, or exactly the
-/// range when `tight`. A range without positive numbers counts as 1 to 10.
-AxisScale log_axis(double low, double high, std::string_view unit, bool tight = false);
+/// range when `tight`. A range without positive numbers counts as 1 to 10. So many labels as `room`
+/// fit one after the other: it decides which ticks there are.
+AxisScale log_axis(double low, double high, std::string_view unit, bool tight = false,
+                   double room = 0.0);
 
 /// "−0.40": fixed decimals, a true minus sign, no negative zero.
 std::string tick_text(double value, int decimals);

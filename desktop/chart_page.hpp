@@ -17,6 +17,9 @@ struct ChartCurve {
   bool heavy = false;     ///< drawn thick: what the picture is about
   /// Extremes between the values, drawn as a pale area; empty: not known. As long as y.
   std::vector<double> low = {}, high = {};
+  /// Which values a file holds, as long as y: the others are read off straight lines between them.
+  /// Empty: all of them.
+  std::vector<bool> stored = {};
   bool hidden = false;  ///< by its entry in the legend
   /// What y holds beside the values, so that lines stand above each other.
   double lift = 0.0;
@@ -34,7 +37,10 @@ struct ChartPanel {
       0.0;  ///< smallest range of the vertical axis, where finer detail is the data's rounding
   std::string message = {};  ///< a sentence in place of curves without any value
   bool one_colour = false;   ///< curves of one family, without a legend
-  bool log = false;          ///< logarithmic axis; values of 0 and less have no place on it
+  /// Its lines stand above each other, each with its name beside it: in place of numbers that would
+  /// count their distances a bar shows how high a value is.
+  bool scale_bar = false;
+  bool log = false;  ///< logarithmic axis; values of 0 and less have no place on it
 };
 
 struct ChartMark {

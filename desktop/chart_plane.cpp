@@ -1,7 +1,6 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_scene_parts.hpp"
 
-#include <QChart>
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
 
@@ -195,7 +194,7 @@ void ChartScene::addOrbit(const Metrics& m) {
   y_axis.min = y_axis.shown(seen.middle_y - half_y),
   y_axis.max = y_axis.shown(seen.middle_y + half_y);
   x_axis_ = x_axis;
-  addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
+  addFrame(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
            with_unit(text_of(panel.title), y_axis), true, true, m);
   if (page_.guide_radius > 0.0) {
     Polyline circle;

@@ -3,12 +3,9 @@
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/study_picture.hpp"
 
-#include <QChart>
 #include <QFontMetricsF>
-#include <QGraphicsLayout>
 #include <QImage>
 #include <QPainter>
-#include <QValueAxis>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +15,7 @@ namespace adore::desktop {
 
 ChartScene::Metrics ChartScene::metrics() const {
   if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 20, 13, 11, 10, 1.4, 1.0};
-  const auto lines = static_cast<qreal>(noteLines(28).lines.size());
-  const qreal note = 18.0 * lines + (lines > 0.0 ? 2.0 : 0.0);
+  const qreal note = noteHeight(28);
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
 }
 
@@ -92,9 +88,12 @@ void ChartScene::studyCurves() {
   if (!rising_ || x.size() < kLong) return;
   for (const ChartPanel& panel : page_.panels) {
     auto& of_panel = blocks_.emplace_back();
+    const auto study = [&](const std::vector<double>& values, bool wraps) {
+      return values.size() == x.size() ? blocks_of(values, wraps) : CurveBlocks{};
+    };
     for (const ChartCurve& curve : panel.curves)
-      of_panel.push_back(curve.y.size() == x.size() ? blocks_of(curve.y, panel.wraps)
-                                                    : CurveBlocks{});
+      of_panel.push_back(
+          {study(curve.y, panel.wraps), study(curve.low, false), study(curve.high, false)});
   }
 }
 
@@ -154,7 +153,9 @@ void ChartScene::setZoom(const ChartZoom& zoom) {
     return;
   }
   if (page_.x.empty() || page_.equal_axes) return;
-  const auto [first, last] = wholeRange();
+  // Spectra begin at 0, before their first line: that view is theirs, too.
+  const auto [from, last] = wholeRange();
+  const double first = std::min(from, firstRange().first);
   const double smallest = (last - first) * 1e-4;
   const double low = std::clamp(zoom.low, first, last), high = std::clamp(zoom.high, first, last);
   if (high - low >= smallest) {
@@ -263,6 +264,18 @@ int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
   return digits;
 }
 
+QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t place) const {
+  const ChartPanel& of = page_.panels[panel];
+  const ChartCurve& curve = of.curves[index];
+  if (place >= curve.low.size() || place >= curve.high.size()) return {};
+  const auto text = [&](double v) {
+    return text_of(pretty_quantity(v - curve.lift, of.unit, digitsOf(panel, index)));
+  };
+  const QString low = text(curve.low[place]), high = text(curve.high[place]);
+  const bool known = std::isfinite(curve.low[place]) && std::isfinite(curve.high[place]);
+  return known && low != high ? tr(" (%1 to %2)").arg(low, high) : QString();
+}
+
 QStringList ChartScene::readoutParts(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
     return {
@@ -280,7 +293,8 @@ QStringList ChartScene::readoutParts(QPointF position) const {
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
       const ChartCurve& curve = panel.curves[c];
       if (i >= curve.y.size() || curve.hidden) continue;
-      const QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      value += bandAt(p, c, i);
       QString part = curve.name.empty() ? value : told(curve.name, value);
       const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
       const bool named = !panel.curves.front().name.empty();
@@ -299,7 +313,6 @@ QString ChartScene::readout(QPointF position) const { return readoutParts(positi
 
 void ChartScene::rebuild() {
   clear();
-  charts_.clear();
   lines_.clear();
   areas_.clear();
   y_axes_.clear();
@@ -311,6 +324,7 @@ void ChartScene::rebuild() {
     addItem(new StudyPicture(page_.study, *theme_, size_));
     return;
   }
+  constexpr qreal kLabelWidth = 45.0;  // of a number beside others [px]
   const Metrics m = metrics();
   addHeading(m);
   const QRectF space = this->space(m);
@@ -322,7 +336,7 @@ void ChartScene::rebuild() {
     addOrbit(m);
     return;
   }
-  x_axis_ = page_.log_x ? log_axis(low_, high_, page_.x_unit, true)
+  x_axis_ = page_.log_x ? log_axis(low_, high_, page_.x_unit, true, space.width() / kLabelWidth)
                         : tight_axis(low_, high_, page_.x_unit,
                                      std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
@@ -357,14 +371,16 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
     const ChartCurve& curve = panel.curves[c];
     any = any || std::any_of(curve.y.begin(), curve.y.end(), is_drawable);
     if (curve.hidden) continue;
-    const CurveBlocks* blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c];
-    for (const auto* values : {&curve.y, &curve.low, &curve.high})
+    const bool by_blocks = !blocks_.empty() && !panel.log;
+    std::size_t which = 0;
+    for (const auto* values : {&curve.y, &curve.low, &curve.high}) {
+      const CurveBlocks* blocks = by_blocks ? &blocks_[index][c].of(which) : nullptr;
+      ++which;
       for (std::size_t i = from; i < std::min(to, values->size()); ++i) {
         if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) continue;
         const std::size_t b = i / CurveBlocks::kLength;
-        if (values == &curve.y && blocks != nullptr && i % CurveBlocks::kLength == 0 &&
-            i + CurveBlocks::kLength <= to && b < blocks->blocks.size() &&
-            blocks->blocks[b].whole) {
+        if (blocks != nullptr && i % CurveBlocks::kLength == 0 && i + CurveBlocks::kLength <= to &&
+            b < blocks->blocks.size() && blocks->blocks[b].whole) {
           extent.include((*values)[blocks->blocks[b].lowest]);
           extent.include((*values)[blocks->blocks[b].highest]);
           i += CurveBlocks::kLength - 1;
@@ -372,6 +388,7 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
           extent.include((*values)[i]);
         }
       }
+    }
   }
   const double least = std::max(panel.least_span, least_span_of(panel.unit));
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
@@ -388,9 +405,11 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
   const auto& chosen = panel_views_[index];
   const double low = chosen ? chosen->first : extent.low,
                high = chosen ? chosen->second : extent.high;
-  return panel.log ? log_axis(low, high, panel.unit, chosen.has_value())
-         : chosen  ? tight_axis(low, high, panel.unit, parts)
-                   : value_axis(low, high, panel.unit, parts);
+  constexpr qreal kLabelHeight = 20.0;
+  return panel.log
+             ? log_axis(low, high, panel.unit, chosen.has_value(), area.height() / kLabelHeight)
+         : chosen ? tight_axis(low, high, panel.unit, parts)
+                  : value_axis(low, high, panel.unit, parts);
 }
 
 namespace {
@@ -451,7 +470,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const qreal legend =
       scaled ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m) : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
-  QString y_title = scaled ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
+  const bool numbered = scaled && !panel.scale_bar;
+  QString y_title = numbered ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
   // One way for the page.
@@ -468,11 +488,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     head += title_metrics.horizontalAdvance(y_title) + 16.0;
     y_title.clear();
   }
-  addChart(area, x_axis_, y_axis, x_title, y_title, bottom, scaled, m);
+  addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
+  if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
   std::vector<QPolygonF> drawn;
   for (const ShownCurve& one : shown) {
     const ChartCurve& curve = panel.curves[one.curve];
-    if (!curve.low.empty()) addBand(curve, area, y_axis, one.colour, drawn);
+    if (!curve.low.empty()) addBand(index, one.curve, area, y_axis, one.colour, drawn);
     addShown(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
@@ -488,51 +509,6 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   if (any) addMarks(area, index == 0, m);  // lines across a message hide its words
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
-}
-
-QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
-                             const QString& x_title, const QString& y_title, bool x_labels,
-                             bool y_labels, const Metrics& m) {
-  auto* chart = new QChart;
-  chart->setBackgroundVisible(false);
-  chart->setPlotAreaBackgroundVisible(false);
-  chart->legend()->hide();
-  chart->setMargins({0, 0, 0, 0});
-  chart->setAnimationOptions(QChart::NoAnimation);
-  addItem(chart);
-  const QRectF frame =
-      area.adjusted(-m.left + 4, -14, std::min<qreal>(m.right, 26), x_labels ? m.bottom - 4 : 14);
-  chart->setGeometry(frame);
-  chart->setPlotArea(area.translated(-frame.topLeft()));
-  const auto style = [&](QValueAxis* axis, const AxisScale& scale, const QString& title) {
-    // A hair beyond the ends, so that a tick on the end is not lost to rounding.
-    const double hair = 1e-7 * (scale.max - scale.min);
-    axis->setRange(scale.min - hair, scale.max + hair);
-    axis->setTickType(QValueAxis::TicksDynamic);
-    axis->setTickAnchor(0.0);
-    axis->setTickInterval(scale.step);
-    axis->setGridLinePen(QPen(theme_->grid, 1));
-    axis->setLinePen(QPen(theme_->frame, 1));
-    axis->setTitleText(title);
-    axis->setTitleVisible(false);
-    axis->setLabelsVisible(false);
-    axis->setVisible(!page_.schematic);
-  };
-  auto* x = new QValueAxis;
-  auto* y = new QValueAxis;
-  style(x, x_scale, x_title);
-  style(y, y_scale, y_title);
-  chart->addAxis(x, Qt::AlignBottom);
-  chart->addAxis(y, Qt::AlignLeft);
-  if (!y_labels) y->setVisible(false);
-  // Axes are placed when the layout runs, which would otherwise wait for the event loop; a picture
-  // is painted now.
-  chart->layout()->invalidate();
-  chart->layout()->activate();
-  charts_.push_back(chart);
-  lines_.push_back(0);
-  if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, y_labels, m);
-  return chart;
 }
 
 void ChartScene::paintPage(QPainter& painter, const QRectF& target) {

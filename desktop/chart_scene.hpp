@@ -10,13 +10,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-class QChart;
 class QImage;
 
-/// Draws a ChartPage with Qt Charts: the same scene is shown by AdrPlot's window, by AGORE's data
+/// Draws a ChartPage: the same scene is shown by AdrPlot's window, by AGORE's data
 /// area and by every headless picture.
 namespace adore::desktop {
 
@@ -75,7 +76,6 @@ class ChartScene : public QGraphicsScene {
 
   /// Drawing area of each panel in scene coordinates, from top to bottom.
   [[nodiscard]] const std::vector<QRectF>& plotAreas() const { return areas_; }
-  [[nodiscard]] const std::vector<QChart*>& charts() const { return charts_; }
   /// Connected lines that are drawn in a panel.
   [[nodiscard]] int linesOf(std::size_t panel) const { return lines_.at(panel); }
   /// Abscissa value at a scene position, and back.
@@ -115,11 +115,15 @@ class ChartScene : public QGraphicsScene {
   /// no more than a line is wide, or not at all.
   enum class Alike : unsigned char { Covers, Near, Equal };
   [[nodiscard]] Metrics metrics() const;
+  /// The page's note as lines of the page's width.
   struct NoteLines {
     QStringList lines;
-    int font = 0;
+    int font = 13;
+    bool more = false;  ///< not all of it has room
   };
-  [[nodiscard]] NoteLines noteLines(qreal right) const;
+  [[nodiscard]] const NoteLines& noteLines(qreal right) const;
+  [[nodiscard]] NoteLines findNoteLines(qreal right) const;
+  [[nodiscard]] qreal noteHeight(qreal right) const;
   void rebuild();
   void addHeading(const Metrics& m);
   /// Range of the values in the view, not finer than a bearing's numbers are.
@@ -142,12 +146,15 @@ class ChartScene : public QGraphicsScene {
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
+  /// In place of the numbers of a panel's own axis: a value with few digits as a bar, and its text.
+  void addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+                   const Metrics& m);
   /// Names of lines of one family beside their panel, as many as have room.
   void addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
                     const Metrics& m);
   /// Appends the outlines that it has drawn.
-  void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour,
-               std::vector<QPolygonF>& drawn);
+  void addBand(std::size_t panel, std::size_t curve, const QRectF& area, const AxisScale& y_axis,
+               int colour, std::vector<QPolygonF>& drawn);
   /// The value that the numbers of the axis are counted from: beside the legend, shorter where
   /// there is little room, else in the corner of the panel that hides least of what is drawn.
   void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
@@ -167,6 +174,8 @@ class ChartScene : public QGraphicsScene {
   void addOrbit(const Metrics& m);
   void studyDigits();
   [[nodiscard]] QStringList planeReadout(QPointF position) const;
+  /// " (0.1 N to 2 N)": extremes since the value before; empty where there are none, or no width.
+  [[nodiscard]] QString bandAt(std::size_t panel, std::size_t curve, std::size_t place) const;
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
   /// Returns its left end. A legend that reaches over the labels of the axis stands above
   /// `labels_top`.
@@ -183,14 +192,14 @@ class ChartScene : public QGraphicsScene {
   /// What the page begins with.
   [[nodiscard]] std::pair<double, double> firstRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
-  QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
-                   const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
-                   const Metrics& m);
+  void addFrame(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
+                const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
+                const Metrics& m);
   void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
-                 const QString& x_title, const QString& y_title, bool x_labels, bool y_labels,
+                 const QString& x_title, const QString& y_title,
+                 const std::vector<AxisTick>& x_ticks, const std::vector<AxisTick>& y_ticks,
                  const Metrics& m);
-  /// A line inside `area`, drawn by ourselves: Qt Charts makes an outline of every line for the
-  /// mouse, which takes most of the time of moving along a long run. Returns it in the scene.
+  /// A line inside `area`. Returns it in the scene.
   QPolygonF addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                      const AxisScale& y_axis, QPen pen);
   /// All parts of a line as one item.
@@ -213,12 +222,21 @@ class ChartScene : public QGraphicsScene {
   std::vector<std::optional<std::pair<AxisScale, bool>>> found_axes_;
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
-  std::vector<QChart*> charts_;
   std::vector<int> lines_;
-  bool rising_ = false;                           ///< the abscissa
-  std::vector<double> decades_;                   ///< log10 of a logarithmic abscissa
-  std::vector<std::vector<CurveBlocks>> blocks_;  ///< of long curves: by panel and curve
-  std::vector<std::vector<int>> digits_;          ///< by panel and curve
+  /// What was found last, and for which note, width, height and right margin.
+  using NoteKey = std::tuple<std::string, qreal, qreal, qreal>;
+  mutable std::optional<std::pair<NoteKey, NoteLines>> note_lines_;
+  bool rising_ = false;          ///< the abscissa
+  std::vector<double> decades_;  ///< log10 of a logarithmic abscissa
+  /// Of a long curve and of the edges of its band.
+  struct LongCurve {
+    CurveBlocks y, low, high;
+    [[nodiscard]] const CurveBlocks& of(std::size_t which) const {
+      return which == 0 ? y : which == 1 ? low : high;
+    }
+  };
+  std::vector<std::vector<LongCurve>> blocks_;  ///< by panel and curve; none of short ones
+  std::vector<std::vector<int>> digits_;        ///< by panel and curve
   /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.
   std::map<std::array<std::size_t, 3>, bool> equal_runs_;
 };

@@ -66,6 +66,10 @@ struct ChartScene::ShownCurve {
   bool partly = false;  ///< elsewhere the two differ, or one of them has no value
 };
 
+/// Points of a line in the scene; `limited` to what a painter can take.
+[[nodiscard]] QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                               const AxisScale& y_axis, bool limited = true);
+
 struct ChartScene::Metrics {
   qreal left, right, top, bottom, gap, legend;
   int title_font, text_font, tick_font;

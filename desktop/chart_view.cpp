@@ -155,6 +155,28 @@ void ChartView::clearCursors() {
   viewport()->update();
 }
 
+namespace {
+
+/// Lowest and highest of the extremes that lie between two places; none where there are none.
+std::optional<std::pair<double, double>> band_between(const std::vector<double>& x,
+                                                      const ChartCurve& curve, double a, double b) {
+  std::optional<std::pair<double, double>> out;
+  const auto [from, to] = std::minmax(a, b);
+  const std::size_t count = std::min({x.size(), curve.low.size(), curve.high.size()});
+  // Extremes stand at the end of the time that they are of.
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto [begin, end] = std::minmax(x[i - 1], x[i]);
+    if (begin < from || end > to || !std::isfinite(curve.low[i]) || !std::isfinite(curve.high[i]))
+      continue;
+    if (!out) out.emplace(curve.low[i], curve.high[i]);
+    out->first = std::min(out->first, curve.low[i]);
+    out->second = std::max(out->second, curve.high[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
 QString ChartView::cursorReport() const {
   const ChartPage& page = scene_->page();
   const bool a = std::isfinite(cursors_[0]), b = std::isfinite(cursors_[1]);
@@ -207,6 +229,10 @@ QString ChartView::cursorReport() const {
                   .arg(quantity(s.lowest, panel.unit, digits),
                        quantity(s.highest, panel.unit, digits),
                        quantity(s.mean, panel.unit, digits), quantity(s.rms, panel.unit, digits));
+        if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
+          line += tr("  between the values %1 to %2")
+                      .arg(quantity(band->first - curve.lift, panel.unit, digits),
+                           quantity(band->second - curve.lift, panel.unit, digits));
       }
       lines << line;
     }

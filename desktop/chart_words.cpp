@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "desktop/chart_scene_parts.hpp"
 
 #include <QFontMetricsF>
@@ -8,38 +9,113 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 /// What is written on a page of charts: heading, note, ticks, titles, legends, names of marks.
 namespace adore::desktop {
 
-/// The page's note as lines of the page's width, four at most: in smaller letters before it is cut.
-ChartScene::NoteLines ChartScene::noteLines(qreal right) const {
-  if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kLargest = 13, kSmallest = 11, kLeft = 24, kMost = 4;
-  const qreal width = size_.width() - kLeft - right;
-  // A number keeps its unit beside it.
+namespace {
+
+/// Words side by side up to a width.
+QStringList wrapped(const QStringList& words, const QFontMetricsF& metrics, qreal width) {
+  QStringList out{QString()};
+  const qreal blank = metrics.horizontalAdvance(' ');
+  qreal length = 0.0;  // of the last line: kerning over a blank is none
+  for (QString word : words) {
+    qreal more = metrics.horizontalAdvance(word);
+    while (more > width && word.size() > 1) {  // a path
+      qsizetype part = word.size() - 1;
+      while (part > 1 && metrics.horizontalAdvance(word.left(part)) > width) --part;
+      if (out.back().isEmpty()) out.pop_back();
+      out << word.left(part) << QString();
+      word = word.mid(part);
+      more = metrics.horizontalAdvance(word);
+    }
+    if (out.back().isEmpty()) {
+      out.back() = word;
+      length = more;
+    } else if (length + blank + more > width) {
+      out << word;
+      length = more;
+    } else {
+      out.back() += ' ' + word;
+      length += blank + more;
+    }
+  }
+  return out;
+}
+
+/// The words of a note; a number keeps its unit beside it.
+QStringList words_of(const QString& note) {
   static const QRegularExpression kBeforeUnit(
       "(?<=[0-9]) "
       "(?=(?:[pnµmkMG]?(?:m|s|N|W|Hz|Pa|N·m|m/s)|in|lbf|rpm|rev|hr|deg|K|R|%)(?![\\w/]))",
       QRegularExpression::UseUnicodePropertiesOption);
-  const QStringList words =
-      text_of(page_.note).replace(kBeforeUnit, QString(QChar::Nbsp)).split(' ');
+  return QString(note).replace(kBeforeUnit, QString(QChar::Nbsp)).split(' ');
+}
+
+/// Sentences, each with its full stop.
+QStringList sentences_of(const QString& note) {
+  static const QRegularExpression kBetween("(?<=[.!?]) (?=[A-Z0-9])");
+  return note.split(kBetween);
+}
+
+/// Broken into lines by the window that shows it.
+QString tooltip_of(const QString& note) { return "<p>" + note.toHtmlEscaped() + "</p>"; }
+
+/// Between two lines of a note.
+qreal line_pitch(int font) { return font + 5.0; }
+
+}  // namespace
+
+/// As many lines as leave the panels their room, first in smaller letters; what has no room then is
+/// counted, and read under the pointer.
+ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
+  if (page_.note.empty() || page_.panels.empty()) return {};
+  constexpr int kLargest = 13, kSmallest = 11, kLeft = 24;
+  // Of a heading any page has room for two lines; panels with their names keep as much as is read.
+  constexpr qreal kLeast = 34.0, kFew = 80.0, kHead = 66.0, kFoot = 54.0, kLegend = 22.0,
+                  kGap = 34.0, kPanel = 44.0;
+  const qreal width = size_.width() - kLeft - right;
+  const auto panels = static_cast<qreal>(page_.equal_axes ? 3 : page_.panels.size());
+  const qreal room =
+      std::max(kLeast, size_.height() - kHead - kFoot - kLegend - mark_rise(page_, kLargest - 1) -
+                           panels * (kPanel + kGap) + kGap);
+  const QString note = text_of(page_.note);
   NoteLines out;
-  for (out.font = kLargest;; --out.font) {
-    const QFontMetricsF metrics(ui_font(out.font));
-    out.lines = QStringList{QString()};
-    for (const QString& word : words) {
-      const QString longer = out.lines.back().isEmpty() ? word : out.lines.back() + ' ' + word;
-      if (out.lines.size() < kMost && !out.lines.back().isEmpty() &&
-          metrics.horizontalAdvance(longer) > width)
-        out.lines << word;
-      else
-        out.lines.back() = longer;
+  const auto fits = [&](qreal height) {
+    return static_cast<qreal>(out.lines.size()) * line_pitch(out.font) <= height;
+  };
+  const QStringList words = words_of(note);
+  for (const qreal height : {std::min(kFew, room), room})
+    for (out.font = kLargest; out.font >= kSmallest; --out.font) {
+      out.lines = wrapped(words, QFontMetricsF(ui_font(out.font)), width);
+      if (fits(height)) return out;
     }
-    if (out.font > kSmallest && metrics.horizontalAdvance(out.lines.back()) > width) continue;
-    for (QString& line : out.lines) line = metrics.elidedText(line, Qt::ElideRight, width);
-    return out;
+  out.font = kSmallest;
+  const QFontMetricsF metrics(ui_font(out.font));
+  const QStringList sentences = sentences_of(note);
+  for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
+    const qsizetype left = sentences.size() - told;
+    const QString more = left == 1 ? tr("(One more sentence: point here in AdrPlot.)")
+                                   : tr("(%1 more sentences: point here in AdrPlot.)").arg(left);
+    out.lines = wrapped(words_of((sentences.mid(0, told) << more).join(' ')), metrics, width);
+    out.more = true;
+    if (fits(room)) break;
   }
+  return out;
+}
+
+const ChartScene::NoteLines& ChartScene::noteLines(qreal right) const {
+  const auto key = std::tuple(page_.note, size_.width(), size_.height(), right);
+  if (!note_lines_ || note_lines_->first != key) note_lines_ = {key, findNoteLines(right)};
+  return note_lines_->second;
+}
+
+qreal ChartScene::noteHeight(qreal right) const {
+  const NoteLines& note = noteLines(right);
+  return note.lines.isEmpty() ? 0.0
+                              : static_cast<qreal>(note.lines.size()) * line_pitch(note.font) + 2.0;
 }
 
 void ChartScene::addHeading(const Metrics& m) {
@@ -75,18 +151,21 @@ void ChartScene::addHeading(const Metrics& m) {
                  18);
   }
   qreal y = 60;
-  const NoteLines note = noteLines(m.right);
+  const NoteLines& note = noteLines(m.right);
+  const QFont note_font = ui_font(note.font);
   for (const QString& text : note.lines) {
-    line(text, ui_font(note.font), theme_->accent, y);
-    y += 18;
+    auto* item = addSimpleText(text, note_font);
+    item->setBrush(theme_->accent);
+    item->setPos(24, y);
+    if (note.more) item->setToolTip(tooltip_of(text_of(page_.note)));
+    y += line_pitch(note.font);
   }
 }
 
-// Our own tick labels and titles: Qt Charts writes "-0.0", cuts long labels, and sets titles at a
-// different place in each panel.
 void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
-                           const QString& x_title, const QString& y_title, bool x_labels,
-                           bool y_labels, const Metrics& m) {
+                           const QString& x_title, const QString& y_title,
+                           const std::vector<AxisTick>& x_ticks,
+                           const std::vector<AxisTick>& y_ticks, const Metrics& m) {
   const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
   const QFontMetricsF metrics(font), title_metrics(title_font);
   const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
@@ -96,24 +175,22 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     item->setPos(position);
     return item;
   };
-  for (const auto& [value, label] :
-       y_labels ? axis_ticks(y_scale) : decltype(axis_ticks(y_scale)){}) {
+  for (const auto& [value, label] : y_ticks) {
     const QString text = text_of(label);
     const qreal y =
         area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
     add(text, font, theme_->muted,
         {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
   }
-  if (x_labels)
-    for (const auto& [value, label] : axis_ticks(x_scale)) {
-      const QString text = text_of(label);
-      const qreal x =
-          area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
-      const qreal width = metrics.horizontalAdvance(text);
-      add(text, font, theme_->muted,
-          {std::min(x - 0.5 * width, size_.width() - width - 2), area.bottom() + 7});
-    }
-  if (x_labels) {
+  for (const auto& [value, label] : x_ticks) {
+    const QString text = text_of(label);
+    const qreal x =
+        area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
+    const qreal width = metrics.horizontalAdvance(text);
+    add(text, font, theme_->muted,
+        {std::min(x - 0.5 * width, size_.width() - width - 2), area.bottom() + 7});
+  }
+  if (!x_title.isEmpty()) {
     const qreal width = title_metrics.horizontalAdvance(x_title);
     add(x_title, title_font, theme_->text,
         {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
@@ -250,7 +327,7 @@ void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal l
       name.text = told > 0 ? ChartScene::tr("%1, %2 more")
                                  .arg(name.all.mid(0, told).join(", "))
                                  .arg(name.all.size() - told)
-                           : ChartScene::tr("%1 names").arg(name.all.size());
+                           : text_of(counted(name.all.size(), "name"));
     name.width = metrics.horizontalAdvance(name.text);
   };
   const auto join = [&](std::size_t i) {  // the next one to it

@@ -7,7 +7,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScopedValueRollback>
 #include <QSettings>
 
@@ -16,7 +15,7 @@
 namespace adore::desktop {
 namespace {
 constexpr const char* kRecent = "open/recent";
-constexpr qsizetype kMost = 10;
+constexpr qsizetype kMost = 10, kMostOfRun = 3;
 }  // namespace
 
 QStringList recent_files(const QString& app) {
@@ -31,16 +30,28 @@ bool as_folder = false;      // files that open now are of a folder that is reme
 bool any_of_folder = false;  // one of them was opened
 }  // namespace
 
-void remember_file(const QString& app, const QString& path) {
+namespace {
+void remember(const QString& app, const QString& path, qsizetype most_of_folder) {
   if (as_folder) {
     any_of_folder = true;
     return;
   }
-  const QString name = QFileInfo(path).absoluteFilePath();
+  const QFileInfo file(path);
   QStringList names = QSettings("Adore", app).value(kRecent).toStringList();
-  names.removeAll(name);
-  names.prepend(name);
+  names.removeAll(file.absoluteFilePath());
+  names.prepend(file.absoluteFilePath());
+  qsizetype of_folder = 0;
+  names.removeIf([&](const QString& name) {
+    return QFileInfo(name).absolutePath() == file.absolutePath() && ++of_folder > most_of_folder;
+  });
   QSettings("Adore", app).setValue(kRecent, names.mid(0, kMost));
+}
+}  // namespace
+
+void remember_file(const QString& app, const QString& path) { remember(app, path, kMost); }
+
+void remember_part_of_run(const QString& app, const QString& path) {
+  remember(app, path, kMostOfRun);
 }
 
 void remember_as_folder(const QString& app, const QString& folder,
@@ -76,12 +87,7 @@ QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& ab
       text += "<tr><td><b>" + line.hand.toHtmlEscaped() + "</b></td><td>" +
               line.effect.toHtmlEscaped() + "</td></tr>";
     text += "<tr><td><b>F1</b></td><td>" + QObject::tr("shows this") + "</td></tr>";
-    auto* box =
-        new QMessageBox(QMessageBox::NoIcon, name, text + "</table>", QMessageBox::Ok, &window);
-    box->setObjectName("message");
-    box->setTextFormat(Qt::RichText);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    show_help(&window, name + ": " + QObject::tr("keys and mouse"), text + "</table>");
   });
   menu->addAction(QObject::tr("&About %1").arg(name), &window, [&window, about] {
     show_message(&window, about + "\n\n" +

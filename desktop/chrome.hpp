@@ -15,6 +15,9 @@ namespace adore::desktop {
 /// Files opened last by an app, the newest first; at most ten, those that are gone left out.
 [[nodiscard]] QStringList recent_files(const QString& app);
 void remember_file(const QString& app, const QString& path);
+/// The same for one of several files of a run: at most three of one folder, so that two runs do not
+/// take all places.
+void remember_part_of_run(const QString& app, const QString& path);
 /// Files that `open` opens are one entry, their folder: a run of five files leaves the others their
 /// places. Nothing is remembered where nothing could be opened.
 void remember_as_folder(const QString& app, const QString& folder,
@@ -28,7 +31,7 @@ struct HelpLine {
   QString hand, effect;
 };
 
-/// The menu "Help" with "Keys and mouse" and "About". The boxes are children named "message".
+/// The menu "Help" with "Keys and mouse", shown by show_help(), and "About", a message.
 QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& about,
                      const QList<HelpLine>& lines);
 

@@ -1,5 +1,7 @@
 #include "desktop/dense_line.hpp"
 
+#include "desktop/stroke_mask.hpp"
+
 #include <QPaintDevice>
 #include <QPaintEngine>
 #include <QPainter>
@@ -36,34 +38,6 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
       pass(column, at(column / scale), at((column + 1) / scale));
   }
   return out;
-}
-
-bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
-                   const QPen& pen) {
-  // Logical ones: with fewer a gentle rise would be seen as stairs. Where a line runs up and down
-  // by more than it goes on there is none.
-  constexpr double kPointsPerColumn = 2.5, kOfSteepLines = 1.0, kSteep = 8.0;
-  constexpr qsizetype kFewest = 16, kFewestOfSteep = 6;  // a stroke may stand in one column, wide
-  const QTransform& placed = painter.deviceTransform();
-  if (line.size() < kFewestOfSteep) return false;
-  // Of its own columns: an angle that wraps has hundreds of short lines.
-  const double width =
-      std::min(line.back().x(), area.right()) - std::max(line.front().x(), area.left());
-  const auto points = static_cast<double>(line.size());
-  const auto steep = [&] {
-    double up_and_down = 0.0;
-    for (qsizetype i = 1; i < line.size(); ++i)
-      up_and_down += std::abs(line[i].y() - line[i - 1].y());
-    return up_and_down > kSteep * std::max(width, 1.0);
-  };
-  return painter.paintEngine() != nullptr &&
-         painter.paintEngine()->type() == QPaintEngine::Raster &&
-         placed.type() <= QTransform::TxScale && placed.m11() > 0.0 &&
-         pen.style() == Qt::SolidLine &&
-         ((line.size() >= kFewest && points > kPointsPerColumn * width) ||
-          (points > kOfSteepLines * width && steep())) &&
-         std::is_sorted(line.begin(), line.end(),
-                        [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
 
 QList<QLineF> distinct_parts(const QPolygonF& line, double scale) {
@@ -133,28 +107,56 @@ void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 
 }  // namespace
 
-void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, const QPen& pen) {
+namespace {
+
+/// Is the painter one of pixels, which are whole ones of its own?
+bool paints_pixels(const QPainter& painter) {
+  const QTransform& placed = painter.deviceTransform();
+  return painter.paintEngine() != nullptr &&
+         painter.paintEngine()->type() == QPaintEngine::Raster &&
+         placed.type() <= QTransform::TxScale && placed.m11() > 0.0 && placed.m22() > 0.0;
+}
+
+/// Fewer points are stroked as quickly.
+constexpr qsizetype kFewest = 16;
+
+bool goes_right(const QPolygonF& line) {
+  return line.size() >= kFewest &&
+         std::is_sorted(line.begin(), line.end(),
+                        [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+}
+
+void draw_strokes(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
+                  const QPen& pen) {
+  const QTransform& placed = painter.deviceTransform();
+  std::vector<QPolygonF> on_device;
+  on_device.reserve(lines.size());
+  for (const QPolygonF& line : lines) on_device.push_back(placed.map(line));
+  const StrokeImage strokes = stroke_image(on_device, pen.widthF() * placed.m11(), pen.color(),
+                                           placed.mapRect(area).toAlignedRect());
+  if (strokes.image.isNull()) return;
+  painter.drawImage(placed.inverted().mapRect(QRectF(strokes.place, strokes.image.size())),
+                    strokes.image, strokes.image.rect());
+}
+
+}  // namespace
+
+void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
+                const QPen& pen) {
   painter.save();
   painter.setClipRect(area, Qt::IntersectClip);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (drawn_as_bars(painter, line, area, pen)) {
-    const double half = 0.5 * pen.widthF();
-    // Columns are those of the device: a fraction of a pixel to the side would be grey.
-    const double scale = painter.deviceTransform().m11(), shift = painter.deviceTransform().dx();
-    const QPolygonF on_device = line.translated(shift / scale, 0.0);
-    const double left = area.left() + shift / scale, right = area.right() + shift / scale;
-    for (const ColumnBar& bar : column_bars(on_device, left, right, scale)) {
-      const double top = std::max(bar.top - half, area.top()),
-                   bottom = std::min(bar.bottom + half, area.bottom());
-      if (bottom > top)
-        painter.fillRect(QRectF(bar.column / scale - shift / scale, top, 1.0 / scale, bottom - top),
-                         pen.color());
-    }
-  } else {
-    painter.setPen(pen);
-    painter.setBrush(Qt::NoBrush);
-    draw_in_pieces(painter, line, pen);
+  painter.setPen(pen);
+  painter.setBrush(Qt::NoBrush);
+  const bool as_strokes = paints_pixels(painter) && pen.style() == Qt::SolidLine;
+  std::vector<QPolygonF> strokes;
+  for (const QPolygonF& line : lines) {
+    if (as_strokes && goes_right(line))
+      strokes.push_back(line);
+    else
+      draw_in_pieces(painter, line, pen);
   }
+  if (!strokes.empty()) draw_strokes(painter, strokes, area, pen);
   painter.restore();
 }
 

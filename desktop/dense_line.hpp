@@ -11,8 +11,8 @@ class QPainter;
 class QPen;
 
 /// Lines of more points than a screen has columns. Stroking such a zigzag takes seconds, since all
-/// of its parts lie over one another; a bar for each column of pixels, from the lowest to the
-/// highest place where the line passes it, looks the same, takes microseconds and hides no peak.
+/// of its parts lie over one another; what matters of each column of pixels is the lowest and the
+/// highest place where the line passes it, which takes microseconds and hides no peak.
 namespace adore::desktop {
 
 struct ColumnBar {
@@ -24,15 +24,12 @@ struct ColumnBar {
 /// `left` and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
-/// Is it quicker as bars: on a screen, solid, x rising, several points for each of its columns?
-bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
-                   const QPen& pen);
-
 /// Straight parts of a long way, such as an orbit of many turns, without those that lie on another
 /// one to a quarter of a pixel; `scale` pixels to a unit.
 [[nodiscard]] QList<QLineF> distinct_parts(const QPolygonF& line, double scale);
 
-/// Draws a line inside `area`, as bars where that is quicker.
-void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, const QPen& pen);
+/// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp.
+void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
+                const QPen& pen);
 
 }  // namespace adore::desktop

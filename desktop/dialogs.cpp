@@ -1,7 +1,10 @@
 #include "desktop/dialogs.hpp"
 
+#include "base/counted.hpp"
 #include "desktop/image_export.hpp"
 
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
@@ -11,9 +14,15 @@
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QScreen>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -28,7 +37,8 @@ QString shown(const QStringList& texts) {
   constexpr qsizetype kMost = 8;
   QString out = texts.mid(0, kMost).join("\n\n");
   if (texts.size() > kMost)
-    out += "\n\n" + QObject::tr("And %1 more messages.").arg(texts.size() - kMost);
+    out += "\n\n" + QObject::tr("And %1.").arg(
+                        QString::fromStdString(counted(texts.size() - kMost, "more message")));
   return out;
 }
 
@@ -48,6 +58,10 @@ bool join_message(QWidget* parent, const QString& text, bool error) {
 
 }  // namespace
 
+void delete_when_done(QDialog& dialog) {
+  QObject::connect(&dialog, &QDialog::finished, &dialog, &QObject::deleteLater);
+}
+
 void show_message(QWidget* parent, const QString& text, bool error) {
   if (join_message(parent, text, error)) return;
   auto* box =
@@ -56,15 +70,48 @@ void show_message(QWidget* parent, const QString& text, bool error) {
   box->setObjectName("message");
   box->setProperty(kTexts, QStringList{text});
   box->setTextFormat(Qt::PlainText);
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*box);
   box->open();
+}
+
+void show_help(QWidget* parent, const QString& title, const QString& html) {
+  constexpr int kWidest = 44;                        // of a line [heights of a letter]
+  constexpr QSize kFrame(16, 48), kLeast(240, 160);  // of a window manager
+  auto* dialog = new QDialog(parent);
+  dialog->setObjectName("help-window");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* browser = new QTextBrowser(dialog);
+  browser->setAccessibleName(title);
+  browser->setHtml(html);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(browser, 1);
+  layout->addWidget(buttons);
+
+  const QSize screen = (parent->screen()->availableSize() - kFrame).expandedTo(kLeast);
+  const QMargins margins = layout->contentsMargins();
+  // Beside the text: frames, and the bar in case that it does not fit.
+  const int beside = margins.left() + margins.right() + 2 * browser->frameWidth() +
+                     browser->verticalScrollBar()->sizeHint().width() + 4;
+  const int below = margins.top() + margins.bottom() + layout->spacing() +
+                    buttons->sizeHint().height() + 2 * browser->frameWidth() + 4;
+  QTextDocument text;
+  text.setDefaultFont(browser->font());
+  text.setHtml(html);
+  text.setTextWidth(std::min(screen.width() - beside, kWidest * browser->fontMetrics().height()));
+  const QSize wanted(static_cast<int>(text.idealWidth()) + beside,
+                     static_cast<int>(text.size().height()) + below);
+  dialog->resize(wanted.boundedTo(screen).expandedTo(kLeast));
+  dialog->open();
 }
 
 void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,
                 int high, std::function<void(int)> answer) {
   auto* dialog = new QInputDialog(parent);
   dialog->setObjectName("number");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setWindowTitle(title);
   dialog->setLabelText(label);
   dialog->setInputMode(QInputDialog::IntInput);
@@ -80,14 +127,15 @@ void ask_file(QWidget* parent, const QString& app, const QString& title, const Q
   auto* dialog = new QFileDialog(parent, title, folder,
                                  QObject::tr("Result files (%1);;All files (*)").arg(names));
   dialog->setObjectName("open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
   QObject::connect(
       dialog, &QFileDialog::fileSelected, parent,
       [app, answer = std::move(answer)](const QString& name) {
         QSettings("Adore", app).setValue("open/folder", QFileInfo(name).absolutePath());
         answer(name);
-      });
+      },
+      Qt::QueuedConnection);
   dialog->open();
 }
 
@@ -97,7 +145,7 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
   auto* dialog = new QFileDialog(parent, title, folder,
                                  QObject::tr("Result files (%1);;All files (*)").arg(names));
   dialog->setObjectName("open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFiles);
   QObject::connect(
       dialog, &QFileDialog::filesSelected, parent,
@@ -105,7 +153,8 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
         if (chosen.isEmpty()) return;
         QSettings("Adore", app).setValue("open/folder", QFileInfo(chosen.front()).absolutePath());
         answer(chosen);
-      });
+      },
+      Qt::QueuedConnection);
   dialog->open();
 }
 
@@ -122,7 +171,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                                  svg ? QObject::tr("Pictures (*.jpg *.jpeg *.png *.svg)")
                                      : QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
   dialog->setObjectName("save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("jpg");
   dialog->selectFile(proposed_image_name(app, fallback));
@@ -148,7 +197,7 @@ void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> d
   printer->setPageOrientation(QPageLayout::Landscape);
   auto* dialog = new QPrintDialog(printer.get(), parent);
   dialog->setObjectName("print");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   QObject::connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), parent,
                    [printer, draw = std::move(draw)](QPrinter*) {
                      QPainter painter(printer.get());

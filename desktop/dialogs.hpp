@@ -5,18 +5,28 @@
 
 #include <functional>
 
+class QDialog;
 class QImage;
 class QPainter;
 class QRectF;
 class QWidget;
 
 /// The small questions that both viewers ask. None of them blocks: the answer arrives in the
-/// function given.
+/// function given. A file is read after its dialog has gone from the screen.
 namespace adore::desktop {
+
+/// The dialog is gone after all who wait for its answer have had it. (Qt::WA_DeleteOnClose deletes
+/// it when it closes: before an answer that lets the window live, as reading a long file does, has
+/// returned to the dialog that it came from.)
+void delete_when_done(QDialog& dialog);
 
 /// A message closed with OK. The box is a child of `parent` named "message"; where one stands
 /// already, the text joins it.
 void show_message(QWidget* parent, const QString& text, bool error = false);
+
+/// Rich text in a window of its own, a child of `parent` named "help-window": as large as the text
+/// where the screen has room for that, else it scrolls.
+void show_help(QWidget* parent, const QString& title, const QString& html);
 
 /// A whole number between `low` and `high`; the dialog is a child of `parent` named "number".
 void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,

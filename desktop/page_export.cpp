@@ -39,6 +39,7 @@ std::string page_csv(const ChartPage& page) {
     std::string head;
     const std::vector<double>* values;
     double lift = 0.0;
+    const std::vector<bool>* stored = nullptr;  ///< 1 or 0 in place of the values
   };
   std::vector<Column> columns;
   if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});
@@ -48,6 +49,9 @@ std::string page_csv(const ChartPage& page) {
       if (page.equal_axes)
         columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
       columns.push_back({with_unit(name, panel.unit), &curve.y, curve.lift});
+      if (!curve.stored.empty())
+        columns.push_back({field(name + ": stored (1) or read off a straight line (0)"), &curve.y,
+                           0.0, &curve.stored});
       if (curve.low.empty()) continue;
       columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
       columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});
@@ -64,7 +68,10 @@ std::string page_csv(const ChartPage& page) {
     for (const Column& column : columns) {
       if (!first) out += ',';
       first = false;
-      if (i < column.values->size() && std::isfinite((*column.values)[i]))
+      if (i >= column.values->size() || !std::isfinite((*column.values)[i])) continue;
+      if (column.stored != nullptr)
+        out += (*column.stored)[i] ? '1' : '0';
+      else
         fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i] - column.lift);
     }
     out += '\n';
@@ -74,7 +81,7 @@ std::string page_csv(const ChartPage& page) {
 
 ChartPage seen_part(const ChartScene& scene) {
   ChartPage page = scene.page();
-  const auto keep = [](std::vector<double>& values, const std::vector<bool>& seen) {
+  const auto keep = [](auto& values, const std::vector<bool>& seen) {
     std::size_t to = 0;
     for (std::size_t i = 0; i < std::min(values.size(), seen.size()); ++i)
       if (seen[i]) values[to++] = values[i];
@@ -91,6 +98,7 @@ ChartPage seen_part(const ChartScene& scene) {
           rows.push_back(scene.planePlace(curve.x[i], curve.y[i]).has_value());
       }
       for (auto* values : {&curve.x, &curve.y, &curve.low, &curve.high}) keep(*values, rows);
+      keep(curve.stored, rows);
     }
   }
   if (!page.equal_axes) keep(page.x, rows);

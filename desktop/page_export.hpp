@@ -17,8 +17,9 @@ namespace adore::desktop {
 class ChartScene;
 
 /// Numbers of a page as a table: abscissa and curves with their units, one row per value. Curves of
-/// pages with equal axes have two columns each. Empty fields are missing values; 17 digits, so that
-/// the numbers come back as they are.
+/// pages with equal axes have two columns each. A curve with values between its stored ones has a
+/// column that tells them apart. Empty fields are missing values; 17 digits, so that the numbers
+/// come back as they are.
 [[nodiscard]] std::string page_csv(const ChartPage& page);
 
 /// What is seen of a page: the values inside the view, of the curves that are shown.

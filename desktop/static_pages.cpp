@@ -1,5 +1,6 @@
 #include "desktop/static_pages.hpp"
 
+#include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/heat_page.hpp"
 
@@ -357,7 +358,7 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
     if (i % kPanelsPerPage == 0) {
       ChartPage& page = pages.emplace_back();
       page.subtitle =
-          fmt::format("{} runs{}", sweep.values.size(),
+          fmt::format("{}{}", counted(sweep.values.size(), "run"),
                       sweep.failed > 0 ? fmt::format(", {} without a result", sweep.failed) : "");
       page.x_title = sweep.variable;
       page.x_unit = sweep.unit;

@@ -137,6 +137,8 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
   for (const auto& row : map.values)
     for (const double value : row) extent.add(value);
   Sheet sheet(place.page, painter, theme, map.title);
+  // Numbers in cells are those of the scale beside them: in its unit.
+  const AxisScale axis = tight_axis(extent.low, extent.high, map.unit, 6);
   const double line = QFontMetricsF(painter.font()).lineSpacing();
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
@@ -151,7 +153,8 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
       painter.drawRect(cell);
       painter.setPen(!known ? theme.muted : QColor(share > 0.6 ? Qt::black : Qt::white));
       // As much of number and mark as the cell has room for.
-      const QString number = known ? text_of(pretty_number(value, 3)) : QString("none");
+      const QString number =
+          known ? text_of(pretty_number(value / axis.factor, 3)) : QString("none");
       const QString mark = map.marks.empty() ? QString() : text_of(map.marks[j][i]);
       const bool number_fits = sheet.width(number) < place.w - 4 * u && line < place.h;
       const bool mark_fits =
@@ -177,14 +180,14 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
   for (int k = 0; k < static_cast<int>(scale.height()); ++k)
     painter.fillRect(QRectF(scale.left(), scale.bottom() - k - 1, scale.width(), 1.5),
                      heat_colour(k / scale.height()));
-  const AxisScale axis = tight_axis(extent.low, extent.high, map.unit, 6);
   for (const AxisTick& tick : axis_ticks(axis)) {
     const double y = scale.bottom() - extent.share(axis.value(tick.at)) * scale.height();
     sheet.label({scale.right() + 6 * u, y - 11 * u, 120 * u, 22 * u},
                 Qt::AlignLeft | Qt::AlignVCenter, tick.text);
   }
   sheet.label({size.width() - 520 * u, 44 * u, 512 * u, 26 * u}, Qt::AlignRight | Qt::AlignVCenter,
-              with_unit(map.legend, axis.unit));
+              with_unit(map.legend, axis.unit) +
+                  (axis.offset_text.empty() ? "" : " − " + axis.offset_text));
 }
 
 Runs near(const HeatMap& map, const QSizeF& size, const QPointF& at) {

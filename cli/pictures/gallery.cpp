@@ -13,6 +13,7 @@
 #include "desktop/text_faults.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run.hpp"
+#include "results/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -149,12 +150,11 @@ void make_run(const std::string& deck, const fs::path& folder) {
 
 /// What of a run can be drawn.
 void draw_run(Gallery& gallery, const fs::path& run) {
-  bool any = false;
-  for (int number = 1; number <= 7; ++number)
-    for (const fs::path& file : {run / fmt::format("SOL{}", number)})
-      if (fs::exists(file)) gallery.pages(file), any = true;
-  if (fs::exists(run / "SOL8"))
-    gallery.views(run / "SOL8"), any = true;
+  const results::RunFolder files = results::run_folder(run);
+  bool any = !files.plots.empty();
+  for (const fs::path& file : files.plots) gallery.pages(file);
+  if (files.animation)
+    gallery.views(*files.animation), any = true;
   else if (any && fs::exists(run / "RESULTS.h5"))
     gallery.views(run / "RESULTS.h5");
   if (!any && fs::exists(run / "RUN.json")) gallery.pages(run / "RUN.json"), any = true;

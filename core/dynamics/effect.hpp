@@ -144,6 +144,9 @@ class SceneEffect {
   virtual void store(const Evaluation& e, EnergyLedger& energy) const { (void)e, (void)energy; }
   virtual void carry(const Evaluation& e, Momenta& momenta) const { (void)e, (void)momenta; }
   virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
+  /// Adds what its contacts did, from what the evaluation left: the state that was evaluated
+  /// (Evaluation::y, elements) may be gone. No allocation but the first time.
+  virtual void look(const Evaluation& e, Look& out) const { (void)e, (void)out; }
   /// What stands in for an integral that is too dear, with its error; empty: nothing.
   [[nodiscard]] virtual std::string stated() const { return {}; }
   /// Adds its contacts to System::quadrature_error.

@@ -2,6 +2,7 @@
 
 #include "scene/cost_ledger.hpp"
 #include "scene/ledger.hpp"
+#include "scene/look.hpp"
 #include "scene/plan.hpp"
 #include "scene/scales.hpp"
 #include "scene/snapshot.hpp"

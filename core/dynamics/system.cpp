@@ -139,6 +139,9 @@ const Scales& System::scales() const noexcept { return impl_->scales; }
 std::span<const double> System::contact_loads(std::size_t race) const noexcept {
   return impl_->e.load[race];
 }
+void System::look(scene::Look& out) const {
+  for (const auto& effect : impl_->parts.effects) effect->look(impl_->e, out);
+}
 const RaceLoad& System::balanced_race() const noexcept { return impl_->e.balance; }
 CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }

@@ -100,6 +100,8 @@ class System {
   [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
+  /// Forces and heats of the evaluation that was made last (scene/look.hpp).
+  void look(scene::Look& out) const;
   /// Of an inner race in force balance, at the evaluation that was made last; zero: there is none.
   [[nodiscard]] const RaceLoad& balanced_race() const noexcept;
   [[nodiscard]] CostLedger& cost() noexcept;

@@ -151,6 +151,12 @@ RunFiles::Wanted RunFiles::book(long step, bool always) {
           meets(control_.print_every, steps.printed), meets(control_.life_every, steps.lived)};
 }
 
+bool RunFiles::will_save(long step, bool always) const {
+  const bool meets =
+      due(step, control_.plot_every) || (control_.animate && due(step, control_.animate_every));
+  return all && (always || meets) && steps.saved != step;
+}
+
 void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
                      const results::StepRecord& record) {
   if (where.plot) {
@@ -158,7 +164,7 @@ void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
     power_->write(record);
   }
   if (where.animate && animation_) animation_->write(at);
-  if (all && (where.plot || where.animate) && steps.saved != at.step) {
+  if (saves(where, at.step)) {
     all->write(record);
     steps.saved = at.step;
   }

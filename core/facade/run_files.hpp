@@ -53,6 +53,12 @@ class RunFiles {
   /// Those whose interval the step meets, or all; the step counts as stored there. No file gets a
   /// step twice: the last step may have met an interval already.
   [[nodiscard]] Wanted book(long step, bool always);
+  /// Will RESULTS.h5 have this step, which is not yet booked? @param always in all files
+  [[nodiscard]] bool will_save(long step, bool always) const;
+  /// Does RESULTS.h5 get it?
+  [[nodiscard]] bool saves(const Wanted& where, long step) const {
+    return all && (where.plot || where.animate) && steps.saved != step;
+  }
   /// Stores an instant in SOL1-SOL8 and RESULTS.h5.
   void store(const Wanted& where, const scene::Snapshot& at, const results::StepRecord& record);
   /// Steps are handed to the system many at a time, at the latest with the first one after a tenth

@@ -46,12 +46,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using scene::Snapshot;
 
-std::vector<double> loads_of(const Snapshot& at, std::size_t race) {
-  std::vector<double> out;
-  for (const scene::ElementSnapshot& element : at.elements) out.push_back(element.race[race].load);
-  return out;
-}
-
 std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
   for (int i = 0; i < system.layout().size(); ++i) out.push_back(system.layout().component_name(i));
@@ -114,7 +108,8 @@ struct RunOutputs::Impl {
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
-  results::LoadBand loads;  ///< since the step stored last
+  results::StepBand band;  ///< since the step stored last
+  scene::Look look;
   LifeObserver life;
   MotionWatch watch;
   RunFiles files;
@@ -238,7 +233,7 @@ void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& a
   master.last = final_state(system, at, y);
   if (thermal != nullptr) thermal->save(master.averages);
   averages.save(master.averages);
-  loads.save(master.averages);
+  band.save(master.averages);
   life.save(master.averages);
   recorder.save(master.averages);
   save_progress(master.averages, at, resume, files.steps, segment, control);
@@ -371,7 +366,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.averages.restore(master.averages);
     s.life.restore(master.averages);
     s.recorder.restore(master.averages);
-    s.loads.restore(master.averages);
+    s.band.restore(master.averages);
     s.files.steps = restore_progress(master, s.control, s.path(s.control.master_file), out);
     s.ledger_start = LedgerStart::of(master);
     const results::MasterFile* listing = master.file("PRINT");
@@ -449,10 +444,9 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
-  // What is stored is one of the looks.
-  s.loads.look(loads_of(s.last, 0), loads_of(s.last, 1));
-  const results::StepRecord& record = s.recorder.record(s.last, &s.loads);
-  s.loads.clear();
+  const bool saved = s.files.saves(where, point.step);
+  const results::StepRecord& record = s.recorder.record(s.last, saved ? &s.band : nullptr);
+  if (saved) s.band.clear();
   s.files.store(where, s.last, record);
   if (where.print)
     s.files.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
@@ -484,11 +478,16 @@ void RunOutputs::follow(const RunPoint& point) {
   s.averages.add_cage_position(point.time, mean);
 }
 
-void RunOutputs::follow_loads(const dynamics::System& system, double time) {
-  const std::span<const double> outer = system.contact_loads(0), inner = system.contact_loads(1);
-  impl_->loads.look(outer, inner);
-  impl_->averages.add_loads(time, outer, inner);
+void RunOutputs::follow_step(const dynamics::System& system, double time, bool stored) {
+  Impl& s = *impl_;
+  if (s.files.all && !stored) {
+    system.look(s.look);
+    s.band.look(s.look);
+  }
+  s.averages.add_loads(time, system.contact_loads(0), system.contact_loads(1));
 }
+
+bool RunOutputs::saves(long step, bool last) const { return impl_->files.will_save(step, last); }
 
 bool RunOutputs::checkpoint_due() const {
   return std::chrono::duration<double>(Clock::now() - impl_->checkpoint).count() >=

@@ -89,9 +89,12 @@ class RunOutputs {
   void call_user(dynamics::System& system, const RunPoint& point);
   /// Follows what averages need between stored points; after every counted step.
   void follow(const RunPoint& point);
-  /// Follows what is shown of the loads between stored points, and their means; after every
+  /// Follows what is shown of the steps between stored points, and the mean loads; after every
   /// integration step, which ended at that time [s].
-  void follow_loads(const dynamics::System& system, double time);
+  /// @param stored RESULTS.h5 will have this state: it is looked at as it is stored
+  void follow_step(const dynamics::System& system, double time, bool stored);
+  /// Will RESULTS.h5 have this step? @param last of the run: all files do
+  [[nodiscard]] bool saves(long step, bool last) const;
   /// Has the checkpoint interval of computing time passed?
   [[nodiscard]] bool checkpoint_due() const;
   /// FINAL and MASTER of this point, from where the run can be continued. Points stored later are

@@ -144,7 +144,7 @@ bool TimeRun::counted_step() {
     error_largest_ = std::max(error_largest_, made.error);
     ++substeps_;
     if (substeps_ == whole) break;
-    parts_.outputs.follow_loads(system(), parts_.stepper.time());
+    parts_.outputs.follow_step(system(), parts_.stepper.time(), false);
     race_watch_.look(parts_.stepper.time(), system().balanced_race());
     if (parts_.outputs.checkpoint_due()) checkpoint();
     parts_.meter.update(parts_.stepper.time(), step_);
@@ -159,13 +159,13 @@ void TimeRun::after_counted_step() {
   const double t = parts_.stepper.time();
   system().check_state(t, parts_.stepper.state().data());
   watch_.look(parts_.stepper);
-  outputs.follow_loads(system(), t);
+  // The last step has all that a run tells at its end (kLifeFreq 0), where files store it anyway.
+  const bool last = t >= span_.end || step_ >= last_;
+  outputs.follow_step(system(), t, outputs.saves(step_, last));
   race_watch_.look(t, system().balanced_race());
   if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
   const RunPoint now = point();
-  // The last step has all that a run tells at its end (kLifeFreq 0), where files store it anyway.
-  const bool last = t >= span_.end || step_ >= last_;
   if (outputs.wants(step_)) output([&] { outputs.store(system(), now, last); });
   outputs.follow(now);
   if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });

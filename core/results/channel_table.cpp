@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "results/channels.hpp"
 #include "results/motion.hpp"
 #include "scene/no_film.hpp"
@@ -139,21 +140,6 @@ constexpr auto kTable = std::to_array<Channel>({
     // Element / race contacts, outer then inner.
     {"contact.load", "contact load", &unit::kForce, "-", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().load; }), "normal load Q"},
-    {"contact.load_low", "lowest contact load", &unit::kForce, "-", false,
-     each<Per::Contact, 1>([](const Source& s) {
-       return s.has_band() ? s.band->low(s.in_band()) : s.contact().load;
-     }),
-     "since the step stored before, one look per integration step"},
-    {"contact.load_high", "highest contact load", &unit::kForce, "-", false,
-     each<Per::Contact, 1>([](const Source& s) {
-       return s.has_band() ? s.band->high(s.in_band()) : s.contact().load;
-     }),
-     "since the step stored before, one look per integration step"},
-    {"contact.load_mean", "mean contact load", &unit::kForce, "-", false,
-     each<Per::Contact, 1>([](const Source& s) {
-       return s.has_band() ? s.band->mean(s.in_band()) : s.contact().load;
-     }),
-     "of the looks since the step stored before"},
     {"contact.angle", "contact angle", &unit::kAngle, "A", false,
      each<Per::Contact, 1>([](const Source& s) { return s.contact().angle; }), "0 when open"},
     {"contact.spin_to_roll", "spin to roll ratio", &unit::kPure, "-", false,
@@ -528,9 +514,86 @@ constexpr auto kTable = std::to_array<Channel>({
 
 }  // namespace
 
-std::span<const Channel> channels() { return kTable; }
+namespace {
 
-ChannelTable::ChannelTable(scene::LedgerTerms energy) : channels_(kTable.begin(), kTable.end()) {
+/// A channel that is looked at between stored steps, as its extremes and mean are called.
+struct Band {
+  scene::Looked what;
+  std::string_view name;
+};
+constexpr std::array kBands{Band{scene::Looked::ContactLoad, "contact load"},
+                            Band{scene::Looked::ContactHeat, "contact heat"},
+                            Band{scene::Looked::FlangeForce, "flange force"},
+                            Band{scene::Looked::PocketForce, "pocket force"},
+                            Band{scene::Looked::PairForce, "force between elements"},
+                            Band{scene::Looked::LandForce, "guide land force"},
+                            Band{scene::Looked::RaceForceX, "applied force x"},
+                            Band{scene::Looked::RaceForceY, "applied force y"},
+                            Band{scene::Looked::RaceForceZ, "applied force z"},
+                            Band{scene::Looked::RaceMomentX, "applied moment x"},
+                            Band{scene::Looked::RaceMomentY, "applied moment y"},
+                            Band{scene::Looked::RaceMomentZ, "applied moment z"}};
+
+template <Per P, double (StepBand::*value)(scene::Looked, std::size_t) const>
+void fill_band(Source s, const Shape& shape, double* out) {
+  for (std::size_t k = 0; k < places(P, shape); ++k) out[k] = (s.band->*value)(*s.looked, k);
+}
+template <double (StepBand::*value)(scene::Looked, std::size_t) const>
+ChannelValues band_values(Per per) {
+  switch (per) {
+    case Per::Contact:
+      return {per, 1, &fill_band<Per::Contact, value>};
+    case Per::Flange:
+      return {per, 1, &fill_band<Per::Flange, value>};
+    case Per::Pocket:
+      return {per, 1, &fill_band<Per::Pocket, value>};
+    case Per::Pair:
+      return {per, 1, &fill_band<Per::Pair, value>};
+    case Per::Land:
+      return {per, 1, &fill_band<Per::Land, value>};
+    case Per::Race:
+      return {per, 1, &fill_band<Per::Race, value>};
+    default:
+      throw InternalError("a channel of this kind has no band");
+  }
+}
+
+/// kTable, with the extremes and the mean behind each channel that is looked at.
+std::vector<Channel> with_bands() {
+  static std::deque<std::string> texts;
+  std::vector<Channel> out;
+  for (const Channel& channel : kTable) {
+    out.push_back(channel);
+    const auto band = std::find_if(kBands.begin(), kBands.end(), [&](const Band& one) {
+      return channel_of(one.what) == channel.id;
+    });
+    if (band == kBands.end()) continue;
+    const auto add = [&](std::string_view suffix, std::string_view which, ChannelValues values,
+                         std::string_view meaning) {
+      const std::string& id = texts.emplace_back(fmt::format("{}_{}", channel.id, suffix));
+      const std::string& label = texts.emplace_back(fmt::format("{} {}", which, band->name));
+      out.push_back(
+          {id, label, channel.unit, channel.frame, false, values, meaning, nullptr, band->what});
+    };
+    constexpr std::string_view kSince =
+        "since the step stored before, one look per integration step";
+    add("low", "lowest", band_values<&StepBand::low>(channel.per), kSince);
+    add("high", "highest", band_values<&StepBand::high>(channel.per), kSince);
+    add("mean", "mean", band_values<&StepBand::mean>(channel.per),
+        "of the looks since the step stored before");
+  }
+  return out;
+}
+
+}  // namespace
+
+std::span<const Channel> channels() {
+  static const std::vector<Channel> all = with_bands();
+  return all;
+}
+
+ChannelTable::ChannelTable(scene::LedgerTerms energy)
+    : channels_(channels().begin(), channels().end()) {
   using scene::LedgerKind;
   const auto ids = std::make_shared<std::deque<std::string>>();
   const auto add = [&](const char* group, const scene::LedgerTerm* term, const UnitPair& unit,

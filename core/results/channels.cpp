@@ -45,9 +45,9 @@ Shape shape_of(const bearing::Bearing& bearing) {
   return shape;
 }
 
-std::size_t channel_size(const Channel& channel, const Shape& shape) {
+std::size_t places(Per per, const Shape& shape) {
   const int count = [&] {
-    switch (channel.per) {
+    switch (per) {
       case Per::Run:
         return 1;
       case Per::Element:
@@ -71,7 +71,11 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
     }
     return 0;
   }();
-  return static_cast<std::size_t>(count * channel.components);
+  return static_cast<std::size_t>(count);
+}
+
+std::size_t channel_size(const Channel& channel, const Shape& shape) {
+  return places(channel.per, shape) * static_cast<std::size_t>(channel.components);
 }
 
 ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table)
@@ -79,8 +83,13 @@ ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units, Cha
       table_(std::move(table)),
       unit_length_(to_si(1.0, unit::kLength, units)) {
   record_.shape = shape_of(bearing_);
-  for (const Channel& channel : table_.all())
+  for (const Channel& channel : table_.all()) {
     record_.values.emplace_back(channel_size(channel, record_.shape), 0.0);
+    std::optional<scene::Looked>& looked = looked_.emplace_back();
+    for (std::size_t k = 0; k < scene::kLooked; ++k)
+      if (channel_of(static_cast<scene::Looked>(k)) == channel.id)
+        looked = static_cast<scene::Looked>(k);
+  }
 }
 
 void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
@@ -89,7 +98,7 @@ void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
   bearing_ = std::move(bearing);
 }
 
-const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, const LoadBand* band) {
+const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, StepBand* band) {
   const Shape& shape = record_.shape;
   demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
              snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
@@ -115,14 +124,25 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, const
   record_.shaft_rotation = snapshot.shaft_rotation;
   ChannelSource source;
   source.snapshot = &snapshot;
+  if (band == nullptr) {
+    instant_.clear();
+    band = &instant_;
+  }
   source.band = band;
+  for (std::size_t c = 0; c < looked_.size(); ++c) {
+    if (!looked_[c]) continue;
+    table_.all()[c].get(source, shape, record_.values[c].data());
+    band->look(*looked_[c], record_.values[c]);
+  }
+  band->stored();
   source.bearing = &bearing_;
   source.unit_length = unit_length_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
     const Channel& channel = table_.all()[c];
     std::vector<double>& values = record_.values[c];
-    if (values.empty()) continue;
+    if (values.empty() || looked_[c]) continue;
     source.term = channel.term;
+    source.looked = channel.looked;
     const bool follows = channel.continuous && has_previous_;
     if (follows) previous_ = values;
     channel.get(source, shape, values.data());

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "results/load_band.hpp"
 #include "results/quantities.hpp"
 #include "results/sol_file.hpp"
+#include "results/step_band.hpp"
 #include "scene/snapshot.hpp"
 
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,18 +37,15 @@ enum class Per : unsigned char {
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
   const scene::Snapshot* snapshot = nullptr;
-  const LoadBand* band =
-      nullptr;  ///< since the step stored last; null or empty: this instant alone
+  const StepBand* band = nullptr;  ///< since the step stored last
   const bearing::Bearing* bearing = nullptr;
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
   std::size_t element = 0, race = 0, side = 0, surface = 0, cage = 0, land = 0, component = 0;
   const scene::LedgerTerm* term = nullptr;  ///< that of the channel
+  std::optional<scene::Looked> looked;      ///< whose extremes the channel shows
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
-  /// Place of the contact in the band.
-  [[nodiscard]] std::size_t in_band() const { return race * snapshot->elements.size() + element; }
-  [[nodiscard]] bool has_band() const { return band != nullptr && !band->empty(); }
   [[nodiscard]] const scene::FlangeContactSnapshot& flange() const {
     return ball().flange[race][side];
   }
@@ -76,7 +74,8 @@ struct ChannelValues {
 struct Channel : ChannelValues {
   constexpr Channel(std::string_view named, std::string_view shown, const UnitPair* in,
                     std::string_view of_frame, bool is_continuous, ChannelValues values,
-                    std::string_view meaning, const scene::LedgerTerm* item = nullptr)
+                    std::string_view meaning, const scene::LedgerTerm* item = nullptr,
+                    std::optional<scene::Looked> band_of = {})
       : ChannelValues(values),
         id(named),
         label(shown),
@@ -84,7 +83,8 @@ struct Channel : ChannelValues {
         frame(of_frame),
         continuous(is_continuous),
         help(meaning),
-        term(item) {}
+        term(item),
+        looked(band_of) {}
 
   std::string_view id;  ///< "contact.load"; the group before the point is the folder in RESULTS.h5
   std::string_view label;  ///< "contact load"
@@ -92,7 +92,8 @@ struct Channel : ChannelValues {
   std::string_view frame;  ///< N base, A azimuth frame of the element, K cage, P pocket, - none
   bool continuous;         ///< an angle kept continuous between records (N101)
   std::string_view help;
-  const scene::LedgerTerm* term;  ///< of channels that show an item of the ledger
+  const scene::LedgerTerm* term;        ///< of channels that show an item of the ledger
+  std::optional<scene::Looked> looked;  ///< of channels "X_low", "X_high", "X_mean"
 };
 
 /// The channels of every run, in a fixed order.
@@ -126,6 +127,8 @@ struct Shape {
   bool operator==(const Shape&) const = default;
 };
 [[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);
+/// How often a quantity occurs in one step.
+[[nodiscard]] std::size_t places(Per per, const Shape& shape);
 /// Values of one channel in one step, components included.
 [[nodiscard]] std::size_t channel_size(const Channel& channel, const Shape& shape);
 
@@ -152,9 +155,9 @@ class ChannelRecorder {
   ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table);
   /// New temperatures and fits after a thermal step; the shape must stay.
   void set_bearing(bearing::Bearing bearing);
-  /// `band`: of the loads since the last record; null: none was kept.
-  [[nodiscard]] const StepRecord& record(const scene::Snapshot& snapshot,
-                                         const LoadBand* band = nullptr);
+  /// `band`: the looks since the step stored before, to which this instant is added; null: this
+  /// instant alone.
+  [[nodiscard]] const StepRecord& record(const scene::Snapshot& snapshot, StepBand* band = nullptr);
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept { return bearing_; }
   [[nodiscard]] const Shape& shape() const noexcept { return record_.shape; }
   [[nodiscard]] const ChannelTable& table() const noexcept { return table_; }
@@ -168,7 +171,9 @@ class ChannelRecorder {
   ChannelTable table_;
   double unit_length_;
   StepRecord record_;
-  std::vector<double> previous_;  ///< of a channel, while it is recorded
+  std::vector<double> previous_;                      ///< of a channel, while it is recorded
+  std::vector<std::optional<scene::Looked>> looked_;  ///< of each channel that has a band
+  StepBand instant_;                                  ///< of a record alone
   bool has_previous_ = false;
 };
 

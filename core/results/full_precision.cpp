@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <unordered_map>
 
@@ -61,6 +63,37 @@ UnitSystem units_of(const SolFile& file, const std::vector<SolColumn>& columns) 
   return UnitSystem::SI;
 }
 
+/// What is read of a channel for some columns of a file: neighbouring ones share it.
+struct ChannelColumns {
+  const H5Reader& reader;
+  const SolFile& file;
+  std::vector<SolColumn> columns = sol_columns(file.header);
+  UnitSystem units = units_of(file, columns);
+
+  /// Calls use(i, place, value) for the i-th of the steps of RESULTS.h5 and the place of every
+  /// column that has a channel among a step's values, in the file's units, until it returns false.
+  template <class Use>
+  bool each(std::size_t first, std::size_t count, std::size_t every, Use use) const {
+    std::map<int, std::vector<double>> read;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const SolColumn& column = columns[c];
+      const std::size_t place = file.place(c);
+      if (column.channel < 0 || place == std::string::npos) continue;
+      const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
+      const H5Reader::ChannelInfo* info = reader.find(id);
+      if (info == nullptr || column.at >= info->size()) continue;
+      auto& values = read[column.channel];
+      if (values.empty()) values = reader.read(id, first, count, every);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double exact = values[i * info->size() + column.at];
+        if (!use(i, place, column.unit == nullptr ? exact : from_si(exact, *column.unit, units)))
+          return false;
+      }
+    }
+    return true;
+  }
+};
+
 constexpr const char* kOtherRun =
     "RESULTS.h5 beside the file holds other numbers, so it is of another run";
 
@@ -91,63 +124,190 @@ std::vector<StepBlock> blocks_of(const std::vector<std::size_t>& at, std::size_t
 
 /// Compares the numbers of a block, or replaces them. False when one differs.
 bool use_block(SolFile& file, const H5Reader& reader, const StepBlock& block, bool replace) {
-  const std::vector<SolColumn> columns = sol_columns(file.header);
-  const UnitSystem units = units_of(file, columns);
-  std::map<int, std::vector<double>> read;  // by channel: neighbouring columns share one
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const SolColumn& column = columns[c];
-    const std::size_t place = file.place(c);
-    if (column.channel < 0 || place == std::string::npos) continue;
-    const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
-    const H5Reader::ChannelInfo* info = reader.find(id);
-    if (info == nullptr || column.at >= info->size()) continue;
-    auto& values = read[column.channel];
-    if (values.empty()) values = reader.read(id, block.first, block.count, block.every);
-    for (std::size_t i = 0; i < block.count; ++i) {
-      std::vector<double>& shown = file.steps[block.step + i].values;
-      if (place >= shown.size()) continue;
-      const double exact = values[i * info->size() + column.at];
-      const double value = column.unit == nullptr ? exact : from_si(exact, *column.unit, units);
-      if (replace)
-        shown[place] = value;
-      else if (!fits(shown[place], value, kSolDigits, 1e-30))
-        return false;
+  const ChannelColumns source{reader, file};
+  return source.each(block.first, block.count, block.every,
+                     [&](std::size_t i, std::size_t place, double value) {
+                       std::vector<double>& shown = file.steps[block.step + i].values;
+                       if (place >= shown.size()) return true;
+                       if (replace) shown[place] = value;
+                       return replace || fits(shown[place], value, kSolDigits, 1e-30);
+                     });
+}
+
+/// How far apart in RESULTS.h5 the file's steps stand: as most of them do.
+std::size_t distance_of(const std::vector<StepBlock>& blocks) {
+  std::map<std::size_t, std::size_t> steps;
+  for (const StepBlock& block : blocks)
+    if (block.count > 1) steps[block.every] += block.count - 1;
+  const auto most = std::max_element(
+      steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == steps.end() ? 1 : most->first;
+}
+
+/// Adds the steps of RESULTS.h5 `first`, `first` + `every`, ... (`count` of them) to the file's.
+void add_steps(SolFile& file, const H5Reader& reader, const std::vector<double>& times,
+               std::size_t first, std::size_t count, std::size_t every) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr std::size_t kPiece = 2048;
+  const std::vector<long> numbers = reader.step_numbers();
+  const ChannelColumns source{reader, file};
+  const auto element = static_cast<std::size_t>(std::max(file.header.index, 1)) - 1;
+  const H5Reader::ChannelInfo* orbit =
+      file.kind == SolKind::Element ? reader.find("element.orbital_position") : nullptr;
+  for (std::size_t done = 0; done < count; done += kPiece) {
+    const std::size_t begin = first + done * every, n = std::min(kPiece, count - done);
+    const auto shaft = reader.read("shaft_rotation", begin, n, every),
+               sizes = reader.read("step_size", begin, n, every);
+    const auto own = orbit != nullptr && element < orbit->size()
+                         ? reader.read("element.orbital_position", begin, n, every)
+                         : std::vector<double>();
+    const std::size_t place = file.steps.size(), width = file.steps.back().values.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      SolStep& step = file.steps.emplace_back();
+      step.step = numbers[begin + i * every];
+      step.revolutions = shaft[i] / kTurn;
+      if (!own.empty()) step.element_revolutions = own[i * orbit->size() + element] / kTurn;
+      step.step_size = sizes[i];
+      step.time = times[begin + i * every];
+      step.values.assign(width, std::numeric_limits<double>::quiet_NaN());
     }
+    source.each(begin, n, every, [&](std::size_t i, std::size_t at, double value) {
+      std::vector<double>& values = file.steps[place + i].values;
+      if (at < values.size()) values[at] = value;
+      return true;
+    });
   }
-  return true;
 }
 
 }  // namespace
 
-std::string use_full_precision(SolFile& file) {
-  std::string why_not;
-  const auto reader = open_beside(file.path, file.header.run_id, why_not);
-  if (!reader) return why_not;
+FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
+  FullPrecision out;
+  const auto reader = open_beside(file.path, file.header.run_id, out.why_not);
+  if (!reader) return out;
+  const std::size_t own = file.steps.size();
   try {
     const auto positions = positions_of(*reader);
     const std::vector<double> times = reader->read("time");
     std::vector<std::size_t> at(file.steps.size(), reader->steps());
-    bool any = false;
     for (std::size_t i = 0; i < file.steps.size(); ++i) {
       const auto found = positions.find(file.steps[i].step);
       if (found == positions.end()) continue;
-      if (!fits(file.steps[i].time, times[found->second], kSolDigits, 1e-300)) return kOtherRun;
+      if (!fits(file.steps[i].time, times[found->second], kSolDigits, 1e-300)) return {kOtherRun};
       at[i] = found->second;
-      any = true;
+      ++out.exact;
     }
-    if (!any) return "RESULTS.h5 beside the file holds none of its steps";
+    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of its steps"};
+    out.from_start = at[out.exact - 1] < reader->steps() &&
+                     std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
+                                 [&](std::size_t place) { return place == reader->steps(); });
 
     // Nothing is replaced before every number has been compared.
     const std::vector<StepBlock> blocks = blocks_of(at, reader->steps());
     for (const bool replace : {false, true})
       for (const StepBlock& block : blocks)
-        if (!use_block(file, *reader, block, replace)) return kOtherRun;
+        if (!use_block(file, *reader, block, replace)) return {kOtherRun};
     for (std::size_t i = 0; i < file.steps.size(); ++i)
       if (at[i] < reader->steps()) file.steps[i].time = times[at[i]];
-    return {};
+
+    const std::size_t last = at.back(), rows = reader->steps();
+    if (most_added == 0 || last >= rows) return out;  // the file's end is the later one
+    const std::size_t every = distance_of(blocks);
+    const std::size_t behind = (rows - 1 - last) / every;
+    out.added = std::min(behind, most_added);
+    out.more = out.added < behind;
+    add_steps(file, *reader, times, last + every, out.added, every);
+    // The end of a run is stored whatever its distance.
+    if (const std::size_t end = last + out.added * every;
+        !out.more && end + 1 < rows && out.added < most_added) {
+      add_steps(file, *reader, times, rows - 1, 1, 1);
+      ++out.added;
+    }
+    return out;
   } catch (const InputError& error) {
-    return error.what();
+    file.steps.resize(own);
+    return {error.what()};
   }
+}
+
+namespace {
+
+/// Takes what a row of RESULTS.h5 says of one step into the extremes of a longer time.
+void widen(ColumnBand& band, std::size_t step, double low, double high) {
+  double &lowest = band.low[step], &highest = band.high[step];
+  lowest = std::isnan(lowest) ? low : std::min(lowest, low);
+  highest = std::isnan(highest) ? high : std::max(highest, high);
+}
+
+}  // namespace
+
+std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
+                                           const std::set<std::size_t>& wanted) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t kMostRows = 2048;
+  std::map<std::size_t, ColumnBand> out;
+  std::string why_not;
+  const auto reader = open_beside(file.path, file.header.run_id, why_not);
+  if (!reader) return out;
+  const std::vector<SolColumn> columns = sol_columns(file.header);
+  const UnitSystem units = units_of(file, columns);
+  std::map<int, std::vector<std::size_t>> of_channel;
+  for (const std::size_t c : wanted)
+    if (c < columns.size() && columns[c].channel >= 0) of_channel[columns[c].channel].push_back(c);
+  const auto name = [](int channel, const char* which) {
+    return fmt::format("{}_{}", channels()[static_cast<std::size_t>(channel)].id, which);
+  };
+  std::erase_if(of_channel, [&](const auto& one) {
+    return reader->find(name(one.first, "low")) == nullptr ||
+           reader->find(name(one.first, "high")) == nullptr;
+  });
+  if (of_channel.empty()) return out;
+  // The step of the file to which each row of RESULTS.h5 belongs: the first that is not before it.
+  const std::vector<long> rows = reader->step_numbers();
+  std::vector<std::size_t> step_of(rows.size(), file.steps.size());
+  for (std::size_t row = 0, step = 0; row < rows.size(); ++row) {
+    while (step < file.steps.size() && file.steps[step].step < rows[row]) ++step;
+    // What comes before the first step of the file is no time between two of them.
+    if (step < file.steps.size() && (step > 0 || file.steps[0].step == rows[row]))
+      step_of[row] = step;
+  }
+  for (const auto& [channel, of] : of_channel) {
+    const std::string low_id = name(channel, "low"), high_id = name(channel, "high");
+    const std::size_t width = reader->find(low_id)->size();
+    if (reader->find(high_id)->size() != width) continue;
+    for (const std::size_t c : of)
+      if (columns[c].at < width)
+        out[c] = {std::vector<double>(file.steps.size(), kNone),
+                  std::vector<double>(file.steps.size(), kNone)};
+    for (std::size_t first = 0; first < rows.size(); first += kMostRows) {
+      const std::size_t count = std::min(kMostRows, rows.size() - first);
+      const auto used = [&](std::size_t row) { return step_of[row] < file.steps.size(); };
+      bool any = false;
+      for (std::size_t row = first; row < first + count; ++row) any = any || used(row);
+      if (!any) continue;
+      const auto low = reader->read(low_id, first, count),
+                 high = reader->read(high_id, first, count);
+      for (const std::size_t c : of) {
+        if (columns[c].at >= width) continue;
+        const auto shown = [&](double value) {
+          return columns[c].unit == nullptr ? value : from_si(value, *columns[c].unit, units);
+        };
+        for (std::size_t i = 0; i < count; ++i)
+          if (used(first + i))
+            widen(out[c], step_of[first + i], shown(low[i * width + columns[c].at]),
+                  shown(high[i * width + columns[c].at]));
+      }
+    }
+  }
+  // A step that RESULTS.h5 does not hold has none, even where rows before it do.
+  std::vector<bool> held(file.steps.size(), false);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (step_of[row] < file.steps.size() && file.steps[step_of[row]].step == rows[row])
+      held[step_of[row]] = true;
+  for (auto& [column, band] : out)
+    for (std::size_t i = 0; i < held.size(); ++i)
+      if (!held[i]) band.low[i] = band.high[i] = kNone;
+  return out;
 }
 
 }  // namespace adore::results

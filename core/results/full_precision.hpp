@@ -2,6 +2,9 @@
 
 #include "results/sol_file.hpp"
 
+#include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,12 +12,34 @@
 /// to play; where the HDF5 file of the same run lies in their folder, its numbers are used.
 namespace adore::results {
 
+/// What RESULTS.h5 gave to a classic file.
+struct FullPrecision {
+  std::string why_not;      ///< empty: values were replaced
+  std::size_t exact = 0;    ///< of the file's own steps have all digits
+  bool from_start = false;  ///< they are the first ones, without a gap between them
+  std::size_t added = 0;    ///< steps behind the file's last one
+  bool more = false;        ///< RESULTS.h5 has others behind, for which there was no room
+};
+
 /// Replaces the values of a SOL1-SOL7 file by those of RESULTS.h5 in the same folder: all digits,
 /// and numbers where the file shows stars. Columns without a channel, and steps that RESULTS.h5
-/// does not hold, keep what they have.
-/// Returns an empty text when values were replaced, else why the file was left as it is, for
-/// example that there is no RESULTS.h5, or that it is of another run: its run code differs, or a
-/// number beyond the digits that the classic file shows. Never throws for a bad RESULTS.h5.
-[[nodiscard]] std::string use_full_precision(SolFile& file);
+/// does not hold, keep what they have. Up to `most_added` steps that RESULTS.h5 has behind the
+/// file's last one are added, as far apart as the file's own: a run that was killed loses the end
+/// of either.
+/// The file is left as it is, `why_not` saying why, for example when there is no RESULTS.h5, or
+/// when it is of another run: its run code differs, or a number beyond the digits that the classic
+/// file shows. Never throws for a bad RESULTS.h5.
+[[nodiscard]] FullPrecision use_full_precision(SolFile& file, std::size_t most_added = 0);
+
+/// Extremes of a column since the step before in the file, one per step, in the file's unit; NaN
+/// where they are not known.
+struct ColumnBand {
+  std::vector<double> low, high;
+};
+/// Those of the columns (places in sol_columns) that RESULTS.h5 in the same folder has, by column;
+/// none of a file of another run. Steps of RESULTS.h5 that the file passes over count, too.
+/// @throws InputError when RESULTS.h5 is damaged
+[[nodiscard]] std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
+                                                         const std::set<std::size_t>& columns);
 
 }  // namespace adore::results

@@ -40,7 +40,8 @@ constexpr KeyResultSpec kSpecs[] = {
     {"load_z_N", "Load", "z", &unit::kForce},
     {"load_about_y_Nm", "Load", "about y", &unit::kMoment},
     {"load_about_z_Nm", "Load", "about z", &unit::kMoment},
-    {"largest_contact_load_N", "Largest contact load", "", &unit::kForce},
+    {"largest_contact_load_N", "Largest contact load", "", &unit::kForce,
+     "Largest contact load at the end"},  // the peak has a line of its own
     {"largest_pressure_Pa", "Largest pressure", "", &unit::kPressure},
     {"stiffness_x_N_per_m", "Stiffness", "x", &unit::kStiffness},
     {"stiffness_y_N_per_m", "Stiffness", "y", &unit::kStiffness},

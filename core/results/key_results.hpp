@@ -15,7 +15,8 @@ struct KeyResultSpec {
   std::string_view id;     ///< "stiffness_x_N_per_m": key and column, the same in every release
   std::string_view label;  ///< "Stiffness"
   std::string_view part;   ///< "x": tells results of one label apart; empty when there is only one
-  const UnitPair* unit = nullptr;  ///< of the value, which is in SI: factor 1
+  const UnitPair* unit = nullptr;   ///< of the value, which is in SI: factor 1
+  std::string_view of_motion = {};  ///< label in a table of motions, where it is another
 };
 
 struct KeyResult {
@@ -26,6 +27,10 @@ struct KeyResult {
 using KeyResults = std::vector<KeyResult>;
 
 [[nodiscard]] std::span<const KeyResultSpec> key_result_specs();
+/// What it is called: by of_motion in a table of motions.
+[[nodiscard]] constexpr std::string_view label_of(const KeyResultSpec& spec, bool motion) {
+  return motion && !spec.of_motion.empty() ? spec.of_motion : spec.label;
+}
 /// Empty id when there is none of this name: files may come from another release.
 [[nodiscard]] KeyResultSpec find_key_result(std::string_view id);
 /// @throws std::out_of_range for an id that is not in the table.

@@ -51,19 +51,16 @@ SweepTable read_sweep(const std::filesystem::path& path) {
     out.unit = out.variable.substr(bracket + 2, out.variable.size() - bracket - 3);
     out.variable.resize(bracket);
   }
-  // Of a motion the load is that of its last instant; the peak has a column of its own.
   const bool motion = std::find(names.begin(), names.end(), "peak_load_N") != names.end();
   for (std::size_t i = 2; i + 1 < names.size(); ++i) {
     const KeyResultSpec spec = find_key_result(names[i]);
     if (spec.id.empty())
       out.columns.push_back({std::string(names[i]), {}, {}, {}});
     else
-      out.columns.push_back(
-          {std::string(spec.label) +
-               (motion && spec.id == "largest_contact_load_N" ? " at the end" : ""),
-           std::string(spec.part),
-           std::string(spec.unit->si),
-           {}});
+      out.columns.push_back({std::string(label_of(spec, motion)),
+                             std::string(spec.part),
+                             std::string(spec.unit->si),
+                             {}});
   }
   std::string row;
   while (std::getline(file, row)) {

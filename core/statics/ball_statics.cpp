@@ -71,16 +71,11 @@ double steepest_contact_angle(const BallModel& m, const BallRace& state) {
         "angular velocity",
         loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1], angles));
   }
-  // A ball that fails at the first guess leaves no residual to speak of.
-  const std::string where =
-      solve.iterations == 0
-          ? "could not begin"
-          : fmt::format("stopped with a residual of {:.2g} of the load after {} steps",
-                        solve.residual, solve.iterations);
-  throw SolverError(fmt::format(
-      "bearing equilibrium: under {} Newton's iteration {}{}{}; "
-      "give a first guess of the displacement, or prescribe it in some direction",
-      loads, where, solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
+  throw SolverError(
+      fmt::format("bearing equilibrium: under {} Newton's iteration {}{}{}; "
+                  "give a first guess of the displacement, or prescribe it in some direction",
+                  loads, how_far(solve),
+                  solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
 }
 
 /// Result of solve_in_stages. `reached` is the fraction of the full problem for which an

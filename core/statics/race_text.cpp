@@ -34,6 +34,13 @@ std::string load_text(const RaceTask& task) {
   return text.empty() ? "no load" : text;
 }
 
+std::string how_far(const RaceSolve& solve) {
+  return solve.iterations == 0
+             ? "could not begin"
+             : fmt::format("stopped with a residual of {:.2g} of the load after {} steps",
+                           solve.residual, solve.iterations);
+}
+
 std::vector<std::string> held_notes(const std::vector<int>& held,
                                     const std::array<double, 5>& displacement) {
   std::vector<std::string> notes;

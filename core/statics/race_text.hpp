@@ -19,6 +19,10 @@ inline constexpr std::array<const char*, 5> kDirection{"along x", "along y", "al
 
 /// "500 N along x, 20 N m about y", or "no load".
 [[nodiscard]] std::string load_text(const RaceTask& task);
+/// How far an iteration came that found nothing: "could not begin", since an element that fails at
+/// the first guess leaves no residual to speak of, or "stopped with a residual of 0.1 of the load
+/// after 7 steps".
+[[nodiscard]] std::string how_far(const RaceSolve& solve);
 
 /// What is said of directions that nothing holds or loads.
 [[nodiscard]] std::vector<std::string> held_notes(const std::vector<int>& held,

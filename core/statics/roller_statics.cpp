@@ -215,16 +215,10 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
         "nothing holds (kFS), add flanges, or change the load",
         loads, state.q(0), state.q(1), state.q(2)));
   }
-  // A roller that fails at the first guess leaves no residual to speak of.
-  const std::string where =
-      solve.iterations == 0
-          ? "could not begin"
-          : fmt::format("stopped with a residual of {:.2g} of the load after {} steps",
-                        solve.residual, solve.iterations);
   throw SolverError(fmt::format(
       "bearing equilibrium: under {} Newton's iteration {}{}; give a first guess of the "
       "displacement, or prescribe it in some direction",
-      loads, where,
+      loads, how_far(solve),
       solve.element_failed
           ? ", because a roller lost its equilibrium (nothing holds it along its axis, or the race "
             "moved too far)"

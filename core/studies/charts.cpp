@@ -1,5 +1,7 @@
 #include "studies/charts.hpp"
 
+#include "results/key_results.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,10 +23,18 @@ Chart grid(const std::vector<std::vector<double>>& values) {
   return out;
 }
 
+/// The words for a key result: the unit in its column's name would stand beside another one that
+/// its numbers have on an axis ("…_Pa [GPa]").
+std::string words_of(const TableColumn& column) {
+  const results::KeyResultSpec spec = results::find_key_result(column.name);
+  if (spec.id.empty()) return column.name;
+  return spec.part.empty() ? std::string(spec.label) : fmt::format("{}, {}", spec.label, spec.part);
+}
+
 std::string heading(const TableColumn& column) {
   return column.unit.empty() || column.unit == "-"
-             ? column.name
-             : fmt::format("{} [{}]", column.name, column.unit);
+             ? words_of(column)
+             : fmt::format("{} [{}]", words_of(column), column.unit);
 }
 
 std::string unit(const TableColumn& column) { return column.unit == "-" ? "" : column.unit; }
@@ -35,9 +45,9 @@ Chart curves_chart(const std::string& name, const TableColumn& x, const TableCol
                    const std::vector<ChartLine>& lines) {
   Chart out{{"kind", "curves"},
             {"name", name},
-            {"title", y.name + " over " + x.name},
-            {"x_title", x.name},
-            {"y_title", y.name},
+            {"title", words_of(y) + " over " + words_of(x)},
+            {"x_title", words_of(x)},
+            {"y_title", words_of(y)},
             {"x_unit", unit(x)},
             {"y_unit", unit(y)},
             {"curves", Chart::array()}};
@@ -58,10 +68,10 @@ Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn&
                const std::vector<std::vector<std::vector<long>>>& runs) {
   return {{"kind", "heat-map"},
           {"name", name},
-          {"title", fmt::format("{} over {} and {}", of.name, x.name, y.name)},
+          {"title", fmt::format("{} over {} and {}", words_of(of), words_of(x), words_of(y))},
           {"x_title", heading(x)},
           {"y_title", heading(y)},
-          {"legend", of.name},
+          {"legend", words_of(of)},
           {"unit", unit(of)},
           {"x", numbers(xs)},
           {"y", numbers(ys)},

@@ -161,5 +161,9 @@ TEST_CASE("names in the drawing and the menu of a field go by the units of view"
   CHECK(line->text() == "1.5 kN");
   CHECK(labels().contains("appLoadX = 1.5 kN"));
   CHECK_FALSE(labels().contains("appLoadX = 1500.0 N"));
+  for (QAction* action : button->menu()->actions())
+    if (action->text() == "lbf") action->trigger();
+  CHECK(line->text() == "337.213414649566 lbf");
+  CHECK(labels().contains("appLoadX = 337.213 lbf"));
   choose_unit("N", {});
 }

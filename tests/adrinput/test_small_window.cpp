@@ -1,5 +1,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
+#include "adrinput/options_page.hpp"
+#include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
 #include "support/qt_app.hpp"
@@ -8,8 +10,10 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabWidget>
@@ -25,6 +29,13 @@ TEST_CASE("adrinput: the letters of its menus choose one entry each", "[gui][adr
   test::use_qt();
   DeckWindow window;
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("adrinput: the help of the keys is readable with large letters", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
 
 TEST_CASE("adrinput: no page of an example scrolls sideways on a screen of 1280x800",
@@ -134,6 +145,32 @@ TEST_CASE("adrinput: titles of records are not cut in a narrow list", "[gui][adr
       CHECK(list->fontMetrics().horizontalAdvance(word) <= place.width() - kSignAndMargins);
     }
   }
+}
+
+TEST_CASE("adrinput: what a search finds is not cut in a narrow list", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(944, 500);
+  window.show();
+  auto* query = window.findChild<QLineEdit*>("search");
+  auto* list = window.findChild<QListWidget*>("found");
+  REQUIRE(list != nullptr);
+  auto* panel = window.findChild<RecordList*>();
+  panel->setFixedWidth(panel->minimumWidth());  // as at scale factor 2 on 1920x1080
+  constexpr int kMargins = 10;
+  const QRegularExpression breaks("[\\s\\x{200b}-]");
+  int words = 0;
+  for (const char* record : {"ADORE.json", "1", "2.1", "3.2", "5A", "7.1", "9.1.1", "10.4.1"})
+    for (const deck::VariableSpec& variable : page_record(record)->variables) {
+      query->setText(QString::fromStdString(std::string(variable.name)));
+      QCoreApplication::processEvents();
+      for (const QString& word : list->item(0)->text().split(breaks)) {
+        INFO(variable.name << ": " << word.toStdString());
+        CHECK(list->fontMetrics().horizontalAdvance(word) <= list->viewport()->width() - kMargins);
+        ++words;
+      }
+    }
+  CHECK(words > 500);
 }
 
 TEST_CASE("adrinput: all of a page can be reached at 700x450", "[gui][adrinput]") {

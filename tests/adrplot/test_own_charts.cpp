@@ -284,6 +284,13 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   REQUIRE(window.fileCount() == 3);
   CHECK(window.view().chartScene().page().title == "Chosen curves");
   CHECK(window.view().chartScene().page().panels.size() == 2);
+  // Opened again, what was ticked is ticked.
+  window.askForCurves();
+  dialog = window.findChild<CurveDialog*>();
+  REQUIRE(dialog);
+  CHECK(dialog->picks().size() == 2);
+  dialog->reject();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   auto* pages = window.findChild<QTreeWidget*>("pages");
   pages->setCurrentItem(pages->topLevelItem(0)->child(0));
   window.closeFile();
@@ -293,6 +300,58 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   while (window.fileCount() > 0) window.closeFile();
   CHECK(window.currentPage() == 0);
   CHECK(window.view().chartScene().page().panels.empty());
+}
+
+TEST_CASE("own charts: the dialog opens with the ticks, their order and the reference of before",
+          "[gui][adrplot]") {
+  test::use_qt();
+  const PlotDocument slow = run(1.0, 50, "slow"), fast = run(2.0, 50, "fast");
+  const std::vector<const PlotDocument*> files{&slow, &fast};
+  CurveChoice before{.how = Combine::Difference};
+  before.curves = {{fast.path, 1, 0, 0}, {slow.path, 1, 0, 0, true}, {"elsewhere/SOL7", 1, 0, 0}};
+  const CurveDialog dialog(files, {}, before);
+  CHECK(dialog.how() == Combine::Difference);
+  const std::vector<CurvePick> picks = dialog.picks();
+  REQUIRE(picks.size() == 2);
+  CHECK(picks.front().file == &slow);
+  const CurveChoice again = dialog.choice();
+  REQUIRE(again.curves.size() == 2);
+  CHECK(again.curves[0].file == fast.path);
+  CHECK_FALSE(again.curves[0].reference);
+  CHECK(again.curves[1].reference);
+}
+
+TEST_CASE("own charts: a table tells stored values from those read off between them",
+          "[unit][adrplot]") {
+  const PlotDocument coarse = run(1.0, 4, "coarse"), fine = run(2.0, 7, "fine");
+  const std::vector<CurvePick> picks{{&coarse, 1, 0, 0}, {&fine, 1, 0, 0}};
+  for (const Combine how : {Combine::Overlay, Combine::Difference}) {
+    const desktop::ChartPage page = combine_curves(picks, how, {});
+    const std::string csv = desktop::page_csv(page);
+    INFO(csv);
+    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or read off a straight line (0)") !=
+          std::string::npos);
+    // Each curve's column says 1 as often as that has a stored value.
+    const auto coarse_x = coarse.build(1, {}).x, fine_x = fine.build(1, {}).x;
+    for (std::size_t c = 0; c < page.panels.at(0).curves.size(); ++c) {
+      const desktop::ChartCurve& curve = page.panels[0].curves[c];
+      REQUIRE((curve.stored.empty() || curve.stored.size() == page.x.size()));
+      for (std::size_t i = 0; i < page.x.size(); ++i) {
+        const auto in = [&](const std::vector<double>& x) {
+          return std::find(x.begin(), x.end(), page.x[i]) != x.end();
+        };
+        CHECK((curve.stored.empty() || curve.stored[i]) == (how == Combine::Difference
+                                                                ? in(coarse_x) && in(fine_x)
+                                                            : c == 0 ? in(coarse_x)
+                                                                     : in(fine_x)));
+      }
+    }
+  }
+  // Curves over the same steps have nothing to tell apart.
+  const PlotDocument same = run(3.0, 4, "same");
+  CHECK(desktop::page_csv(
+            combine_curves({{&coarse, 1, 0, 0}, {&same, 1, 0, 0}}, Combine::Overlay, {}))
+            .find("stored (1)") == std::string::npos);
 }
 
 TEST_CASE("the folder of a run is the same for every way of writing it", "[unit]") {
@@ -324,6 +383,13 @@ TEST_CASE("plot_window: a folder opens all its plot files, two folders are told 
   CHECK(tree->topLevelItem(3)->text(0).startsWith("fast/SOL7"));
   window.openFolder(base.filePath("fast"), {.from = 2, .to = 11});
   CHECK(window.findChild<desktop::ChartView*>()->chartScene().page().x.size() == 10);
+  // Record 2.3 of the deck had named its files.
+  base.mkdir("named");
+  QFile::copy(base.filePath("slow/SOL1"), base.filePath("named/ball.dat"));
+  test::write_text(base.filePath("named/RUN.json").toStdString(), R"({"files": ["ball.dat"]})");
+  window.openFolder(base.filePath("named"));
+  CHECK(window.findChild<QMessageBox*>("message") == nullptr);
+  CHECK(tree->topLevelItem(tree->topLevelItemCount() - 1)->text(0).startsWith("named/ball.dat"));
   base.mkdir("empty");
   window.openFolder(base.filePath("empty"));
   auto* box = window.findChild<QMessageBox*>("message");
@@ -447,10 +513,17 @@ TEST_CASE("run_beside: frequencies of a run are those of its mean speeds", "[uni
   h5.close();
   std::map<std::string, double> found;
   for (const auto& mark : bearing_frequencies(folder / "RESULTS.h5")) found[mark.label] = mark.x;
-  CHECK(found["shaft"] == Approx(1000.0 / kTurn));
+  // Both turn: neither at the 1000 rad/s of one against the other.
+  CHECK(found["inner race"] == Approx(900.0 / kTurn));
+  CHECK(found["outer race"] == Approx(100.0 / kTurn));
+  CHECK(found.count("shaft") == 0);
   CHECK(found["FTF"] == Approx(400.0 / kTurn));
   CHECK(found["BSF"] == Approx(2500.0 / kTurn));
   CHECK(found["BPFO"] == Approx(3 * 500.0 / kTurn));
   CHECK(found["BPFI"] == Approx(3 * 500.0 / kTurn));
-  CHECK(found["2 BPFO"] == Approx(6 * 500.0 / kTurn));
+  for (const char* name : {"FTF", "BSF", "BPFO", "BPFI"})
+    for (const int harmonic : {2, 3}) {
+      INFO(harmonic << " " << name);
+      CHECK(found[std::to_string(harmonic) + " " + name] == Approx(harmonic * found[name]));
+    }
 }

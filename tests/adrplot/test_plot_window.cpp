@@ -9,13 +9,13 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QChart>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -24,7 +24,6 @@
 #include <QTest>
 #include <QToolBar>
 #include <QTreeWidget>
-#include <QValueAxis>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -90,8 +89,8 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
     press(window, "Next Plot");
     CHECK(window.currentPage() == page);
     CHECK(take_message(window).isEmpty());
-    CHECK_FALSE(window.view().chartScene().charts().empty());
-    for (std::size_t i = 0; i < window.view().chartScene().charts().size(); ++i)
+    CHECK_FALSE(window.view().chartScene().plotAreas().empty());
+    for (std::size_t i = 0; i < window.view().chartScene().plotAreas().size(); ++i)
       CHECK(window.view().chartScene().linesOf(i) > 0);
   }
   press(window, "Next Plot");
@@ -135,10 +134,9 @@ TEST_CASE("plot_window: orbit page offers other pairs, history pages another abs
   CHECK(scene.page().x_title == "X position");
   CHECK(scene.page().panels[0].title == "Z position");
   CHECK(scene.plotAreas()[0].width() == Approx(scene.plotAreas()[0].height()));
-  auto* chart = scene.charts()[0];
-  auto* x = qobject_cast<QValueAxis*>(chart->axes(Qt::Horizontal).front());
-  auto* y = qobject_cast<QValueAxis*>(chart->axes(Qt::Vertical).front());
-  CHECK(x->max() - x->min() == Approx(y->max() - y->min()));  // equal axes
+  const QRectF& frame = scene.plotAreas()[0];  // equal axes
+  CHECK(scene.abscissaAt(frame.right()) - scene.abscissaAt(frame.left()) ==
+        Approx(scene.valueAt(0, frame.top()) - scene.valueAt(0, frame.bottom())));
 }
 
 TEST_CASE("plot_window: files are opened, refused with a reason, and truncated ones explained",
@@ -206,6 +204,32 @@ TEST_CASE("plot_window: a dropped file asks for its range, several are opened at
   QMimeData words;
   words.setText("SOL1");
   CHECK_FALSE(test::drop_on(window, words, window.view().geometry().center()));
+}
+
+TEST_CASE("a file is opened by the question of its steps, however long the window lives meanwhile",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("SOL1").toStdString();
+  test::SyntheticRun run;
+  run.steps = 30;
+  test::write_text(path, test::sol_text(test::synthetic_sol(SolKind::Element, run)));
+  PlotWindow window;
+  window.show();
+  window.openSeveral({folder.filePath("SOL1")});
+  const QPointer<RangeDialog> dialog = window.findChild<RangeDialog*>();
+  REQUIRE(dialog);
+  bool there = false;
+  QObject::connect(dialog, &QDialog::accepted, &window, [&] {
+    // As the box of progress does, once a long file is read behind the same signal.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    there = !dialog.isNull();
+  });
+  dialog->accept();
+  CHECK(there);
+  CHECK(window.fileCount() == 1);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK(dialog.isNull());
 }
 
 TEST_CASE("range_dialog: starts with the whole run and keeps the end behind the start", "[gui]") {

@@ -22,6 +22,7 @@ TEST_CASE(
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
 
 TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {

@@ -3,8 +3,11 @@
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -40,7 +43,7 @@ TEST_CASE("plot_window: numbers are all of them or those in view, and the foot s
   const QString whole = folder.filePath("whole.csv"), part = folder.filePath("part.csv");
   REQUIRE(window.exportTo(whole, false));
   CHECK(window.statusBar()->currentMessage().contains(
-      QString("every curve with all its %1 values, not only what is seen").arg(all)));
+      QString("every curve with all it has, %1 values, not only what is seen").arg(all)));
   REQUIRE(window.exportTo(part, false, true));
   const auto rows = lines_of(whole), seen = lines_of(part);
   CHECK(rows.size() == static_cast<qsizetype>(all) + 1);
@@ -101,4 +104,61 @@ TEST_CASE("plot_window: a run without turns says what it is drawn over", "[gui][
   window.addFile(file);
   CHECK(window.view().chartScene().page().x_title == "Time");
   CHECK(abscissa->currentText() == "over time (no turns)");
+}
+
+TEST_CASE("plot_window: what a page does not have is grey and says why", "[gui][adrplot]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Race));
+  const auto action = [&](const QString& text) -> QAction* {
+    for (QAction* one : window.findChildren<QAction*>())
+      if (QString(one->text()).remove('&') == text) return one;
+    return nullptr;
+  };
+  auto* values = action("Logarithmic Values");
+  auto* amplitude = action("Spectrum: Amplitude");
+  REQUIRE(values);
+  REQUIRE(amplitude);
+  window.showPage(2);
+  CHECK(values->isEnabled());
+  CHECK_FALSE(amplitude->isEnabled());
+  CHECK(amplitude->toolTip().contains("no spectra"));
+  window.showPage(5);  // an orbit
+  REQUIRE(window.view().chartScene().page().equal_axes);
+  CHECK_FALSE(values->isEnabled());
+  CHECK(values->toolTip().contains("equal"));
+  values->trigger();  // as its key does
+  window.showPage(2);
+  for (const auto& panel : window.view().chartScene().page().panels) CHECK_FALSE(panel.log);
+  window.setDomain(Domain::Spectrum);
+  CHECK(amplitude->isEnabled());
+  auto* abscissa = window.findChild<QComboBox*>("abscissa");
+  CHECK_FALSE(abscissa->isEnabled());
+  CHECK(abscissa->toolTip().contains("frequency"));
+}
+
+TEST_CASE("plot_window: the name proposed for a picture has the picture's suffix",
+          "[gui][adrplot]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const QString sweep = folder.filePath("SWEEP.csv");
+  QFile file(sweep);
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write("fxInner [N],exit,largest_contact_load_N,message\n1,0,2,\"\"\n2,0,3,\"\"\n");
+  file.close();
+  PlotWindow window;
+  REQUIRE(window.openFile(sweep.toStdString()));
+  for (const bool all : {false, true}) {
+    if (all)
+      window.exportAll();
+    else
+      window.exportPage();
+    auto* dialog = window.findChild<QFileDialog*>("export");
+    REQUIRE(dialog);
+    REQUIRE(dialog->selectedFiles().size() == 1);
+    const QFileInfo proposed(dialog->selectedFiles().front());
+    CHECK(proposed.suffix() == "pdf");
+    CHECK(proposed.baseName().startsWith("SWEEP-page"));
+    delete dialog;
+  }
 }

@@ -13,13 +13,13 @@
 /// RESULTS.h5 made by hand, for the views that rest on it.
 namespace adore::test {
 
-/// RESULTS.h5 of eight balls over 31 steps.
-inline void write_run(const testing::TemporaryFolder& folder) {
+/// RESULTS.h5 of eight balls over 31 steps, or fewer.
+inline void write_run(const testing::TemporaryFolder& folder, long last = 30) {
   using namespace adore::testing;
   const bearing::Bearing bearing = make_bearing(8);
   results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
   results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
-  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  for (long step = 0; step <= last; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
   h5.close();
 }
 

@@ -23,6 +23,7 @@ TEST_CASE(
        {"wheel", "drag", "Space", "Home", "Up, Down", "Ctrl+7", "[, ]", "+ or =, -, 0"})
     CHECK(help.contains(word));
   CHECK(test::keys_without_help(window, help) == QStringList());
+  CHECK(test::unreadable_help(window).join("; ").toStdString() == "");
 }
 
 TEST_CASE("agore_window: a letter with Alt chooses one thing, in its dialogs, too", "[gui]") {

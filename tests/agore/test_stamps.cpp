@@ -1,9 +1,13 @@
 #include "agore/depth_canvas.hpp"
+#include "agore/motion_picture.hpp"
 #include "agore/stamps.hpp"
+#include "support/qt_app.hpp"
+#include "support/synthetic_results.hpp"
 
 #include <QPainter>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace adore;
@@ -85,6 +89,52 @@ TEST_CASE("stamps: looks are told apart, and what is too large is drawn and not 
   CHECK(stamps.size() == 4);
   CHECK(ink(20, 5000, {3, {20}, {}}) == Approx(large));
   CHECK(stamps.size() == 4);
+}
+
+TEST_CASE("stamps: what is kept stays within its room, and what was drawn last stays",
+          "[unit][agore]") {
+  constexpr double kOne = 4.0 * 27.0 * 27.0;  // bytes of a reach of 12
+  Stamps stamps(8.5 * kOne);
+  QImage image = paper();
+  QPainter painter(&image);
+  int drawn = 0;
+  const auto draw = [&](double size) {
+    const int before = drawn;
+    stamps.draw(painter, {150, 150}, 12, {1, {size}, {}}, [&](QPainter& p, QPointF middle) {
+      ++drawn;
+      disc(p, middle, 10);
+    });
+    return drawn > before;  // it was not there
+  };
+  for (int i = 0; i < 100; ++i) {
+    draw(i);
+    CHECK(stamps.bytes() <= 8.5 * kOne);
+    CHECK_FALSE(draw(i));
+    if (i > 0) CHECK_FALSE(draw(0));  // drawn every time, while all others come and go
+  }
+  CHECK(stamps.size() >= 5);
+  CHECK(draw(50));
+}
+
+TEST_CASE("stamps: all views of a window keep theirs in one room", "[gui][agore][slow]") {
+  test::use_qt();
+  test::SyntheticRun run;
+  run.steps = 6;
+  MotionPicture picture(prepare(test::synthetic_sol8(run)));
+  ViewOptions options;
+  options.beside = {{View::Cage}, {View::Element}, {View::InnerRace}};
+  QImage screen(1920, 1080, QImage::Format_RGB32);
+  screen.setDevicePixelRatio(2.0);
+  double most = 0.0;
+  for (int i = 0; i < 90; ++i) {  // every zoom has images of its own
+    options.zoom = 1.0 + 0.02 * i;
+    for (SideView& side : options.beside) side.zoom = options.zoom;
+    QPainter painter(&screen);
+    picture.paint(painter, QRectF(0, 0, 960, 540), static_cast<std::size_t>(i % 6), options);
+    most = std::max(most, picture.keptBytes());
+    REQUIRE(picture.keptBytes() <= Stamps::kRoom);
+  }
+  CHECK(most > 0.7 * Stamps::kRoom);  // it was full
 }
 
 TEST_CASE("depth_canvas: restoring takes away everything that was drawn since", "[unit][agore]") {

@@ -7,11 +7,11 @@
 #include "desktop/svg_writer.hpp"
 #include "support/qt_app.hpp"
 
-#include <QChart>
 #include <QFile>
+#include <QGraphicsLineItem>
+#include <QGraphicsSimpleTextItem>
 #include <QImage>
 #include <QImageReader>
-#include <QLineSeries>
 #include <QPainter>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -241,6 +241,71 @@ TEST_CASE("axis_scale: logarithmic ticks are decades, with 2 and 5 where there i
   REQUIRE(narrow.size() == 7);
   CHECK(narrow[1].text == "2");
   CHECK(narrow[6].text == "100");
+}
+
+TEST_CASE("chart_scene: the view that a page begins with is kept where it is set again", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x = {250.0, 500.0, 750.0, 1000.0};
+  page.view_low = 0.0, page.view_high = 800.0;
+  page.panels = {{"Amplitude", "N", {{"", {1.0, 2.0, 3.0, 4.0}, {}}}}};
+  ChartScene shown, exported;
+  shown.setPage(page);
+  exported.setPage(page);
+  exported.setZoom(shown.zoom());
+  CHECK(exported.viewLow() == 0.0);
+  CHECK(exported.zoom() == shown.zoom());
+}
+
+TEST_CASE("axis_scale: decades of frequency are told in kHz, with 2 and 5 as there is room",
+          "[unit]") {
+  const AxisScale wide = log_axis(20.0, 56e3, "Hz", true, 26.0);
+  CHECK(wide.unit == "kHz");
+  std::vector<std::string> texts;
+  for (const AxisTick& tick : axis_ticks(wide)) texts.push_back(tick.text);
+  CHECK(texts == std::vector<std::string>{"0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10",
+                                          "20", "50"});
+  CHECK(wide.value(wide.shown(1234.0)) == Approx(1234.0));
+  // Little room: powers of ten. Below 10 kHz, and where the small end got long: the unit itself.
+  CHECK(axis_ticks(log_axis(20.0, 56e3, "Hz", true, 8.0)).size() == 3);
+  CHECK(log_axis(2.0, 9e3, "Hz", true).unit == "Hz");
+  CHECK(log_axis(1e-4, 2e4, "N", true).unit == "N");
+}
+
+TEST_CASE("chart_scene: lines above each other have a bar for their values, and no numbers",
+          "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.x_title = "Frequency", page.x_unit = "Hz";
+  ChartPanel panel{"Spectra", "N", {}};
+  panel.one_colour = panel.scale_bar = true;
+  for (int k = 0; k < 10; ++k) {
+    ChartCurve curve{std::to_string(k) + " ms", {}, {}};
+    curve.lift = 3.0 * k;
+    for (int i = 0; i < 50; ++i) curve.y.push_back(curve.lift + (i == 10 ? 7.0 : 0.0));
+    panel.curves.push_back(std::move(curve));
+  }
+  for (int i = 0; i < 50; ++i) page.x.push_back(100.0 * i);
+  page.panels = {panel};
+  ChartScene scene;
+  scene.setPageSize({1280, 800});
+  scene.setPage(page);
+  const QRectF area = scene.plotAreas()[0];
+  int beside = 0;
+  qreal bar = 0.0;
+  for (QGraphicsItem* item : scene.items()) {
+    if (auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item);
+        text != nullptr && text->text() == "5 N")
+      ++beside;
+    else if (text != nullptr && text->rotation() == 0.0 && text->pos().x() < area.left() - 4.0 &&
+             text->pos().y() > area.top() && text->pos().y() < area.bottom())
+      FAIL_CHECK("a number beside the panel: " << text->text().toStdString());
+    if (auto* line = qgraphicsitem_cast<QGraphicsLineItem*>(item);
+        line != nullptr && line->line().x1() < area.left() && line->line().dx() == 0.0)
+      bar = std::abs(line->line().dy());
+  }
+  CHECK(beside == 1);
+  CHECK(bar == Approx(scene.heightOf(0, 0.0) - scene.heightOf(0, 5.0)));
 }
 
 TEST_CASE("chart_scene: the extremes between stored values are a pale area", "[gui]") {
@@ -554,5 +619,22 @@ TEST_CASE("recent files: the newest first, each once, those that are gone left o
   CHECK(recent_files("recent-test") == one);
   remember_as_folder("recent-test", "/", [] {});
   CHECK(recent_files("recent-test") == one);
+  QSettings("Adore", "recent-test").clear();
+}
+
+TEST_CASE("recent files: the files of one run do not take the places of others", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder, other;
+  QSettings("Adore", "recent-test").clear();
+  const auto open = [](const QString& path) {
+    QFile file(path);
+    REQUIRE(file.open(QIODevice::WriteOnly));
+    remember_part_of_run("recent-test", path);
+  };
+  open(other.filePath("SOL1"));
+  for (int i = 1; i <= 8; ++i) open(folder.filePath(QString("SOL%1").arg(i)));
+  CHECK(recent_files("recent-test") == QStringList{folder.filePath("SOL8"), folder.filePath("SOL7"),
+                                                   folder.filePath("SOL6"),
+                                                   other.filePath("SOL1")});
   QSettings("Adore", "recent-test").clear();
 }

@@ -457,30 +457,54 @@ TEST_CASE("a legend that reaches over the labels of its axis stands above them",
   CHECK(any_beside);
 }
 
-TEST_CASE("a note takes smaller letters before it is cut", "[gui][desktop]") {
+TEST_CASE("a note takes smaller letters and room before sentences are counted, none is cut",
+          "[gui][desktop]") {
   test::use_qt();
-  ChartPage page;
-  page.title = "A page";
-  page.x = {0.0, 1.0};
-  page.panels = {{"Load", "N", {{"", {0.0, 1.0}, {}}}}};
   ChartScene scene;
-  scene.setPageSize(QSizeF(700, 450));
-  const auto told = [&](int count) {
-    page.note.clear();
-    for (int i = 0; i < count; ++i) page.note += (i > 0 ? " word" : "word") + std::to_string(i);
-    scene.setPage(page);
-    QString all;
-    int cut = 0;
-    for (const QString& text : words(scene))
-      if (text.startsWith("word")) all += text + " ", cut += text.endsWith(QChar(0x2026)) ? 1 : 0;
-    return std::pair(cut, all.contains("word" + QString::number(count - 1) + " "));
+  const auto note_of = [&](int count) {
+    std::string note;
+    for (int i = 0; i < count; ++i)
+      note += (i > 0 ? " " : "") + std::string("Sentence ") + std::to_string(i) +
+              " tells of a load of 12.5 kN that a page has to explain.";
+    return note;
   };
-  int whole = 0;
-  while (told(whole + 1).second) ++whole;
-  const double letters = QFontMetricsF(ui_font(13)).horizontalAdvance("word10 ");
-  CHECK(whole * letters > 1.05 * 4.0 * (700.0 - 24.0 - 28.0));  // more than 13 pixels hold
-  CHECK(told(whole).first == 0);
-  CHECK(told(whole + 5).first == 1);  // and then it says so
+  for (const QSizeF size : {QSizeF(700, 450), QSizeF(1280, 800)})
+    for (int panels = 1; panels <= 3; ++panels) {
+      bool counted = false;
+      for (int count = 1; count <= 150 && !counted; count += count < 12 ? 1 : 7) {
+        INFO(size.width() << " wide, " << panels << " panels, " << count << " sentences");
+        ChartPage page;
+        page.title = "A page";
+        page.x = {0.0, 1.0};
+        for (int p = 0; p < panels; ++p)
+          page.panels.push_back({"Load", "N", {{"", {0.0, 1.0}, {}}}});
+        page.note = note_of(count);
+        scene.setPageSize(size);
+        scene.setPage(page);
+        QString all;
+        int told = 0, more = 0;
+        QString whole_note;
+        for (QGraphicsItem* item : scene.items(Qt::AscendingOrder)) {
+          auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item);
+          if (text == nullptr || text->pos().x() != 24.0 || text->pos().y() < 60.0) continue;
+          all += text->text() + ' ';
+          whole_note = text->toolTip();
+        }
+        all.replace(QChar(QChar::Nbsp), ' ');
+        for (int i = 0; i < count; ++i)
+          told += all.contains(QString("Sentence %1 tells").arg(i)) ? 1 : 0;
+        if (all.contains("(One more sentence")) more = 1;
+        if (const auto at = all.indexOf(" more sentences: point here"); at > 0)
+          more = all.left(at).section('(', -1).toInt();
+        CHECK(told + more == count);
+        CHECK_FALSE(all.contains(QChar(0x2026)));
+        if (more > 0) CHECK(whole_note.contains(QString("Sentence %1 tells").arg(count - 1)));
+        counted = counted || more > 0;
+        CHECK(text_faults(scene) == std::vector<std::string>());
+        for (const QRectF& area : scene.plotAreas()) CHECK(area.height() >= 43.0);
+      }
+      CHECK(counted);  // the test went far enough
+    }
 }
 
 TEST_CASE("a legend says which curves have no values", "[gui][desktop]") {

@@ -3,15 +3,14 @@
 #include "desktop/even_digits.hpp"
 #include "support/qt_app.hpp"
 
-#include <QChart>
 #include <QGraphicsTextItem>
 #include <QImage>
-#include <QValueAxis>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace adore;
 using namespace adore::desktop;
@@ -155,16 +154,18 @@ TEST_CASE("chart_scene: panels stand over one abscissa with a series per curve",
   ChartScene scene;
   scene.setPageSize({1280, 800});
   scene.setPage(wave_page(5000, 3));
-  REQUIRE(scene.charts().size() == 3);
   REQUIRE(scene.plotAreas().size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(scene.linesOf(i) == 2);
     CHECK(scene.plotAreas()[i].left() == scene.plotAreas()[0].left());
     CHECK(scene.plotAreas()[i].width() == scene.plotAreas()[0].width());
     CHECK(scene.sceneRect().contains(scene.plotAreas()[i]));
-    CHECK(scene.charts()[i]->axes(Qt::Vertical).front()->titleText() == "Force [N]");
   }
-  CHECK(scene.charts()[2]->axes(Qt::Horizontal).front()->titleText() == "Bearing rotation [rev]");
+  std::map<QString, int> texts;
+  for (auto* item : scene.items())
+    if (auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item)) ++texts[text->text()];
+  CHECK(texts["Force [N]"] == 3);
+  CHECK(texts["Bearing rotation [rev]"] == 1);
   CHECK_FALSE(scene.plotAreas()[0].intersects(scene.plotAreas()[1]));
   // No text or curve reaches beyond the page: nothing is clipped.
   for (auto* item : scene.items())
@@ -180,8 +181,7 @@ TEST_CASE("chart_scene: zooming follows the abscissa and keeps inside the data",
   scene.setView(1.0, 2.0);
   CHECK(scene.viewLow() == 1.0);
   CHECK(scene.abscissaAt(scene.positionOf(1.25)) == Approx(1.25));
-  auto* axis = qobject_cast<QValueAxis*>(scene.charts()[0]->axes(Qt::Horizontal).front());
-  CHECK(axis->max() == Approx(2.0).epsilon(1e-5));
+  CHECK(scene.abscissaAt(scene.plotAreas()[0].right()) == Approx(2.0));
   scene.setView(-5.0, 99.0);
   CHECK(scene.viewLow() == 0.0);
   CHECK(scene.viewHigh() == Approx(3.0));

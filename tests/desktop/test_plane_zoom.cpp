@@ -2,7 +2,6 @@
 #include "support/qt_app.hpp"
 
 #include <QApplication>
-#include <QChart>
 #include <QImage>
 #include <QMouseEvent>
 #include <QTest>

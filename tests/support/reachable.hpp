@@ -16,10 +16,13 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QScrollBar>
 #include <QStringList>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTreeWidget>
 
 /// What somebody without a mouse, or without eyes, finds in a window.
@@ -149,13 +152,47 @@ inline QString help_text(QMainWindow& window, const QString& entry) {
   for (QAction* action : window.findChildren<QAction*>()) {
     if (QString(action->text()).remove('&') != entry) continue;
     action->trigger();
-    auto* box = window.findChild<QMessageBox*>("message");
-    if (box == nullptr) return {};
-    const QString text = box->text() + box->informativeText();
-    delete box;
+    auto* dialog = window.findChild<QDialog*>("help-window");
+    if (dialog == nullptr) return {};
+    const QString text = dialog->findChild<QTextBrowser*>()->toPlainText();
+    delete dialog;
     return text;
   }
   return {};
+}
+
+/// What of the help "Keys and Mouse" nobody could read, with letters of the desktop's size and
+/// half as large again: windows larger than the screen, lines that go on beyond their window.
+inline QStringList unreadable_help(QMainWindow& window) {
+  QStringList out;
+  const QFont usual = QApplication::font();
+  for (const double times : {1.0, 1.5, 2.0}) {
+    QFont font = usual;
+    if (usual.pixelSize() > 0)
+      font.setPixelSize(static_cast<int>(times * usual.pixelSize()));
+    else
+      font.setPointSizeF(times * usual.pointSizeF());
+    QApplication::setFont(font);
+    for (QAction* action : window.findChildren<QAction*>())
+      if (QString(action->text()).remove('&') == "Keys and Mouse") action->trigger();
+    QTest::qWait(1);
+    if (auto* dialog = window.findChild<QDialog*>("help-window")) {
+      const QSize screen = dialog->screen()->availableSize();
+      if (dialog->width() > screen.width() || dialog->height() > screen.height())
+        out << QString("%1 times: larger than the screen").arg(times);
+      auto* browser = dialog->findChild<QTextBrowser*>();
+      if (browser->horizontalScrollBar()->maximum() > 0)
+        out << QString("%1 times: wider than its window").arg(times);
+      const int shown = browser->viewport()->height() + browser->verticalScrollBar()->maximum();
+      if (shown < browser->document()->size().height())
+        out << QString("%1 times: its end cannot be reached").arg(times);
+      delete dialog;
+    } else {
+      out << QString("%1 times: no help").arg(times);
+    }
+  }
+  QApplication::setFont(usual);
+  return out;
 }
 
 /// Keys without Ctrl or Alt, which nobody would guess, that the help does not name.

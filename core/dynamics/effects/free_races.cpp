@@ -160,18 +160,20 @@ class HeldDirections final : public EffectBlock {
 
 class LoadAccount final : public EffectBlock {
  public:
-  explicit LoadAccount(Loaded& loaded) : loaded_(loaded) {}
+  LoadAccount(Loaded& loaded, RaceAccount& account) : loaded_(loaded), account_(account) {}
   void apply(Evaluation& e) noexcept override {
     const RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
     const Vec3 force = loaded_.force + loaded_.user_force + loaded_.body.holding_force();
     const Vec3 moment = loaded_.moment + loaded_.user_moment + loaded_.body.holding_moment();
     loaded_.power = force.dot(race.velocity) + moment.dot(race.omega);
+    account_.keep(force, moment);
     loaded_.outer_force = force;
     loaded_.outer_moment = moment + race.position.cross(force);
   }
 
  private:
   Loaded& loaded_;
+  RaceAccount& account_;
 };
 
 /// Asks ADRX1 once all races have their motion, before loads act.
@@ -240,7 +242,7 @@ class FreeRaces final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     routine_ = scene.options.user ? scene.options.user->motion : nullptr;
-    const Races& races = *scene.find<Races>();
+    Races& races = *scene.find<Races>();
     const auto& free = scene.plan.race_motions.free;
     loaded_.reserve(free.size());  // blocks and border know them by address
     if (routine_ != nullptr)
@@ -303,7 +305,7 @@ class FreeRaces final : public SceneEffect {
       scene.block<RaceKinematics>(Phase::Races, kMotionCost, {}, one);
       scene.block<RaceLoad>(Phase::Force, kMotionCost, {}, one);
       scene.block<BodyMotion>(Phase::Motion, kMotionCost, {}, one.body);
-      scene.block<LoadAccount>(Phase::Account, kMotionCost, {}, one);
+      scene.block<LoadAccount>(Phase::Account, kMotionCost, {}, one, races.account(j));
       scene.energy(name + ".load_work", kWork, &one.power, one.race);
       if (!scene.plan.has(Effect::MomentumLedger)) continue;
       using Momentum = SceneBuilder::Momentum;

@@ -127,10 +127,16 @@ template <bool Traction, bool Arcs>
 class LandBlock final : public EffectBlock {
  public:
   LandBlock(const std::vector<LandModel>& lands, double half_angle,
-            const tribology::TractionLaw& law, HeatByPart& heat)
-      : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat), race_(one_race(lands)) {}
+            const tribology::TractionLaw& law, HeatByPart& heat, LandForces& kept)
+      : lands_(lands),
+        half_angle_(half_angle),
+        law_(law),
+        heat_(heat),
+        kept_(kept),
+        race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     law_.visit_rounded([&](const auto& friction_per_slip) {
       if constexpr (Traction) heat_.none();
       in_passes(
@@ -151,6 +157,7 @@ class LandBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
+  LandForces& kept_;
   int race_;
 };
 
@@ -185,6 +192,7 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
       if constexpr (!kOnlyNotes<Friction>) {
         cage.add_force(-N * direction, acts_at);
         race.add_force(N * direction, acts_at);
+        kept_.at[piece * lands_.size() + which] -= N * direction;
         e.elastic += contact::land_energy_per_length(land.law, size) * land.slice_length;
       }
       if constexpr (Traction) {
@@ -217,13 +225,14 @@ class UserLandBlock final : public EffectBlock {
  public:
   UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
                 const tribology::TractionLaw& law, UserLandForces& forces, HeatByPart& heat,
-                double* elsewhere)
+                LandForces& kept, double* elsewhere)
       : lands_(lands),
         half_angle_(half_angle),
         traction_(traction),
         law_(law),
         forces_(forces),
         heat_(heat),
+        kept_(kept),
         elsewhere_(elsewhere),
         race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
@@ -243,6 +252,7 @@ class UserLandBlock final : public EffectBlock {
           race.add_force(-friction, touch.point);
           cage.load_slip += difference * touch.slip;
           const std::size_t part = touch.segment * lands_.size() + touch.land;
+          kept_.at[part] += normal;
           heat_.add(part, more * touch.heat);
           heat_.add_along(elsewhere_, part, -difference * rate);
         });
@@ -298,6 +308,7 @@ class UserLandBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserLandForces& forces_;
   HeatByPart& heat_;
+  LandForces& kept_;
   double* elsewhere_;
   int race_;
 };
@@ -312,6 +323,7 @@ class LandContact final : public SceneEffect {
     lands_ = make_lands(scene.bearing, scene.options.land_slices, half_angle_);
     if (lands_.empty()) return;
     heat_.part.assign(lands_.size() * static_cast<std::size_t>(cut.count), 0.0);
+    kept_.at.assign(heat_.part.size(), Vec3::Zero());
     middle_ = pieces_of(scene).middle;
     const bool traction = scene.plan.has(Effect::LandTraction);
     demand(!traction || scene.bearing.land_traction.has_value(),
@@ -329,7 +341,7 @@ class LandContact final : public SceneEffect {
     });
     const auto add = [&]<bool Traction, bool Arcs>() {
       scene.block<LandBlock<Traction, Arcs>>(Phase::Force, "land contacts", {}, lands_, half_angle_,
-                                             law, heat_);
+                                             law, heat_, kept_);
     };
     if (cut.several())
       traction ? add.operator()<true, true>() : add.operator()<false, true>();
@@ -338,10 +350,10 @@ class LandContact final : public SceneEffect {
     if (any_uneven) {
       if (traction)
         scene.block<UnevenLandBlock<true>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
-                                           heat_);
+                                           heat_, kept_);
       else
         scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
-                                            heat_);
+                                            heat_, kept_);
     }
     if (other.routine != nullptr) {
       demand(!other.of_user || !any_uneven, "ADRX4 knows no lands with shape errors");
@@ -350,7 +362,7 @@ class LandContact final : public SceneEffect {
         most += land.slice_x.size() * static_cast<std::size_t>(cut.count);
       forces_.emplace(*other.routine, most);
       scene.block<UserLandBlock>(Phase::Force, other.cost, {}, lands_, half_angle_, traction, law,
-                                 *forces_, heat_, other.elsewhere);
+                                 *forces_, heat_, kept_, other.elsewhere);
     }
     if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_.sum);
   }
@@ -372,12 +384,19 @@ class LandContact final : public SceneEffect {
       }
   }
 
+  void look(const Evaluation&, Look& out) const override {
+    std::vector<double>& force = out[Looked::LandForce];
+    force.resize(kept_.at.size());
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] = kept_.at[i].norm();
+  }
+
  private:
   double half_angle_ = std::numbers::pi;  ///< of a segment [rad]
   std::vector<LandModel> lands_;
   std::vector<double> middle_;            ///< azimuth of each segment in the cage [rad]
   std::optional<UserLandForces> forces_;  ///< ADRX4
   HeatByPart heat_;                       ///< now, of the lands of each segment
+  LandForces kept_;
 };
 
 }  // namespace

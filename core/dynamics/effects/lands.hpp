@@ -8,6 +8,7 @@
 #include "scene/snapshot.hpp"
 #include "tribology/traction_law.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,6 +48,13 @@ inline SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noe
   return {centre, from_race - from_race.dot(axis) * axis};
 }
 
+/// Normal forces on each land of each segment as an evaluation left them, for a look.
+struct LandForces {
+  std::vector<Vec3> at;  ///< on the cage, axes of the base or of the land's race [N]
+
+  void none() noexcept { std::fill(at.begin(), at.end(), Vec3::Zero()); }
+};
+
 /// Contact and traction of the lands that have shape errors (contact/uneven_land.hpp), which reads
 /// no other; adds to `heat` what they dissipate.
 template <bool Traction>
@@ -54,8 +62,13 @@ class UnevenLandBlock final : public EffectBlock {
  public:
   /// @param middle azimuth of each segment in the cage [rad]
   UnevenLandBlock(const std::vector<LandModel>& lands, const std::vector<double>& middle,
-                  const tribology::TractionLaw& law, HeatByPart& heat)
-      : lands_(lands), middle_(middle), law_(law), heat_(heat), race_(one_race(lands)) {}
+                  const tribology::TractionLaw& law, HeatByPart& heat, LandForces& kept)
+      : lands_(lands),
+        middle_(middle),
+        law_(law),
+        heat_(heat),
+        kept_(kept),
+        race_(one_race(lands)) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
@@ -68,6 +81,7 @@ class UnevenLandBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
+  LandForces& kept_;
   int race_;
 };
 extern template class UnevenLandBlock<false>;

@@ -5,6 +5,7 @@
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
+#include "dynamics/effects/kept_forces.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -65,9 +66,11 @@ Vec3 slip_of(const Evaluation& e, const PairOfBalls& pair, const PairContact& c)
 template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
-  PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat)
-      : pairs_(pairs), law_(law), heat_(heat) {}
+  PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat,
+            KeptForces& kept)
+      : pairs_(pairs), law_(law), heat_(heat), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     law_.visit_rounded([&](const auto& friction) {
       in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
     });
@@ -81,6 +84,7 @@ class PairBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
+  KeptForces& kept_;
 };
 
 template <bool Traction>
@@ -107,6 +111,7 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
       e.add_moment(pair.i, e.to_cylindrical(pair.i, arm.cross(friction)));
       e.add_moment(pair.other, e.to_cylindrical(pair.other, friction.cross(other_arm)));
     }
+    kept_.add(pair.i, 0, N);
     e.add_force(pair.i, e.to_cylindrical(pair.i, on_first));
     e.add_force(pair.other, e.to_cylindrical(pair.other, -on_first));
   }
@@ -124,15 +129,17 @@ class Neighbours final : public SceneEffect, public ElementSupport {
                                                  2.0 * mine, {1.0 / other, 1.0 / other})
                             .law});
     }
+    kept_.size(pairs_.size(), 1);
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
-      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, friction_of(scene), heat_);
+      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, friction_of(scene), heat_,
+                                   kept_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<PairBlock<false>>(Phase::Force, kCost, {}, pairs_, tribology::TractionLaw(),
-                                    heat_);
+                                    heat_, kept_);
     }
     scene.neighbours_meet();
     scene.supports(*this);
@@ -190,8 +197,11 @@ class Neighbours final : public SceneEffect, public ElementSupport {
     }
   }
 
+  void look(const Evaluation&, Look& out) const override { out[Looked::PairForce] = kept_.at; }
+
  private:
   std::vector<PairOfBalls> pairs_;
+  KeptForces kept_;
   std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };

@@ -140,11 +140,12 @@ constexpr const LedgerTerm* kTerms[] = {&kPocketHeat};
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat)
-      : set_(set), law_(law), heat_(heat) {
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat, KeptForces& kept)
+      : set_(set), law_(law), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
   }
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     if constexpr (Traction) {
       law_.visit_rounded([&](const auto& friction) {
         in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
@@ -158,20 +159,22 @@ class PocketBlock final : public EffectBlock {
   template <class Friction>
   void apply_with(const Friction& friction, Evaluation& e) noexcept;
   template <class Friction>
-  void touch(const Friction& friction, Evaluation& e, std::size_t i,
+  void touch(const Friction& friction, Evaluation& e, std::size_t i, std::size_t surface,
              const contact::CappedHertz& law, const Vec3& m, double overlap) noexcept;
 
   PocketSet& set_;
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
+  KeptForces& kept_;
 };
 
 template <bool Traction, bool Shaped>
 template <class Friction>
 inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evaluation& e,
-                                                 std::size_t i, const contact::CappedHertz& law,
-                                                 const Vec3& m, double overlap) noexcept {
+                                                 std::size_t i, std::size_t surface,
+                                                 const contact::CappedHertz& law, const Vec3& m,
+                                                 double overlap) noexcept {
   BodyState& cage = set_.body(e, i);
   const std::size_t ball = set_.element(i);
   const PocketAction action =
@@ -185,6 +188,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   e.add_force(ball, e.to_cylindrical(ball, action.on_ball));
   cage.add_force(-action.on_ball, action.point);
   e.elastic += contact::energy(law, overlap);
+  kept_.add(i, surface, action.N);
 }
 
 template <bool Traction, bool Shaped>
@@ -201,7 +205,7 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
         const contact::WallPoint& wall = walls.surface[k];
         if (wall.gap < 0.0)
-          touch(friction, e, i, set_.law(i), set_.to_base(i, wall.m, set_.body(e, i).to_base),
+          touch(friction, e, i, k, set_.law(i), set_.to_base(i, wall.m, set_.body(e, i).to_base),
                 -wall.gap);
       }
     } else {
@@ -212,7 +216,7 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
       }
       const contact::WallPoint wall = set_.wall_point(i);
       if (wall.gap < 0.0)
-        touch(friction, e, i, set_.law(), set_.round_to_base(i, wall.m, set_.body(e, i).to_base),
+        touch(friction, e, i, 0, set_.law(), set_.round_to_base(i, wall.m, set_.body(e, i).to_base),
               -wall.gap);
     }
   }
@@ -222,8 +226,13 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, HeatByPart& heat, double* elsewhere)
-      : set_(set), friction_(friction), forces_(forces), heat_(heat), elsewhere_(elsewhere) {}
+                  UserPocketForces& forces, HeatByPart& heat, KeptForces& kept, double* elsewhere)
+      : set_(set),
+        friction_(friction),
+        forces_(forces),
+        heat_(heat),
+        kept_(kept),
+        elsewhere_(elsewhere) {}
   void apply(Evaluation& e) noexcept override {
     in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
                  [&](const auto& law) { collect_all(law, e); });
@@ -241,6 +250,7 @@ class UserPocketBlock final : public EffectBlock {
           }
           heat_.add(ball, more * touch.action.heat);
           heat_.add_along(elsewhere_, ball, -difference * rate);
+          kept_.add(touch.pocket, touch.surface, difference);
         });
     if (!valid) e.valid = false;
   }
@@ -263,7 +273,8 @@ class UserPocketBlock final : public EffectBlock {
     const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
     const std::size_t ball = set_.element(i);
     const UserPocketTouch touch{
-        i, pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
+        i, k,
+        pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
     if (!(touch.action.N > 0.0)) return;
     const Vec3 apart = cage.velocity_at(touch.action.point) - e.element_velocity(ball) -
                        e.element_omega(ball).cross(touch.action.arm);
@@ -275,16 +286,18 @@ class UserPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserPocketForces& forces_;
   HeatByPart& heat_;
+  KeptForces& kept_;
   double* elsewhere_;
 };
 
 }  // namespace
 
-void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners) {
+void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, KeptForces& kept,
+                              std::vector<BodyId> partners) {
   const auto add = [&]<bool Traction, bool Shaped>() {
     scene.block<PocketBlock<Traction, Shaped>>(
         Phase::Force, "pocket contacts", Partners(std::move(partners)), set,
-        Traction ? *friction_ : tribology::TractionLaw(), heat_);
+        Traction ? *friction_ : tribology::TractionLaw(), heat_, kept);
   };
   if (!friction_)
     set.shaped() ? add.operator()<false, true>() : add.operator()<false, false>();
@@ -308,20 +321,22 @@ void PocketContact::declare(SceneBuilder& scene) {
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
                        const std::vector<contact::PlacedPocket>& pockets,
-                       std::optional<UserPocketForces>& forces) {
+                       std::optional<UserPocketForces>& forces, KeptForces& kept) {
     set.emplace(scene.bearing, pockets);
+    kept.size(pockets.size(),
+              static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, false)));
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
-    if (other.routine == nullptr) return add_block(scene, *set, std::move(partners));
+    if (other.routine == nullptr) return add_block(scene, *set, kept, std::move(partners));
     Partners same{std::vector<BodyId>(partners)};
-    add_block(scene, *set, std::move(partners));
+    add_block(scene, *set, kept, std::move(partners));
     forces.emplace(*other.routine, set->size() * kMostWalls);
     scene.block<UserPocketBlock>(Phase::Force, other.cost, std::move(same), *set, friction_,
-                                 *forces, heat_, other.elsewhere);
+                                 *forces, heat_, kept, other.elsewhere);
   };
-  add(set_, pieces.pockets, forces_[0]);
-  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
+  add(set_, pieces.pockets, forces_[0], kept_[0]);
+  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1], kept_[1]);
   if (friction_ || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
   scene.supports(*this);
 }
@@ -410,6 +425,10 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   };
   for (std::size_t i = 0; i < last_halves_->size(); ++i) last_half(i) = last_halves_->report(i);
   add_user(forces_[1], last_half);
+}
+
+void PocketContact::look(const Evaluation&, Look& out) const {
+  look_at_pockets(kept_[0], last_halves_, kept_[1], out);
 }
 
 std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {

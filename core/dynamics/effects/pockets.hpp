@@ -6,6 +6,7 @@
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/heat_by_part.hpp"
+#include "dynamics/effects/kept_forces.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -171,7 +172,7 @@ template <class Friction>
 
 /// One contact that ADRX3 is asked for, of a pocket of a set.
 struct UserPocketTouch {
-  std::size_t pocket;
+  std::size_t pocket, surface;
   PocketAction action;
 };
 using UserPocketForces = UserForces<UserPocketTouch>;
@@ -183,6 +184,7 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   void declare(SceneBuilder& scene) override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
+  void look(const Evaluation& e, Look& out) const override;
   /// N' m mᵀ, and N over the distance from the pocket axis across it (an estimate where the wall
   /// does not go round that axis).
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override;
@@ -199,12 +201,14 @@ class PocketContact final : public SceneEffect, public ElementSupport {
     for (std::size_t k = 0; k < last_halves_->size(); ++k)
       if (last_halves_->element(k) == i) visit(*last_halves_, k);
   }
-  void add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners);
+  void add_block(SceneBuilder& scene, PocketSet& set, KeptForces& kept,
+                 std::vector<BodyId> partners);
 
   std::optional<PocketSet> set_;
   std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
   std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
+  std::array<KeptForces, 2> kept_;                         ///< likewise, by pocket and surface
   HeatByPart heat_;                                        ///< now, of the pocket of each element
 };
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 namespace adore::dynamics {
 
 /// Sums over all elements of one race at this evaluation.
@@ -9,6 +12,16 @@ struct RaceAccount {
   double rolling = 0.0;    ///< rolling resistance of rollers, of the films of their traction [W]
   double load_slip = 0.0;  ///< ∫ p u dA [W]
   double load_slip_element1 = 0.0;
+  /// What holds or loads the race, as reported, for a look [N, N m].
+  std::array<double, 3> force{}, moment{};
+
+  template <class Vector>
+  void keep(const Vector& of_force, const Vector& of_moment) noexcept {
+    for (int k = 0; k < 3; ++k) {
+      force[static_cast<std::size_t>(k)] = of_force[k];
+      moment[static_cast<std::size_t>(k)] = of_moment[k];
+    }
+  }
 };
 
 }  // namespace adore::dynamics

@@ -155,6 +155,20 @@ class RaceSpin final : public EffectBlock {
   const std::array<double, 2>& turned_before_;
 };
 
+/// Keeps what holds races that are prescribed.
+class HoldingForces final : public EffectBlock {
+ public:
+  explicit HoldingForces(std::array<RaceAccount, 2>& account) : account_(account) {}
+  void apply(Evaluation& e) noexcept override {
+    for (std::size_t j = 0; j < 2; ++j)
+      if (e.race[j].moves != Moves::Integrated)
+        account_[j].keep(Vec3(-e.race[j].force), Vec3(-e.race[j].moment));
+  }
+
+ private:
+  std::array<RaceAccount, 2>& account_;
+};
+
 class RacePower final : public EffectBlock {
  public:
   explicit RacePower(std::array<RaceAccount, 2>& account) : account_(account) {}
@@ -314,6 +328,7 @@ void Races::declare(SceneBuilder& scene) {
     scene.integral(load_slip_element1_[j], name + ".load_slip_element1", "J",
                    &account.load_slip_element1);
   }
+  scene.block<HoldingForces>(Phase::Account, kMotionCost, {}, account_);
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
   if (in_contact_ && !rollers_ &&
       !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
@@ -427,6 +442,23 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
+}
+
+void Races::look(const Evaluation& e, Look& out) const {
+  using enum Looked;
+  for (const Looked what : {ContactLoad, ContactHeat}) out[what].resize(2 * e.load[0].size());
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < e.load[j].size(); ++i) {
+      out[ContactLoad][2 * i + j] = e.load[j][i];
+      out[ContactHeat][2 * i + j] = e.heat[j][i];
+    }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const auto& [first, of] : {std::pair{RaceForceX, &RaceAccount::force},
+                                    std::pair{RaceMomentX, &RaceAccount::moment}}) {
+      std::vector<double>& both = out.values[static_cast<std::size_t>(first) + k];
+      both.resize(2);
+      for (std::size_t j = 0; j < 2; ++j) both[j] = (account_[j].*of)[k];
+    }
 }
 
 void Races::add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {

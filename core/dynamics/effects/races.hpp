@@ -21,6 +21,7 @@ class Races final : public SceneEffect {
   [[nodiscard]] double stiffness(double force) const override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
+  void look(const Evaluation& e, Look& out) const override;
   [[nodiscard]] std::string stated() const override { return stated_; }
   void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const override;
   [[nodiscard]] bool has_stiff_part() const noexcept override { return normal_.has_value(); }
@@ -42,6 +43,8 @@ class Races final : public SceneEffect {
   }
   /// Sums over all elements of race j at this evaluation.
   [[nodiscard]] const RaceAccount& account(std::size_t j) const noexcept { return account_[j]; }
+  /// For the effect that moves that race.
+  [[nodiscard]] RaceAccount& account(std::size_t j) noexcept { return account_[j]; }
   /// Places of the race centres in the unloaded bearing [m].
   [[nodiscard]] const std::array<Vec3, 2>& free_centres() const noexcept { return free_centre_; }
   /// Both at t = 0: static place, misalignment and spin.

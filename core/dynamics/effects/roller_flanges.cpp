@@ -5,6 +5,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
+#include "dynamics/effects/kept_forces.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -106,13 +107,16 @@ struct FlangeAccount {
 class FlangeBlock final : public EffectBlock {
  public:
   FlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
-              double mass_offset, const tribology::TractionLaw* friction, FlangeAccount& account)
+              double mass_offset, const tribology::TractionLaw* friction, FlangeAccount& account,
+              KeptForces& kept)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
-        account_(account) {}
+        account_(account),
+        kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     in_passes_of(
         asked_, friction_, [&](const auto& law) { apply_with(law, e); }, static_cast<int>(race_));
   }
@@ -133,6 +137,7 @@ class FlangeBlock final : public EffectBlock {
         e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(a.force)));
         race.add_force(-a.force, a.point);
         e.elastic += a.energy;
+        kept_.add(i, static_cast<std::size_t>(pair.side), a.load);
         account_.heat += a.heat;
         account_.load_slip += a.load * a.slip;
         if (i == 0) account_.load_slip_element1 += a.load * a.slip;
@@ -146,6 +151,7 @@ class FlangeBlock final : public EffectBlock {
   const tribology::TractionLaw* friction_;
   GatheredTraction asked_;
   FlangeAccount& account_;
+  KeptForces& kept_;
 };
 
 /// A contact that ADRX2 is asked for.
@@ -161,13 +167,15 @@ class UserFlangeBlock final : public EffectBlock {
  public:
   UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
-                  UserFlangeForces& forces, FlangeAccount& account, double* elsewhere)
+                  UserFlangeForces& forces, FlangeAccount& account, KeptForces& kept,
+                  double* elsewhere)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
         forces_(forces),
         account_(account),
+        kept_(kept),
         elsewhere_(elsewhere) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[race_];
@@ -181,6 +189,7 @@ class UserFlangeBlock final : public EffectBlock {
           e.add_force(i, e.to_cylindrical(i, force));
           e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(force)));
           race.add_force(-force, a.point);
+          kept_.add(i, static_cast<std::size_t>(touch.side), difference);
           account_.heat += more * a.heat;
           (elsewhere_ != nullptr ? *elsewhere_ : account_.heat) -= difference * rate;
           account_.load_slip += difference * a.slip;
@@ -221,6 +230,7 @@ class UserFlangeBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
+  KeptForces& kept_;
   double* elsewhere_;
 };
 
@@ -242,11 +252,12 @@ class RollerFlanges final : public SceneEffect {
     has_friction_ = traction;
     scene::UserForce* const user = scene.options.user ? scene.options.user->flange : nullptr;
     for (std::size_t j = 0; j < 2; ++j) {
+      kept_[j].size(static_cast<std::size_t>(scene.bearing.element_count()), 2);
       if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
       const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
-                               account_[j]);
+                               account_[j], kept_[j]);
       const OtherForce other = other_force(scene, user, "user routine ADRX2");
       if (other.routine != nullptr) {
         constexpr std::size_t kFlanges = 2;  // of a race
@@ -255,7 +266,7 @@ class RollerFlanges final : public SceneEffect {
         scene.block<UserFlangeBlock>(Phase::Force, other.cost,
                                      BodyId{BodyId::Kind::Race, static_cast<int>(j)}, pairs_, j,
                                      mass_offset_, traction ? &friction_ : nullptr, *forces_[j],
-                                     account_[j], other.elsewhere);
+                                     account_[j], kept_[j], other.elsewhere);
       }
       if (traction || other.of_user)
         scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
@@ -305,12 +316,20 @@ class RollerFlanges final : public SceneEffect {
     }
   }
 
+  void look(const Evaluation&, Look& out) const override {
+    std::vector<double>& force = out[Looked::FlangeForce];
+    force.resize(2 * kept_[0].at.size());
+    for (std::size_t k = 0; k < force.size(); ++k)  // element, race, side
+      force[k] = kept_[k / 2 % 2].at[k / 4 * 2 + k % 2];
+  }
+
  private:
   std::vector<std::vector<statics::FlangePair>> pairs_;  ///< of all rollers, or by roller
   double mass_offset_ = 0.0;                             ///< s_G [m]
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
   std::array<FlangeAccount, 2> account_;
+  std::array<KeptForces, 2> kept_;                                     ///< by race
   std::array<std::optional<UserFlangeForces>, 2> forces_;              ///< ADRX2 by race
   std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
 };

@@ -4,6 +4,7 @@
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
+#include "dynamics/effects/kept_forces.hpp"
 #include "dynamics/effects/neighbours.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -86,9 +87,11 @@ void for_slices(const RingModel& model, const SlicedRoller& one, const Axis& at,
 template <bool Traction>
 class RingBlock final : public EffectBlock {
  public:
-  RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat)
-      : model_(model), law_(law), heat_(heat) {}
+  RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat,
+            KeptForces& kept)
+      : model_(model), law_(law), heat_(heat), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     if constexpr (Traction) heat_ = 0.0;
     law_.visit_rounded([&](const auto& friction) {
       in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
@@ -102,16 +105,19 @@ class RingBlock final : public EffectBlock {
       const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
       const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
       if (gap_bound(one, at, other, there) > 0.0) continue;
-      press(friction, e, pair.i, one, at, pair.other, other, there);
-      press(friction, e, pair.other, other, there, pair.i, one, at);
+      const double force = press(friction, e, pair.i, one, at, pair.other, other, there) +
+                           press(friction, e, pair.other, other, there, pair.i, one, at);
+      kept_.add(pair.i, 0, force);
     }
   }
+  /// @return normal force [N]
   template <class Friction>
-  void press(const Friction& friction_per_slip, Evaluation& e, std::size_t i,
-             const SlicedRoller& one, const Axis& at, std::size_t j, const SlicedRoller& other,
-             const Axis& there) noexcept {
+  double press(const Friction& friction_per_slip, Evaluation& e, std::size_t i,
+               const SlicedRoller& one, const Axis& at, std::size_t j, const SlicedRoller& other,
+               const Axis& there) noexcept {
     const Vec3 centre_i = e.element_centre(i), centre_j = e.element_centre(j);
     Vec3 force = Vec3::Zero(), moment_i = Vec3::Zero(), moment_j = Vec3::Zero();
+    double normal = 0.0;
     for_slices(
         model_, one, at, other, there,
         [&](const contact::RollerSlice& slice, const contact::PairSlice& c, const Vec3& p,
@@ -119,6 +125,7 @@ class RingBlock final : public EffectBlock {
           if (!(load > 0.0)) return;
           e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
           const double N = c.fraction * load;
+          normal += N;
           if constexpr (!kOnlyNotes<Friction>) e.elastic += c.fraction * energy;
           const Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
           force += f;
@@ -139,17 +146,19 @@ class RingBlock final : public EffectBlock {
             moment_j -= (X - centre_j).cross(pull);
           }
         });
-    if constexpr (kOnlyNotes<Friction>) return;
+    if constexpr (kOnlyNotes<Friction>) return 0.0;
     e.add_force(i, e.to_cylindrical(i, force));
     e.add_force(j, e.to_cylindrical(j, -force));
     e.add_moment(i, e.to_cylindrical(i, moment_i));
     e.add_moment(j, e.to_cylindrical(j, moment_j));
+    return normal;
   }
 
   const RingModel& model_;
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
+  KeptForces& kept_;
 };
 
 class RollerNeighbours final : public SceneEffect, public ElementSupport {
@@ -169,6 +178,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
     for (std::size_t i = 0; i < shapes; ++i)
       model_.rollers.push_back(sliced(contact::roller_profile(rollers, rollers.deviation_of(i)),
                                       scene.rollers->options.slices));
+    kept_.size(model_.pairs.size(), 1);
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
@@ -176,11 +186,11 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
       scene.block<RingBlock<true>>(
           Phase::Force, kCost, {}, model_,
           traction_of(scene, tribology::TractionKind::ElementElement, *bearing.element_traction),
-          heat_);
+          heat_, kept_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<RingBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
-                                    heat_);
+                                    heat_, kept_);
     }
     scene.neighbours_meet();
     scene.supports(*this);
@@ -218,6 +228,8 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
       snapshot.elements[pair.i].to_next = contact_of(e, pair);
   }
 
+  void look(const Evaluation&, Look& out) const override { out[Looked::PairForce] = kept_.at; }
+
  private:
   static SlicedRoller sliced(const contact::RollerProfile& profile, int count) {
     SlicedRoller out;
@@ -251,6 +263,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
   }
 
   RingModel model_;
+  KeptForces kept_;
   double heat_ = 0.0;  ///< now [W]
 };
 

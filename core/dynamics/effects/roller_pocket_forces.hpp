@@ -2,6 +2,7 @@
 
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/heat_by_part.hpp"
+#include "dynamics/effects/kept_forces.hpp"
 #include "dynamics/effects/roller_pocket_set.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -15,7 +16,7 @@ namespace adore::dynamics {
 
 /// A contact that ADRX3 is asked for: one slice, or one end of a pocket.
 struct RollerPocketTouch {
-  std::size_t pocket = 0, roller = 0;
+  std::size_t pocket = 0, roller = 0, surface = 0;
   bool at_end = false;
   Vec3 point, normal;  ///< into the wall
   Vec3 middle, aside;  ///< of a leaning slice, per newton; zero
@@ -29,8 +30,9 @@ using RollerPocketForces = UserForces<RollerPocketTouch>;
 class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
-                        RollerPocketForces& forces, HeatByPart& heat, double* elsewhere)
-      : set_(set), forces_(forces), heat_(heat), elsewhere_(elsewhere) {
+                        RollerPocketForces& forces, HeatByPart& heat, KeptForces& kept,
+                        double* elsewhere)
+      : set_(set), forces_(forces), heat_(heat), kept_(kept), elsewhere_(elsewhere) {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
@@ -46,6 +48,7 @@ class UserRollerPocketBlock final : public EffectBlock {
           cage.load_slip += difference * touch.slip;
           heat_.add(touch.roller, more * touch.heat);
           heat_.add_along(elsewhere_, touch.roller, -difference * rate);
+          if (!touch.at_end) kept_.add(touch.pocket, touch.surface, difference);
         });
     if (!valid) e.valid = false;
   }
@@ -90,6 +93,7 @@ class UserRollerPocketBlock final : public EffectBlock {
     RollerPocketTouch t;
     t.pocket = i;
     t.roller = roller;
+    t.surface = surface;
     t.at_end = surface >= set_.surfaces(i);
     t.normal = at.to_base * into;
     t.arm = at.to_base * (point - at.q) - to_mass;
@@ -119,6 +123,7 @@ class UserRollerPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   RollerPocketForces& forces_;
   HeatByPart& heat_;
+  KeptForces& kept_;
   double* elsewhere_;
 };
 

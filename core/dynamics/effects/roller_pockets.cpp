@@ -25,11 +25,13 @@ namespace {
 template <bool Traction>
 class RollerPocketBlock final : public EffectBlock {
  public:
-  RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat)
-      : set_(set), law_(law), heat_(heat) {
+  RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat,
+                    KeptForces& kept)
+      : set_(set), law_(law), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.most_contacts());
   }
   void apply(Evaluation& e) noexcept override {
+    kept_.none();
     if constexpr (Traction)
       law_.visit_rounded([&](const auto& friction) {
         in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
@@ -53,8 +55,9 @@ class RollerPocketBlock final : public EffectBlock {
                         [&](const contact::PocketSlice& slice, double load, double energy) {
                           if (!(load > 0.0)) return;
                           push(friction, e, i, at, slice.m, slice.point, load, energy);
-                          if (!kOnlyNotes<Friction> && !slice.aside.isZero(0.0))
-                            lean(e, i, at, slice, load);
+                          if constexpr (kOnlyNotes<Friction>) return;
+                          kept_.add(i, k, load);
+                          if (!slice.aside.isZero(0.0)) lean(e, i, at, slice, load);
                         });
       }
       set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
@@ -75,6 +78,7 @@ class RollerPocketBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
+  KeptForces& kept_;
 };
 
 template <bool Traction>
@@ -138,26 +142,28 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
                          const std::vector<contact::PlacedPocket>& pockets,
-                         std::optional<RollerPocketForces>& forces) {
+                         std::optional<RollerPocketForces>& forces, KeptForces& kept) {
       set.emplace(scene, pockets);
+      kept.size(pockets.size(),
+                static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, true)));
       std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
       for (const contact::PlacedPocket& pocket : pockets)
         partners[pocket.element].index = pocket.piece;
       std::vector<BodyId> same = partners;
       if (friction)
         scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                             *set, *friction, heat_);
+                                             *set, *friction, heat_, kept);
       else
         scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                              *set, tribology::TractionLaw(), heat_);
+                                              *set, tribology::TractionLaw(), heat_, kept);
       if (other.routine == nullptr) return;
       forces.emplace(*other.routine, set->most_contacts());
       scene.block<UserRollerPocketBlock>(Phase::Force, other.cost, Partners(std::move(same)), *set,
-                                         friction ? &*friction : nullptr, *forces, heat_,
+                                         friction ? &*friction : nullptr, *forces, heat_, kept,
                                          other.elsewhere);
     };
-    add(set_, pieces.pockets, forces_[0]);
-    if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
+    add(set_, pieces.pockets, forces_[0], kept_[0]);
+    if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1], kept_[1]);
     if (traction || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
     if (scene.plan.has(Effect::PocketFilm)) {  // of a cage of one piece
       const bearing::CageFilms& films = *scene.bearing.cage_films;
@@ -235,6 +241,10 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     add_user(forces_[1], last_half);
   }
 
+  void look(const Evaluation&, Look& out) const override {
+    look_at_pockets(kept_[0], last_halves_, kept_[1], out);
+  }
+
  private:
   static void resist(const RollerPocketSet& set, std::size_t i, const Evaluation& e,
                      Mat3& stiffness) noexcept {
@@ -258,6 +268,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::array<std::optional<RollerPocketForces>, 2> forces_;  ///< ADRX3 of both sets
+  std::array<KeptForces, 2> kept_;                           ///< likewise, by pocket and surface
   std::optional<RollerPocketOil> oil_;                       ///< kPocHydro
   HeatByPart heat_, film_heat_;                              ///< now, of the pocket of each roller
 };

@@ -80,6 +80,7 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
       }
     });
     if constexpr (kOnlyNotes<Friction>) continue;
+    kept_.at[piece * lands_.size() + which] += force;
     segment.add_force(force, slice.at.centre);
     race.add_force(-force, slice.at.centre);
     segment.moment += turning * g;

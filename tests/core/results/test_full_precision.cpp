@@ -70,7 +70,7 @@ TEST_CASE("RESULTS.h5 beside SOL1-SOL7 gives them all digits", "[unit][h5][sol]"
       SolFile file = read_sol(folder / name);
       CHECK(worst(file, units) > 1e-10);  // the file's own digits
       CHECK(worst(file, units) < 1e-6);
-      CHECK(use_full_precision(file) == "");
+      CHECK(use_full_precision(file).why_not.empty());
       CHECK(worst(file, units) < 1e-15);  // the same numbers through the same conversion
     }
   }
@@ -82,8 +82,8 @@ TEST_CASE("a range of steps finds its places in RESULTS.h5, and stars become num
   write_run(folder, UnitSystem::SI, "synthetic run 7");
   SolFile all = read_sol(folder / "SOL1"), some = read_sol(folder / "SOL1", {4, 31, 9});
   some.steps[1].values[0] = std::nan("");
-  REQUIRE(use_full_precision(all).empty());
-  REQUIRE(use_full_precision(some).empty());
+  REQUIRE(use_full_precision(all).why_not.empty());
+  REQUIRE(use_full_precision(some).why_not.empty());
   REQUIRE(some.steps.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) CHECK(some.steps[i].values == all.steps[3 + 9 * i].values);
 }
@@ -93,7 +93,7 @@ TEST_CASE("a RESULTS.h5 that is absent, of another run or unreadable changes not
   const auto refused = [](const TemporaryFolder& folder) {
     SolFile file = read_sol(folder / "SOL1");
     const SolFile before = file;
-    const std::string why = use_full_precision(file);
+    const std::string why = use_full_precision(file).why_not;
     for (std::size_t i = 0; i < file.steps.size(); ++i)
       CHECK(file.steps[i].values == before.steps[i].values);
     std::string why_not;
@@ -119,7 +119,7 @@ TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][
   write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 20);
   SolFile file = read_sol(folder / "SOL1");
   const SolFile before = file;
-  CHECK(use_full_precision(file).empty());
+  CHECK(use_full_precision(file).why_not.empty());
   CHECK(file.steps[20].values != before.steps[20].values);
   CHECK(file.steps[21].values == before.steps[21].values);
   std::string why_not;
@@ -134,6 +134,61 @@ TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][
   gap.frames.front().step = motion->frames().frames.front().step - 1;
   CHECK_FALSE(MotionFile::beside(gap, why_not).has_value());
   CHECK_THAT(why_not, Contains("lacks step"));
+}
+
+TEST_CASE("steps behind the end of a classic file are taken from RESULTS.h5", "[unit][h5][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    TemporaryFolder folder;
+    write_run(folder, units, "synthetic run 7", 0, 60);
+    for (const char* name : {"SOL1", "SOL4", "SOL7"}) {
+      INFO(name);
+      SolFile file = read_sol(folder / name);
+      const FullPrecision told = use_full_precision(file, 1000);
+      CHECK(told.why_not.empty());
+      CHECK(told.exact == 41);
+      CHECK(told.from_start);
+      CHECK_FALSE(told.more);
+      REQUIRE(told.added == 20);
+      REQUIRE(file.steps.size() == 61);
+      ChannelRecorder recorder(bearing, units, channel_table());
+      for (long step = 0; step <= 60; ++step) {
+        const SolStep exact = make_sol_step(file.header, sol_columns(file.header),
+                                            recorder.record(make_snapshot(bearing, step)), units);
+        const SolStep& read = file.steps[static_cast<std::size_t>(step)];
+        CHECK(read.step == step);
+        CHECK(read.time == Approx(exact.time).epsilon(1e-14));
+        CHECK(read.revolutions == Approx(exact.revolutions).epsilon(1e-6));
+        CHECK(read.element_revolutions == Approx(exact.element_revolutions).epsilon(1e-6));
+        CHECK(read.step_size == Approx(exact.step_size).epsilon(1e-6));
+        if (step <= 40) continue;
+        REQUIRE(read.values.size() == exact.values.size());
+        for (std::size_t i = 0; i < exact.values.size(); ++i)
+          CHECK(read.values[i] == Approx(exact.values[i]).epsilon(1e-14));
+      }
+    }
+  }
+  // As far apart as the file's own steps, with the run's end; no more than there is room for.
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 60);
+  SolFile apart = read_sol(folder / "SOL1", {1, 1000, 9});
+  CHECK(use_full_precision(apart, 1000).added == 3);
+  std::vector<long> steps;
+  for (const SolStep& step : apart.steps) steps.push_back(step.step);
+  CHECK(steps == std::vector<long>{0, 9, 18, 27, 36, 45, 54, 60});
+  SolFile few = read_sol(folder / "SOL1");
+  const FullPrecision told = use_full_precision(few, 5);
+  CHECK(told.added == 5);
+  CHECK(told.more);
+  CHECK(few.steps.back().step == 45);
+  // The file's end is the later one: nothing is added, and where all digits end is told.
+  write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 20);
+  SolFile longer = read_sol(folder / "SOL1");
+  const FullPrecision part = use_full_precision(longer, 1000);
+  CHECK(part.added == 0);
+  CHECK(part.exact == 21);
+  CHECK(part.from_start);
+  CHECK(longer.steps.size() == 41);
 }
 
 TEST_CASE("the motion beside SOL8 is that of RESULTS.h5, with all digits and every channel",

@@ -134,11 +134,11 @@ TEST_CASE("SOL1 beside a damaged RESULTS.h5 keeps its own digits and says why", 
     for (long step = 0; step < 4; ++step) sol.write(recorder.record(make_snapshot(bearing, step)));
   }
   SolFile exact = read_sol(folder / "SOL1");
-  CHECK(use_full_precision(exact).empty());
+  CHECK(use_full_precision(exact).why_not.empty());
   const std::vector<H5Block> blocks = h5_blocks(good);
   write_bytes(path, with_byte(good, blocks, "BTHD", 10, 0));
   SolFile file = read_sol(folder / "SOL1");
-  CHECK_THAT(use_full_precision(file), Contains("RESULTS.h5: ") && Contains("damaged"));
+  CHECK_THAT(use_full_precision(file).why_not, Contains("RESULTS.h5: ") && Contains("damaged"));
   CHECK(file.steps.size() == 4);
 }
 

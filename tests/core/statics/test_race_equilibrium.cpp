@@ -1,4 +1,5 @@
 #include "statics/race_equilibrium.hpp"
+#include "statics/race_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -60,4 +61,13 @@ TEST_CASE(
     CHECK(state.stiffness(1, 1) > 0.0);
     CHECK(state.q(1) == Approx(-race.play).epsilon(0.05));
   }
+}
+
+TEST_CASE("an iteration that could not begin tells no residual", "[unit][statics]") {
+  RaceSolve solve;
+  solve.residual = 0.0;  // of no step
+  CHECK(how_far(solve) == "could not begin");
+  solve.iterations = 7;
+  solve.residual = 0.123;
+  CHECK(how_far(solve) == "stopped with a residual of 0.12 of the load after 7 steps");
 }

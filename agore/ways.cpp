@@ -1,0 +1,93 @@
+#include "agore/ways.hpp"
+
+#include "agore/sketch.hpp"
+
+#include <QPen>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+namespace {
+
+constexpr double kApart = 6.0;  // pixels between frames whose marks are seen apart
+constexpr double kCell = 2.0;   // pixels within which one mark stands for several
+
+double mark_size(double width) { return std::max(4.6, 2.0 * width); }
+
+/// Places where a mark adds something to be seen: a run of a thousand turns has a cloud of them.
+class Places {
+ public:
+  explicit Places(const QRectF& area)
+      : area_(area),
+        columns_(static_cast<std::size_t>(std::max(1.0, std::ceil(area.width() / kCell)) + 1)),
+        taken_(columns_ *
+               static_cast<std::size_t>(std::max(1.0, std::ceil(area.height() / kCell)) + 1)) {}
+  [[nodiscard]] bool take(QPointF at) {
+    if (!area_.contains(at)) return false;
+    const auto column = static_cast<std::size_t>((at.x() - area_.left()) / kCell),
+               row = static_cast<std::size_t>((at.y() - area_.top()) / kCell);
+    const bool free = !taken_[row * columns_ + column];
+    taken_[row * columns_ + column] = true;
+    return free;
+  }
+
+ private:
+  QRectF area_;
+  std::size_t columns_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& colour) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  const double radius = 0.5 * mark_size(width);
+  painter.drawEllipse(at, radius, radius);
+}
+
+void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
+              const QColor& colour, double width) {
+  painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  QPolygonF line;
+  const auto end_line = [&](std::size_t last) {
+    if (line.size() > 1 || (line.size() == 1 && line.front() != way[last].at)) {
+      line.append(way[last].at);
+      painter.drawPolyline(line);
+    }
+    line.clear();
+  };
+  bool marks = false;
+  const auto apart = [&](std::size_t i) {
+    return i >= way.size() || (way[i].at - way[i - 1].at).manhattanLength() > kApart;
+  };
+  const auto marked = [&](std::size_t i) {
+    const bool before = i > 0 && !way[i].joined, behind = i + 1 < way.size() && !way[i + 1].joined;
+    return before || behind || ((i == 0 || apart(i)) && apart(i + 1));
+  };
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (i > 0 && !way[i].joined) end_line(i - 1);
+    append_seen(line, way[i].at);
+    marks = marks || marked(i);
+  }
+  if (!way.empty()) end_line(way.size() - 1);
+  if (!marks) return;
+  Places places(area);
+  const bool pixels = on_pixels(painter);
+  QPolygonF points;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (!marked(i) || !places.take(way[i].at)) continue;
+    if (pixels)
+      points.append(way[i].at);
+    else
+      draw_frame_mark(painter, way[i].at, width, colour);
+  }
+  // Round ends of lines without a length: a cloud of ellipses would take its time.
+  painter.setPen(QPen(colour, mark_size(width), Qt::SolidLine, Qt::RoundCap));
+  painter.drawPoints(points);
+}
+
+}  // namespace adore::agore

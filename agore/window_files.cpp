@@ -1,0 +1,153 @@
+#include "agore/agore_window.hpp"
+#include "desktop/axis_scale.hpp"
+#include "desktop/chrome.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QAction>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+/// What the window shows: opening, reading again, following a running solver.
+namespace adore::agore {
+namespace {
+
+constexpr int kLook = 1000;  // [ms] between looks at the files of a running solver
+
+/// Sizes and times of change of the files that the picture of one of them rests on.
+std::string state_of(const std::filesystem::path& path) {
+  std::string out;
+  for (const auto& file : {path, path.parent_path() / "RESULTS.h5"}) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(file, none);
+    if (none) continue;
+    const auto time = std::filesystem::last_write_time(file, none).time_since_epoch().count();
+    out += fmt::format("{} {} {};", file.string(), size, time);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) {
+  try {
+    setAnimation(open_motion(path, most_frames));
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+  most_frames_ = most_frames;
+  desktop::remember_file(kApp, QString::fromStdString(path.string()));
+  const std::string &note = picture_->animation().file.note,
+                    &gaps = picture_->animation().file.gaps;
+  if (note.empty() && !gaps.empty())
+    desktop::show_message(this, tr("Of the file %1.").arg(QString::fromStdString(gaps)));
+  if (!note.empty())
+    desktop::show_message(this, tr("The file is incomplete: %1. Its %2 complete frames are shown.")
+                                    .arg(QString::fromStdString(note))
+                                    .arg(frameCount()));
+  return true;
+}
+
+void AgoreWindow::reload() {
+  if (!picture_) return askForFile();
+  const double moment = picture_->animation().time[frame_];
+  const std::filesystem::path path = picture_->animation().file.path;  // the picture goes with it
+  const auto from = options_.span_from, to = options_.span_to;
+  if (!openFile(path, most_frames_)) return;
+  options_.span_from = from, options_.span_to = to;
+  setFrame(picture_->frameAt(moment));
+  desktop::tell_in_foot(this, tr("Read again: %1 frames to %2.")
+                                  .arg(frameCount())
+                                  .arg(QString::fromStdString(desktop::pretty_quantity(
+                                      picture_->animation().time.back(), "s", 5))));
+}
+
+void AgoreWindow::setAnimation(Animation animation) {
+  pause();
+  options_.span_from = options_.span_to = std::nullopt;
+  adopt(std::move(animation));
+  frame_ = 0;
+  refresh();
+}
+
+void AgoreWindow::adopt(Animation animation) {
+  auto fresh = std::make_unique<MotionPicture>(std::move(animation));
+  if (options_.element > fresh->animation().file.elements) options_.element = 1;
+  if (!why_not(options_.view, fresh->animation()).empty()) options_.view = View::Bearing;
+  std::erase_if(options_.beside, [&fresh](const SideView& side) {
+    return !why_not(side.view, fresh->animation()).empty();
+  });
+  seen_ = state_of(fresh->animation().file.path);
+  const auto old = std::exchange(picture_, std::move(fresh));
+  frame_ = std::min(frame_, frameCount() - 1);
+  refused_ = 0;
+  showFrame();  // the canvas lets go of the old one before it dies
+}
+
+bool AgoreWindow::showable(const Animation& animation) const {
+  for (std::size_t i = 0; i <= options_.beside.size(); ++i)
+    if (!why_not(options_.tile(i).view, animation).empty()) return false;
+  return options_.element <= animation.file.elements;
+}
+
+void AgoreWindow::follow(bool on) {
+  if (follow_->isChecked() != on) return follow_->setChecked(on);  // which comes here again
+  QSettings("Adore", kApp).setValue(kFollow, on);
+  growth_.setInterval(kLook);
+  on ? growth_.start() : growth_.stop();
+  refresh();
+}
+
+/// A file that is just being written holds whole steps and perhaps a part of one, which readers
+/// leave out. What cannot be read now, or cannot take the place of what is shown (RESULTS.h5 is
+/// still too short for the view), is looked at again.
+void AgoreWindow::lookForGrowth() {
+  if (!picture_ || writing_) return;
+  const std::filesystem::path path = picture_->animation().file.path;
+  const std::string now = state_of(path);
+  if (now == seen_) return;
+  QElapsedTimer clock;
+  clock.start();
+  std::optional<Animation> fresh;
+  try {
+    fresh = open_motion(path, most_frames_);
+  } catch (const std::exception& error) {
+    desktop::tell_in_foot(this, tr("Cannot be read at the moment: %1").arg(error.what()));
+    return;
+  }
+  constexpr int kPatience = 10;
+  if (!showable(*fresh) && ++refused_ < kPatience) return;
+  const bool at_end = frame_ + 1 == frameCount() && !playing();
+  const double moment = picture_->animation().time[frame_];
+  adopt(std::move(*fresh));
+  seen_ = now;  // what came while it was read is found at the next look
+  frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
+  refresh();
+  // Reading a long file takes its time, of which the solver wants most.
+  constexpr int kShare = 8;
+  growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
+}
+
+/// The number first, as the classic tool has it. Nobody who only wants to see a run loses steps by
+/// it: all that can be held is what is offered, whatever was asked for before.
+void AgoreWindow::askForFile() {
+  desktop::ask_number(
+      this, tr("Open: steps, then the file"),
+      tr("Most time steps to animate. Of a run with more, every 2nd, 3rd ... is shown.\n"
+         "The file is chosen next."),
+      static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
+        desktop::ask_file(
+            this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",
+            [this, steps](const QString& name) { openFile(name.toStdString(), steps); });
+      });
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,188 @@
+#include "agore/agore_window.hpp"
+#include "agore/film_dialog.hpp"
+#include "agore/render.hpp"
+#include "desktop/axis_scale.hpp"
+#include "desktop/dialogs.hpp"
+#include "desktop/mp4_writer.hpp"
+#include "desktop/one_window.hpp"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QProgressDialog>
+#include <QRegularExpression>
+#include <QScopeGuard>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+/// Pictures and films that the window saves.
+namespace adore::agore {
+
+/// A name in the folder of what is shown, where pictures of it are looked for.
+QString AgoreWindow::besideFile(const QString& name) const {
+  return desktop::folder_of(picture_->animation().file.path) + "/" + name;
+}
+
+void AgoreWindow::print() {
+  if (!picture_) return askForFile();
+  pause();
+  desktop::print_page(this, [this](QPainter& painter, const QRectF& paper) {
+    picture_->paintOnPaper(painter, paper, canvas_->size(), frame_, stillOptions());
+  });
+}
+
+void AgoreWindow::savePicture() {
+  if (!picture_) return askForFile();
+  pause();
+  desktop::save_picture(
+      this, kApp, besideFile(proposedName("jpg")),
+      [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); },
+      [this] { return picture_->svg(canvas_->size(), frame_, stillOptions()); });
+}
+
+QString AgoreWindow::proposedName(const QString& suffix) const {
+  QString run = QFileInfo(desktop::folder_of(picture_->animation().file.path)).fileName();
+  if (run.isEmpty()) run = "bearing";
+  const QString what =
+      options_.beside.empty() ? QString::fromStdString(view_name(options_.view)) : QString("views");
+  return run + "-" + what + (suffix.isEmpty() ? QString() : "." + suffix);
+}
+
+int AgoreWindow::filmRate() const {
+  constexpr int kSlowRate = 25;
+  return slow_ > 0.0 ? kSlowRate : std::max(1, speed_->currentData().toInt() / filmEvery());
+}
+
+/// Players show 50 pictures a second; a faster one shows every n-th frame, so that it lasts as long
+/// as the window plays.
+int AgoreWindow::filmEvery() const {
+  constexpr int kMostRate = 50;
+  return slow_ > 0.0 ? 1 : (speed_->currentData().toInt() + kMostRate - 1) / kMostRate;
+}
+
+RenderOptions AgoreWindow::filmOptions() const {
+  RenderOptions render;
+  render.view = stillOptions();
+  // As seen, but not larger than a film needs to be.
+  const QSize size = canvas_->size().boundedTo({1280, 800});
+  render.width = size.width() & ~1;
+  render.height = size.height() & ~1;
+  render.replace = true;
+  render.slow = slow_;  // a film plays as the window does
+  return render;
+}
+
+void AgoreWindow::saveFilm() {
+  if (!picture_) return askForFile();
+  pause();
+  // One picture tells how long all will take; setting it in a file takes 30 ms (picture-speed.md).
+  constexpr double kInFile = 0.03;  // [s]
+  const RenderOptions render = filmOptions();
+  QElapsedTimer clock;
+  clock.start();
+  (void)picture_->image({render.width, render.height}, frame_, render.view);
+  const double each = 1e-9 * static_cast<double>(clock.nsecsElapsed()) + kInFile;
+  const auto tell = [this, render, each](std::size_t first, std::size_t last) {
+    RenderOptions part = render;
+    part.first = static_cast<int>(first) + 1, part.last = static_cast<int>(last) + 1;
+    try {
+      const auto pictures =
+          static_cast<double>(film_frames(*picture_, filmEvery(), filmRate(), part).size());
+      const auto seconds = [](double value) {
+        return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
+      };
+      return std::pair{
+          tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
+                  .arg(pictures)
+                  .arg(filmRate())
+                  .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
+              (filmEvery() > 1 ? tr(" It has one of every %1 frames; numbered pictures have all.")
+                                     .arg(filmEvery())
+                               : QString()),
+          true};
+    } catch (const std::exception& error) {
+      return std::pair{QString::fromUtf8(error.what()), false};
+    }
+  };
+  auto* dialog = new FilmDialog(picture_->animation().time, playedFrames(), tell, this);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    askForFilmName(static_cast<int>(dialog->first()) + 1, static_cast<int>(dialog->last()) + 1);
+  });
+  dialog->open();
+}
+
+void AgoreWindow::askForFilmName(int first, int last) {
+  const QString missing = tr(" after ffmpeg is installed");
+  auto* dialog = new QFileDialog(this, tr("Save Film"), proposedName("gif"),
+                                 tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
+                                    "folder (*)")
+                                     .arg(desktop::ffmpeg_found() ? QString() : missing));
+  dialog->setObjectName("film");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
+  const auto name_as = [this, dialog](const QString& filter) {
+    const QString suffix = QRegularExpression("\\*\\.(\\w+)").match(filter).captured(1);
+    const QString base =
+        QFileInfo(dialog->selectedFiles().value(0, proposedName({}))).completeBaseName();
+    dialog->setDefaultSuffix(suffix);
+    dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
+  };
+  dialog->selectFile(besideFile(proposedName("gif")));
+  name_as(dialog->selectedNameFilter());
+  connect(dialog, &QFileDialog::filterSelected, this, name_as);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, dialog, first, last](const QString& name) {
+            dialog->hide();  // writing takes its time
+            writeFilm(name, first, last);
+          });
+  dialog->open();
+}
+
+bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
+  writing_ = true;  // what is drawn stays until the film is there
+  const auto written = qScopeGuard([this] { writing_ = false; });
+  RenderOptions render = filmOptions();
+  render.first = first, render.last = last;
+  QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
+                           static_cast<int>(frameCount()), this);
+  progress.setWindowTitle(tr("Save Film"));
+  progress.setWindowModality(Qt::WindowModal);
+  progress.setMinimumDuration(500);
+  long pictures = 0;
+  render.progress = [&progress, &pictures](long done, long total) {
+    pictures = done;
+    progress.setMaximum(static_cast<int>(total));
+    progress.setValue(static_cast<int>(done));
+  };
+  bool stopped = false;
+  render.stop = [&progress, &stopped] { return stopped = progress.wasCanceled(); };
+  try {
+    // Numbered pictures have no rate.
+    const int every = QFileInfo(path).suffix().isEmpty() ? 1 : filmEvery();
+    render_movie(*picture_, every, filmRate(), path.toStdString(), render);
+    const bool folder = QFileInfo(path).isDir();
+    if (stopped)
+      desktop::tell_in_foot(this,
+                            folder ? tr("Stopped: %1 pictures are in %2.").arg(pictures).arg(path)
+                                   : tr("Stopped: no film was saved."));
+    else
+      desktop::tell_in_foot(
+          this, folder
+                    ? tr("Saved %1 numbered pictures in %2.").arg(pictures).arg(path)
+                    : tr("Saved %1: %2 pictures%3.")
+                          .arg(path)
+                          .arg(pictures)
+                          .arg(every > 1 ? tr(", one of every %1 frames").arg(every) : QString()));
+    return true;
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,337 @@
+#include "agore/agore_window.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/chrome.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+/// Menus, keys and buttons of the window.
+namespace adore::agore {
+
+/// Each button stands for an action of the menus, whose key a hand may hold down.
+QWidget* AgoreWindow::makeButtons() {
+  auto* column = new QWidget(this);
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(12, 10, 12, 10);
+  layout->setSpacing(6);
+  const auto button = [&](const QString& text, const QString& name) {
+    auto* action = findChild<QAction*>(name + "Action");
+    auto* b = new QPushButton(text, column);
+    b->setObjectName(name);
+    b->setFocusPolicy(Qt::NoFocus);
+    b->setMinimumHeight(28);
+    b->setToolTip(action->shortcut().toString(QKeySequence::NativeText));
+    connect(b, &QPushButton::clicked, action, &QAction::trigger);
+    layout->addWidget(b);
+  };
+  button(tr(">Play"), "play");
+  button(tr("<Play"), "playBack");
+  button(tr(">Frame"), "frame");
+  button(tr("<Frame"), "frameBack");
+  button(tr("Pause"), "pause");
+  layout->addSpacing(6);
+  layout->addWidget(new QLabel(tr("Frames/second"), column));
+  speed_ = new QComboBox(column);
+  speed_->setObjectName("speed");
+  speed_->setAccessibleName(tr("Frames per second"));
+  speed_->setFocusPolicy(Qt::NoFocus);
+  for (const int rate : {2, 5, 10, 25, 50, 100, 250, 1000})
+    speed_->addItem(QString::number(rate), rate);
+  speed_->setCurrentText("25");
+  layout->addWidget(speed_);
+  layout->addWidget(new QLabel(tr("Slow motion"), column));
+  slow_motion_ = new QComboBox(column);
+  slow_motion_->setObjectName("slow");
+  slow_motion_->setAccessibleName(tr("Slow motion against real time"));
+  slow_motion_->setFocusPolicy(Qt::NoFocus);
+  slow_motion_->addItem(tr("by frames"), 0.0);
+  for (const int part : {10, 100, 1000, 5000, 20000})
+    slow_motion_->addItem(QString("1/%1").arg(part), 1.0 / part);
+  connect(slow_motion_, &QComboBox::currentIndexChanged, this,
+          [this] { setSlowMotion(slow_motion_->currentData().toDouble()); });
+  layout->addWidget(slow_motion_);
+  layout->addStretch(1);
+  button(tr("Print"), "print");
+  button(tr("Save"), "save");
+  button(tr("Quit"), "quit");
+  auto* scroll = new QScrollArea(this);  // on low screens
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(column);
+  scroll->setFixedWidth(136);
+  return scroll;
+}
+
+/// An action that the button of the same name stands for.
+QAction* AgoreWindow::add(QMenu* menu, const QString& text, const QString& name,
+                          const QKeySequence& key, std::function<void()> act) {
+  auto* action = menu->addAction(text, key, this, [act = std::move(act)] { act(); });
+  action->setObjectName(name + "Action");
+  return action;
+}
+
+void AgoreWindow::makeMenus() {
+  auto* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&Open..."), QKeySequence::Open, this, &AgoreWindow::askForFile);
+  desktop::add_recent_menu(*file, kApp,
+                           [this](const QString& name) { openFile(name.toStdString()); });
+  file->addAction(tr("Re&load"), Qt::Key_F5, this, &AgoreWindow::reload);
+  follow_ = file->addAction(tr("&Follow a Running Solver"));  // as AdrPlot has it
+  follow_->setObjectName("followAction");
+  follow_->setShortcut(Qt::Key_F);
+  follow_->setCheckable(true);
+  connect(follow_, &QAction::toggled, this, &AgoreWindow::follow);
+  file->addSeparator();
+  add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
+  file->addAction(tr("Save Fil&m..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
+  file->addSeparator();
+  add(file, tr("&Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
+  makeViewMenu(menuBar()->addMenu(tr("&View")));
+  makeMotionMenu(menuBar()->addMenu(tr("&Motion")));
+  desktop::add_help_menu(
+      *this, "AGORE",
+      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5.\nThe lowest program version "
+         "whose data sets are accepted is %1.")
+          .arg(kLowestVersion),
+      {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
+       {tr("P"), tr("pauses")},
+       {tr("Right, Left"), tr("one frame on, back; held down: on and on")},
+       {tr("Home, End"), tr("first and last frame")},
+       {tr("Up, Down"), tr("next and previous element or pocket, and the segment that holds it")},
+       {tr("[, ]"), tr("plays slower, faster")},
+       {tr("S"), tr("the next slow motion of the list")},
+       {tr("R"), tr("repeats for ever")},
+       {tr("A, B, X"), tr("marks where what is repeated begins and ends; takes the marks away")},
+       {tr("Shift+drag in the time bar or a curve"), tr("marks it from there to there")},
+       {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
+       {tr("V"), tr("four views side by side, and one again")},
+       {tr("L, T"), tr("race loads and paths of all elements")},
+       {tr("C, Shift+C"), tr("the next colouring of the elements, its next scale")},
+       {tr("+ or =, -, 0"), tr("zooms the first picture, shows all of it")},
+       {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
+       {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
+       {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
+       {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
+       {tr("Ctrl+E"), tr("saves a film")},
+       {tr("F5, F"), tr("reads the file again, as far as a run has come; does so while it goes "
+                        "on")}});
+}
+
+void AgoreWindow::makeMotionMenu(QMenu* menu) {
+  add(menu, tr("&Play, or Pause"), "play", Qt::Key_Space, [this] {
+    playing() ? pause() : playForward();
+  })->setAutoRepeat(false);
+  add(menu, tr("Play &Backward"), "playBack", Qt::SHIFT | Qt::Key_Space, [this] {
+    playBackward();
+  })->setAutoRepeat(false);
+  add(menu, tr("P&ause"), "pause", Qt::Key_P, [this] { pause(); });
+  add(menu, tr("One Frame &On"), "frame", Qt::Key_Right, [this] { frameForward(); });
+  add(menu, tr("One Frame Bac&k"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
+  menu->addAction(tr("&First Frame"), Qt::Key_Home, this, [this] { setFrame(0); });
+  menu->addAction(tr("&Last Frame"), Qt::Key_End, this, [this] {
+    if (frameCount() > 0) setFrame(frameCount() - 1);
+  });
+  menu->addSeparator();
+  menu->addAction(tr("&Next Element"), Qt::Key_Up, this,
+                  [this] { setView(options_.view, options_.element + 1); });
+  menu->addAction(tr("Pre&vious Element"), Qt::Key_Down, this,
+                  [this] { setView(options_.view, std::max(1, options_.element - 1)); });
+  menu->addSeparator();
+  const auto step = [](QComboBox* box, int by) {
+    box->setCurrentIndex(std::clamp(box->currentIndex() + by, 0, box->count() - 1));
+  };
+  menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [this, step] { step(speed_, -1); });
+  menu->addAction(tr("Fas&ter"), Qt::Key_BracketRight, this, [this, step] { step(speed_, 1); });
+  menu->addAction(tr("Slow &Motion"), Qt::Key_S, this, [this] {
+    slow_motion_->setCurrentIndex((slow_motion_->currentIndex() + 1) % slow_motion_->count());
+  });
+  repeat_ = menu->addAction(tr("&Repeat"));
+  repeat_->setShortcut(Qt::Key_R);
+  repeat_->setCheckable(true);
+  connect(repeat_, &QAction::toggled, this, &AgoreWindow::setLoop);
+  menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { markEnd(true); });
+  menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { markEnd(false); });
+  menu->addAction(tr("Take the Marks A&way"), Qt::Key_X, this, [this] { setSpan({}, {}); });
+}
+
+/// What the wheel and the pointer do, by keys, for the first picture.
+void AgoreWindow::addZoomKeys(QMenu* menu) {
+  static constexpr double kZoom = 1.25, kMostZoom = 200.0, kWay = 0.1, kTurn = 10.0;
+  const auto zoom = [this](double factor) {
+    const double next = std::clamp(options_.zoom * factor, 1.0, kMostZoom);
+    options_.pan = next == 1.0 ? QPointF(0.0, 0.0) : options_.pan * (next / options_.zoom);
+    options_.zoom = next;
+    showFrame();
+  };
+  auto* in = menu->addAction(tr("Zoom I&n"), this, [zoom] { zoom(kZoom); });
+  in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
+  menu->addAction(tr("&Zoom Out"), Qt::Key_Minus, this, [zoom] { zoom(1.0 / kZoom); });
+  menu->addAction(tr("Show All of I&t"), Qt::Key_0, this, [this] {
+    options_.zoom = 1.0;
+    options_.pan = {0.0, 0.0};
+    options_.yaw = ViewOptions{}.yaw;
+    options_.elevation = ViewOptions{}.elevation;
+    showFrame();
+  });
+  auto* moves = menu->addMenu(tr("&Move or Turn"));
+  for (const auto& [key, name, x, y] : {std::tuple{Qt::Key_Left, "&Left", -1, 0},
+                                        {Qt::Key_Right, "&Right", 1, 0},
+                                        {Qt::Key_Up, "&Up", 0, -1},
+                                        {Qt::Key_Down, "&Down", 0, 1}})
+    moves->addAction(tr(name), Qt::CTRL | key, this, [this, x = x, y = y] {
+      if (options_.view == View::Solid) {
+        options_.yaw = std::remainder(options_.yaw - kTurn * x, 360.0);
+        options_.elevation = std::clamp(options_.elevation + kTurn * y, -89.0, 89.0);
+      } else {
+        options_.pan += QPointF(kWay * x, kWay * y);
+      }
+      showFrame();
+    });
+}
+
+void AgoreWindow::makeViewMenu(QMenu* menu) {
+  menu->setObjectName("viewMenu");
+  menu->addAction(tr("&Bearing Motion"), Qt::Key_1, this, [this] { setView(View::Bearing); });
+  menu->addAction(tr("&Cage Motion"), Qt::Key_2, this, [this] { setView(View::Cage); });
+  menu->addAction(tr("&Pocket Interaction..."), Qt::Key_3, this,
+                  [this] { askForElement(View::Pocket); });
+  menu->addAction(tr("&RE Motion..."), Qt::Key_4, this, [this] { askForElement(View::Element); });
+  auto* race = menu->addMenu(tr("R&ace Motion"));
+  race->addAction(tr("&Outer"), Qt::Key_5, this, [this] { setView(View::OuterRace); });
+  race->addAction(tr("&Inner"), Qt::Key_6, this, [this] { setView(View::InnerRace); });
+  auto* flange = menu->addMenu(tr("&Flange Interaction (rollers only)"));
+  flange->setObjectName("flange");
+  for (const auto& [race_index, name, key] :
+       {std::tuple<std::size_t, const char*, QKeySequence>{0, "&Outer Race...", Qt::Key_7},
+        {1, "&Inner Race...", Qt::CTRL | Qt::Key_7}})
+    flange->addAction(tr(name), key, this, [this, race_index = race_index] {
+      if (picture_ && !has_flange(picture_->animation(), race_index, 0) &&
+          !has_flange(picture_->animation(), race_index, 1) &&
+          why_not(View::Flange, picture_->animation()).empty())
+        return desktop::show_message(this, tr("This race has no flange; the other one has."));
+      options_.flange_race = race_index;
+      askForElement(View::Flange);
+    });
+  menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
+                  [this] { askForElement(View::Section); });
+  menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
+  makeBesideMenu(menu->addMenu(tr("Bes&ide")));
+  menu->addSeparator();
+  addZoomKeys(menu);
+  menu->addSeparator();
+  makeColourMenus(menu);
+  auto* contacts = menu->addAction(tr("Race Loads on All &Elements"));
+  contacts->setObjectName("contactsAction");
+  contacts->setCheckable(true);
+  contacts->setShortcut(Qt::Key_L);
+  connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
+  auto* trails = menu->addAction(tr("Pat&hs of the Elements"));
+  trails->setObjectName("trailsAction");
+  trails->setCheckable(true);
+  trails->setShortcut(Qt::Key_T);
+  connect(trails, &QAction::toggled, this, &AgoreWindow::setTrails);
+  menu->setToolTipsVisible(true);
+  menu->addSeparator();
+  auto* clearances = menu->addMenu(tr("C&learances"));
+  clearances->setObjectName("clearanceMenu");
+  auto* group = new QActionGroup(this);
+  for (const double factor : {0.0, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
+    auto* action = clearances->addAction(factor == 0.0   ? tr("Automatic")
+                                         : factor == 1.0 ? tr("To scale")
+                                                         : QString("× %1").arg(factor),
+                                         this, [this, factor] { setExaggeration(factor); });
+    action->setCheckable(true);
+    action->setChecked(factor == 0.0);
+    action->setData(factor);
+    group->addAction(action);
+  }
+  menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
+}
+
+void AgoreWindow::makeColourMenus(QMenu* menu) {
+  auto* colours = menu->addMenu(tr("C&olour Elements by"));
+  colours->setObjectName("colourMenu");
+  auto* colour_group = new QActionGroup(this);
+  for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
+                                 {ColourBy::Load, "Contact &Load"},
+                                 {ColourBy::Slip, "Largest &Slip"},
+                                 {ColourBy::Heat, "Contact &Heat"},
+                                 {ColourBy::Temperature, "Contact &Temperature"}}) {
+    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
+    action->setCheckable(true);
+    action->setChecked(by == ColourBy::None);
+    action->setData(static_cast<int>(by));
+    colour_group->addAction(action);
+  }
+  colours->addSeparator();
+  colours->addAction(tr("The Ne&xt of These"), Qt::Key_C, this, [colour_group] {
+    const auto all = colour_group->actions();
+    all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
+  });
+  auto* scales = menu->addMenu(tr("Scale of the Colo&urs"));
+  scales->setObjectName("scaleMenu");
+  auto* scale_group = new QActionGroup(this);
+  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "&Usual Values of the Run"},
+                                   {ColourScale::Run, "Largest of the &Run"},
+                                   {ColourScale::Moment, "Largest of This &Moment"}}) {
+    auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
+      setScale({kind, 0.0, 0.0});
+    });
+    action->setCheckable(true);
+    action->setData(static_cast<int>(kind));
+    scale_group->addAction(action);
+  }
+  auto* limits = scales->addAction(tr("&Limits..."), this, &AgoreWindow::askForLimits);
+  limits->setCheckable(true);
+  limits->setData(static_cast<int>(ColourScale::Typed));
+  scale_group->addAction(limits);
+  scales->addSeparator();
+  scales->addAction(tr("The Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
+    constexpr int kWithoutAsking = 3;
+    setScale(
+        {static_cast<ColourScale>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
+         0.0, 0.0});
+  });
+}
+
+void AgoreWindow::makeBesideMenu(QMenu* menu) {
+  menu->setObjectName("besideMenu");
+  for (const View view : {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace,
+                          View::InnerRace, View::Flange, View::Section, View::Solid}) {
+    auto* action = menu->addAction(QString::fromStdString(view_title(view)));
+    action->setCheckable(true);
+    action->setData(static_cast<int>(view));
+    connect(action, &QAction::triggered, this,
+            [this, view](bool shown) { setBeside(view, shown); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("&Four Views, or One"), Qt::Key_V, this, [this] {
+    if (!picture_) return askForFile();
+    const bool one = options_.beside.empty();
+    options_.beside.clear();
+    if (one)
+      for (const View view :
+           {View::Bearing, View::Solid, View::Section, View::Pocket, View::Element})
+        if (view != options_.view && options_.beside.size() < 3 &&
+            why_not(view, picture_->animation()).empty())
+          options_.beside.push_back({view});
+    refresh();
+  });
+}
+
+}  // namespace adore::agore

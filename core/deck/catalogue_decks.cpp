@@ -1,0 +1,172 @@
+#include "base/errors.hpp"
+#include "deck/catalogue_parts.hpp"
+#include "deck/keep_text.hpp"
+#include "deck/remarks.hpp"
+#include "deck/templates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// Decks and stories of bearings of the catalogue.
+namespace adore::deck {
+namespace {
+
+/// Capacity in proportion to that of other bearings of its type: the exponents of ISO 281.
+double capacity(BearingType type, const InnerGeometry& inner) {
+  const double count = number(inner, "nRe"), diameter = number(inner, "bReDia");
+  const bool ball = type == BearingType::DeepGroove || type == BearingType::AngularContact;
+  return ball ? std::pow(count, 2.0 / 3.0) * std::pow(diameter, 1.8)
+              : std::pow(count, 3.0 / 4.0) * std::pow(number(inner, "bReLen"), 7.0 / 9.0) *
+                    std::pow(diameter, 29.0 / 27.0);
+}
+
+double two_digits(double value) {
+  if (value == 0.0) return 0.0;
+  const double scale = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+  return std::round(value / scale) * scale;
+}
+
+std::string read(const Deck& deck, std::string_view name) {
+  return fmt::format("{}", deck.real(name));
+}
+
+/// Boundary, inside, load and speed of the deck of a type.
+std::vector<std::pair<std::string, std::string>> changes(const CatalogueBearing& bearing,
+                                                         const InnerGeometry& inner,
+                                                         const Deck& example) {
+  const Envelope& e = bearing.envelope;
+  auto sets = inner.sets;
+  const auto set = [&](const char* name, double value) {
+    sets.emplace_back(name, fmt::format("{}", std::round(value * 1e7) / 1e7));
+  };
+  sets.emplace_back("runID", bearing.designation);
+  const bool row = bearing.type == BearingType::Spherical;
+  set("brgBore", e.bore);
+  set("brgOD", e.outside);
+  set("hsngOD", e.outside + std::max(0.028, 0.35 * e.outside));
+  set("raceWidth1", row ? 0.5 * e.width : e.cup_width);
+  set("raceWidth2", row ? 0.5 * e.width : e.width);
+  InnerGeometry there;  // the example's own elements
+  there.sets = {{"nRe", fmt::format("{}", example.integer("nRe"))},
+                {"bReDia", read(example, "bReDia")}};
+  if (example.has("bReLen")) there.sets.emplace_back("bReLen", read(example, "bReLen"));
+  const double load = capacity(bearing.type, inner) / capacity(bearing.type, there);
+  for (const char* name : {"appLoadX", "appLoadY", "appLoadZ"})
+    if (example.has(name) && example.real(name) != 0.0)
+      set(name, two_digits(example.real(name) * load));
+  const double size = (example.real("brgBore") + example.real("brgOD")) / (e.bore + e.outside);
+  set("rpm2", two_digits(example.real("rpm2") * size));
+  return sets;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out{""};
+  for (const char c : text)
+    if (c == '\n')
+      out.emplace_back();
+    else
+      out.back() += c;
+  if (out.back().empty()) out.pop_back();
+  return out;
+}
+
+}  // namespace
+
+std::string catalogue_deck(const CatalogueBearing& bearing) {
+  const TypeInfo& info = info_of(bearing.type);
+  const std::string text(template_text(info.template_name));
+  const Deck example = read_deck_text(text, "example").deck;
+  const InnerGeometry inner =
+      propose_inner(bearing.type, bearing.envelope, bearing.angle, bearing.clearance);
+  Deck deck = example;
+  deck.set_all(changes(bearing, inner, example));
+  const bool standard = bearing.designation.find('x') == std::string::npos;
+  const std::string outside =
+      standard ? fmt::format("boundary dimensions of {}: {}", bearing.designation,
+                             bearing.type == BearingType::Tapered ? "ISO 355" : "ISO 15")
+               : std::string("boundary dimensions as given");
+  const std::vector<std::string> lines = lines_of(with_deck(text, deck).text);
+  demand(lines.size() == deck.records.size(), "an example has a record a line");
+  std::string out;
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    const std::string& id = deck.records[r].id;
+    std::string remark;
+    if (id == "4")
+      remark = std::string(kCatalogueOutside) + " [m]: " + outside;
+    else if (id == "3.1")
+      remark = "name of the run";
+    else if (id == "5A" || id == "5B.1" || id == "5C" || id == "5D.1")
+      remark = "ESTIMATE of the inside: " + inner.reasons;
+    else if (id == "5B.2" || id == "5D.2" || id == "5F")
+      remark = "ESTIMATE of the inside";
+    else if (id == "9.1.1")
+      remark =
+          "forces on the inner race, displacements [N, m]: those of the example, by the "
+          "capacity of this size; put in your own" +
+          std::string(bearing.type == BearingType::Spherical
+                          ? ", of one row: half of the bearing's radial load"
+                          : "");
+    else if (id == "9.1.2")
+      remark =
+          "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: put in your own";
+    if (remark.empty()) {
+      out += lines[r] + "\n";
+      continue;
+    }
+    Deck alone;
+    alone.records.push_back(deck.records[r]);
+    std::string line = write_deck(alone);
+    line.pop_back();
+    out += line + "   " + remark + "\n";
+  }
+  return out;
+}
+
+std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
+  const Envelope& e = bearing.envelope;
+  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle, bearing.clearance);
+  std::vector<std::string> out;
+  const bool standard = bearing.designation.find('x') == std::string::npos;
+  out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
+                            bearing.designation, info_of(bearing.type).name, e.bore / kMm,
+                            e.outside / kMm, e.width / kMm,
+                            !standard                              ? "as given"
+                            : bearing.type == BearingType::Tapered ? "ISO 355"
+                                                                   : "ISO 15"));
+  if (bearing.angle != 0.0)
+    out.push_back(fmt::format(
+        "{} {:.4g} degrees ({}).",
+        bearing.type == BearingType::Tapered ? "Cup half angle" : "Contact angle", bearing.angle,
+        bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
+        : bearing.angle_given                                       ? "by the designation"
+        : bearing.type == BearingType::AngularContact ? "for want of a suffix; C is 15, AC 25, B 40"
+                                                      : "an estimate"));
+  out.push_back(
+      fmt::format("Inside, an ESTIMATE, since makers do not publish it: {} elements of {:.4g} mm "
+                  "on {:.4g} mm; {}.",
+                  number(inner, "nRe"), number(inner, "bReDia") / kMm,
+                  0.5 * (e.bore + e.outside) / kMm, inner.reasons));
+  if (!bearing.left_out.empty())
+    out.push_back(
+        fmt::format("Not in the deck: {}. Of a designation, size, contact angle and the "
+                    "clearance group of deep groove, cylindrical and spherical bearings "
+                    "go into it.",
+                    bearing.left_out));
+  if (bearing.tapered_bore)
+    out.push_back(
+        fmt::format("A tapered bore (K) has clearance groups of its own, which are not known here: "
+                    "the clearance is that of {} for cylindrical bores.",
+                    bearing.clearance));
+  if (bearing.type == BearingType::Spherical)
+    out.emplace_back(
+        "The deck is ONE row of the two: give it half of the bearing's radial load; the bearing's "
+        "life is below that of a row.");
+  out.emplace_back(
+      "Load and speed are those of the example of this type, in proportion: put in your own. The "
+      "deck is quasi-static (mode -1); mode 0 moves every element over time.");
+  return out;
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "scene/look.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace adore::dynamics {
+
+/// Normal forces of one kind of contacts as an evaluation left them, for a look (scene/look.hpp):
+/// the state that they came from may be gone by then.
+struct KeptForces {
+  std::vector<double> at;  ///< by place [N]; sized before the first evaluation
+  std::size_t row = 1;     ///< places of one pocket or element
+
+  void size(std::size_t rows, std::size_t of_each) {
+    row = of_each;
+    at.assign(rows * of_each, 0.0);
+  }
+  void none() noexcept { std::fill(at.begin(), at.end(), 0.0); }
+  void add(std::size_t i, std::size_t k, double newtons) noexcept { at[i * row + k] += newtons; }
+};
+
+/// Pockets of all elements, and the last halves of segments in the order of the segments.
+template <class Set>
+void look_at_pockets(const KeptForces& pockets, const std::optional<Set>& last_halves,
+                     const KeptForces& of_halves, scene::Look& out) {
+  std::vector<double>& all = out[scene::Looked::PocketForce];
+  const std::size_t row = pockets.row;
+  all.resize(pockets.at.size() + of_halves.at.size());
+  std::copy(pockets.at.begin(), pockets.at.end(), all.begin());
+  if (!last_halves) return;
+  for (std::size_t i = 0; i < last_halves->size(); ++i) {
+    const auto from = of_halves.at.begin() + static_cast<std::ptrdiff_t>(i * row);
+    std::copy_n(from, row,
+                all.begin() + static_cast<std::ptrdiff_t>(
+                                  pockets.at.size() +
+                                  static_cast<std::size_t>(last_halves->segment(i)) * row));
+  }
+}
+
+}  // namespace adore::dynamics

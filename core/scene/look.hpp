@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// A look at the evaluation of the right-hand side that was made last: forces and heats that
+/// it has formed anyway, for extremes between stored steps. As Snapshot would show them, but with
+/// no evaluation, no allocation and nothing of the state, which may be gone.
+namespace adore::scene {
+
+enum class Looked : unsigned char {
+  ContactLoad,  ///< element / race [N]
+  ContactHeat,  ///< [W]
+  FlangeForce,  ///< [N]
+  PocketForce,  ///< of contact, as reported [N]
+  PairForce,    ///< of an element and the next one, without cage [N]
+  LandForce,    ///< of cage and race [N]
+  RaceForceX,   ///< what holds or loads a race, base frame [N, N m]
+  RaceForceY,
+  RaceForceZ,
+  RaceMomentX,
+  RaceMomentY,
+  RaceMomentZ
+};
+inline constexpr std::size_t kLooked = 12;
+
+struct Look {
+  /// In the order of the places in Snapshot: element, race (contacts); element, race, side
+  /// (flanges); element, then last halves, surface (pockets); segment, land. Empty: the scene has
+  /// no such effect, and what would be shown is 0.
+  std::array<std::vector<double>, kLooked> values;
+
+  [[nodiscard]] std::vector<double>& operator[](Looked what) noexcept {
+    return values[static_cast<std::size_t>(what)];
+  }
+  [[nodiscard]] const std::vector<double>& operator[](Looked what) const noexcept {
+    return values[static_cast<std::size_t>(what)];
+  }
+};
+
+}  // namespace adore::scene

@@ -1,0 +1,404 @@
+#include "desktop/chart_scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// Which curves of a panel lie on another one, where, and what is said of it.
+namespace adore::desktop {
+namespace {
+
+/// Which points of `line` lie on the way of `other`: within `same` of where that passes a pixel to
+/// either side. Both go to the right. With `stop` the first one that does not is the last.
+std::vector<bool> points_on(const QPolygonF& line, const QPolygonF& other, qreal same,
+                            bool stop = false) {
+  const auto height = [&other](qsizetype i, qreal x) {  // of the stroke that ends at point i
+    const QPointF &a = other[i - 1], &b = other[i];
+    return b.x() > a.x() ? a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()) : b.y();
+  };
+  const auto on_a_stroke = [&other](qsizetype i) { return i > 0 && i < other.size(); };
+  std::vector<bool> out;
+  out.reserve(static_cast<std::size_t>(line.size()));
+  qsizetype first = 0;
+  for (const QPointF& p : line) {
+    const qreal left = p.x() - 1.0, right = p.x() + 1.0;
+    while (first < other.size() && other[first].x() < left) ++first;
+    Extent passed;
+    if (on_a_stroke(first)) passed.include(height(first, left));
+    qsizetype last = first;
+    for (; last < other.size() && other[last].x() <= right; ++last) passed.include(other[last].y());
+    if (on_a_stroke(last)) passed.include(height(last, right));
+    out.push_back(!passed.empty() && p.y() >= passed.low - same && p.y() <= passed.high + same);
+    if (stop && !out.back()) return out;
+  }
+  return out;
+}
+
+bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
+  const std::vector<bool> on = points_on(line, other, same, true);
+  return on.empty() || on.back();
+}
+
+/// Lowest and highest place of each line.
+std::vector<Extent> extents_of(const std::vector<QPolygonF>& lines) {
+  std::vector<Extent> out(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const QPointF& p : lines[i]) out[i].include(p.y());
+  return out;
+}
+
+/// Is nothing to be seen of the lines `a` beside the lines `b`, nor of `b` beside `a`? Curves that
+/// run to and fro within the same bounds cover each other, whatever their values are.
+bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
+  const std::vector<QPolygonF>&a = one.lines, &b = other.lines;
+  if (a.empty() || a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)  // soon decided
+    if (std::abs(one.extents[i].low - other.extents[i].low) > same ||
+        std::abs(one.extents[i].high - other.extents[i].high) > same)
+      return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i].front().x() - b[i].front().x()) > 1.0 ||
+        std::abs(a[i].back().x() - b[i].back().x()) > 1.0 || !lies_on(a[i], b[i], same) ||
+        !lies_on(b[i], a[i], same))
+      return false;
+  }
+  return true;
+}
+
+/// Does every part of a curve lie on another one?
+bool within(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
+  return !one.lines.empty() &&
+         std::all_of(one.lines.begin(), one.lines.end(), [&](const QPolygonF& line) {
+           return std::any_of(other.lines.begin(), other.lines.end(), [&](const QPolygonF& cover) {
+             return cover.front().x() <= line.front().x() + 1.0 &&
+                    cover.back().x() >= line.back().x() - 1.0 && lies_on(line, cover, same);
+           });
+         });
+}
+
+/// Is nothing to be seen of a curve with gaps below one drawn later, over at least half of that?
+bool covered(const ChartScene::ShownCurve& below, const ChartScene::ShownCurve& above, qreal same) {
+  const auto width = [](const QPolygonF& line) { return line.back().x() - line.front().x(); };
+  qreal all = 0.0, hidden = 0.0;
+  for (const QPolygonF& line : above.lines) all += width(line);
+  for (const QPolygonF& line : below.lines) hidden += width(line);
+  if (!(hidden > 0.0) || hidden < 0.5 * all) return false;
+  return within(below, above, same);
+}
+
+/// Do curves and their bands agree from place `from` to before `to`, by what `same` says of two
+/// values, wherever both have one?
+struct Agreement {
+  bool agree = true;
+  bool gaps = false;  ///< a value of one beside none of the other
+};
+template <class Same>
+Agreement agreement(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                    Same same) {
+  Agreement out;
+  for (const auto values : {&ChartCurve::y, &ChartCurve::low, &ChartCurve::high}) {
+    const std::vector<double>&p = a.*values, &q = b.*values;
+    if (p.size() != q.size()) return {false, false};
+    for (std::size_t i = from; i < std::min(to, p.size()); ++i) {
+      if (std::isnan(p[i]) || std::isnan(q[i]))
+        out.gaps = out.gaps || std::isnan(p[i]) != std::isnan(q[i]);
+      else if (!same(p[i], q[i]))
+        return {false, out.gaps};
+    }
+  }
+  return out;
+}
+
+/// When two values are the same for a picture: where a stretch begins, and while it goes on. With
+/// one bound for both what lies near it would be cut to pieces, others in every size of a picture.
+template <class Begins, class Goes>
+struct Sameness {
+  Begins begins;
+  Goes goes_on;
+};
+
+/// Places from `from` to before `to` where the curves agree by what `same` says of two values: each
+/// the first and the last of a stretch. A place where one has no value ends none.
+struct Stretches {
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  bool differ = false;  ///< somewhere
+};
+template <class Same>
+Stretches stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                       Same same) {
+  Stretches out;
+  bool open = false;
+  for (std::size_t i = from; i < std::min({to, a.y.size(), b.y.size()}); ++i) {
+    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i])) continue;
+    if (open ? !same.goes_on(a.y[i], b.y[i]) : !same.begins(a.y[i], b.y[i])) {
+      out.differ = true;
+      open = false;
+      continue;
+    }
+    if (!open) out.places.emplace_back(i, i);
+    out.places.back().second = i;
+    open = true;
+  }
+  return out;
+}
+
+/// The same of very many values: a look at some thousand of them finds where they differ, and only
+/// what lies between two of those and is `long_enough` is looked at whole. No stretch that is
+/// `long_enough` is missed, for every value of it agrees.
+template <class Same, class Long>
+Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t from,
+                            std::size_t to, Same same, Long long_enough) {
+  constexpr std::size_t kLooks = 4096;
+  to = std::min({to, a.y.size(), b.y.size()});
+  const std::size_t step = to > from ? (to - from) / kLooks : 0;
+  if (step < 2) return stretches_of(a, b, from, to, same);
+  Stretches out;
+  const auto look_between = [&](std::size_t first, std::size_t end) {
+    if (!(first < end) || !long_enough(first, end - 1)) return;
+    const Stretches found = stretches_of(a, b, first, end, same);
+    out.differ = out.differ || found.differ;
+    out.places.insert(out.places.end(), found.places.begin(), found.places.end());
+  };
+  std::size_t begun = from;
+  for (std::size_t i = from; i < to; i += step) {
+    if (!is_drawable(a.y[i]) || !is_drawable(b.y[i]) || same.goes_on(a.y[i], b.y[i])) continue;
+    out.differ = true;
+    look_between(begun, i);
+    begun = i + 1;
+  }
+  look_between(begun, to);
+  return out;
+}
+
+/// How far over the picture one of two curves has values where the other has none, by where
+/// `place` draws the i-th value of `from` to before `to`.
+template <class Place>
+qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                  Place place) {
+  to = std::min({to, a.y.size(), b.y.size()});
+  qreal out = 0.0;
+  for (std::size_t i = from; i < to; ++i)
+    if (is_drawable(a.y[i]) != is_drawable(b.y[i]))
+      out += 0.5 * (place(std::min(i + 1, to - 1)) - place(std::max(i, from + 1) - 1));
+  return out;
+}
+
+/// Shorter stretches are crossings, or are not seen; so little of a picture's width is not told.
+constexpr qreal kLeast = 24.0, kWorthSaying = 0.05;
+
+/// Stretches of two curves without the places where only the upper one has values, as far as these
+/// are seen: nothing is below it there.
+template <class Place>
+std::vector<std::pair<std::size_t, std::size_t>> without_gaps(
+    const std::vector<std::pair<std::size_t, std::size_t>>& places, const ChartCurve& lower,
+    const ChartCurve& upper, Place place) {
+  constexpr qreal kSeen = 4.0;
+  std::vector<std::pair<std::size_t, std::size_t>> out;
+  for (const auto& [first, last] : places) {
+    std::size_t begun = first, known = first;  // where both have values
+    for (std::size_t i = first; i <= last; ++i) {
+      if (!is_drawable(lower.y[i]) || !is_drawable(upper.y[i])) continue;
+      bool bare = false;
+      for (std::size_t k = known + 1; k < i && !bare; ++k) bare = is_drawable(upper.y[k]);
+      if (bare && place(i) - place(known) > kSeen) {
+        out.emplace_back(begun, known);
+        begun = i;
+      }
+      known = i;
+    }
+    out.emplace_back(begun, last);
+  }
+  return out;
+}
+
+/// Parts of a picture across which a curve lies on another one, as lines are seen; and does all of
+/// it?
+std::pair<std::vector<std::pair<qreal, qreal>>, bool> common_ways(
+    const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
+  constexpr qreal kColumn = 1.5;  // as below, of thinned lines
+  std::vector<std::pair<qreal, qreal>> out;
+  bool all = true;
+  for (const QPolygonF& line : one.lines) {
+    std::vector<bool> on(static_cast<std::size_t>(line.size()), false);
+    for (const QPolygonF& way : other.lines) {
+      const std::vector<bool> here = points_on(line, way, same);
+      for (std::size_t i = 0; i < on.size(); ++i) on[i] = on[i] || here[i];
+    }
+    for (std::size_t i = 0; i < on.size();) {
+      if (!on[i]) {
+        all = false;
+        ++i;
+        continue;
+      }
+      const std::size_t first = i;
+      while (i < on.size() && on[i]) ++i;
+      const qreal left = line[static_cast<qsizetype>(first)].x() + kColumn,
+                  right = line[static_cast<qsizetype>(i) - 1].x() - kColumn;
+      if (right - left >= kLeast) out.emplace_back(left, right);
+    }
+  }
+  return {std::move(out), all};
+}
+
+/// To the digits of a file.
+bool equal_values(double p, double q) {
+  constexpr double kDigits = 1e-6;
+  return std::abs(p - q) <= kDigits * std::max(std::abs(p), std::abs(q));
+}
+
+}  // namespace
+
+std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, const QRectF& area,
+                                                            const AxisScale& y_axis,
+                                                            const Metrics& m) {
+  const ChartPanel& panel = page_.panels[index];
+  std::vector<ShownCurve> out;
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    const ChartCurve& curve = panel.curves[c];
+    if (curve.hidden) continue;
+    ShownCurve shown{.curve = c, .colour = panel.one_colour ? 0 : static_cast<int>(c)};
+    std::vector<double> positive;
+    if (panel.log) {
+      positive = curve.y;
+      for (double& value : positive)
+        if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
+    }
+    const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c].y;
+    const std::vector<double>& y = panel.log ? positive : curve.y;
+    const int columns = static_cast<int>(area.width());
+    if (page_.log_x) {  // columns of pixels are equal parts of a decade
+      shown.pieces = drawable_pieces(decades_, y, std::log10(low_), std::log10(high_), columns,
+                                     panel.wraps, blocks);
+      for (Polyline& piece : shown.pieces)
+        for (double& x : piece.x) x = std::pow(10.0, x);
+    } else {
+      shown.pieces = drawable_pieces(page_.x, y, low_, high_, columns, panel.wraps, blocks);
+    }
+    for (const Polyline& piece : shown.pieces)
+      shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
+    shown.extents = extents_of(shown.lines);
+    const bool compared = rising_ && !panel.one_colour;
+    const qreal same = m.line;  // two lines no farther apart cover each other in part
+    // Bands that curves fill by running to and fro have no values to compare: their edges are.
+    const qreal edges = std::min(same, area.height() / 300.0);
+    const auto hide = [&](ShownCurve& before) {
+      shown.hides = before.curve;
+      tellAlike(index, before.curve, shown, area, y_axis, same);
+      shown.later = ++before.later;
+    };
+    for (ShownCurve& before : out) {
+      if (!compared || before.hides || !coincide(before, shown, edges)) continue;
+      hide(before);
+      break;
+    }
+    for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
+      if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis, same)) break;
+    for (ShownCurve& before : out) {
+      // A later curve that is on the earlier one wherever that is, hides it there; where it goes
+      // ways of its own it is whole.
+      if (!compared || shown.hides || before.hides ||
+          !(covered(before, shown, edges) ||
+            (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
+             shown.lines.size() > 1 && within(shown, before, edges))))
+        continue;
+      const auto [over, all] = common_ways(shown, before, edges);
+      if (!all && over.empty()) continue;
+      hide(before);
+      if (all) break;
+      shown.over = over;
+      shown.partly = true;
+      break;
+    }
+    out.push_back(std::move(shown));
+  }
+  return out;
+}
+
+bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown,
+                               const QRectF& area, const AxisScale& y_axis, qreal same) const {
+  const ChartPanel& panel = page_.panels[index];
+  const auto [from, to] = places_between(page_.x, low_, high_);
+  // Lines side by side do not cover each other: one over paper would look like a broken line.
+  constexpr double kBegins = 0.3, kGoesOn = 0.6;  // of a line's width
+  const double line = same / area.height() * (y_axis.max - y_axis.min) * std::abs(y_axis.factor);
+  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const ChartCurve &one = panel.curves[before.curve], &other = panel.curves[shown.curve];
+  const auto place = [&](std::size_t i) {
+    return area.left() +
+           (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+  };
+  const auto long_enough = [&](std::size_t first, std::size_t last) {
+    return place(last) - place(first) >= kLeast;
+  };
+  // Lines of spectra are near 0, and so near each other, almost everywhere.
+  const bool spectra = page_.x_unit == "Hz";
+  const auto within_of_line = [&](double part) {
+    return [=](double p, double q) {
+      const double seen = part * line;
+      return std::abs(p - q) <= seen &&
+             (!spectra || std::max(std::abs(p), std::abs(q)) > line || equal_values(p, q));
+    };
+  };
+  const Sameness alike{within_of_line(kBegins), within_of_line(kGoesOn)};
+  const Stretches found = long_stretches_of(one, other, from, to, alike, long_enough);
+  bool equal = true;
+  std::vector<std::pair<qreal, qreal>> over;
+  const qreal gaps = found.places.empty() ? 0.0 : unlike_gaps(one, other, from, to, place);
+  const auto places = gaps > kLeast ? without_gaps(found.places, one, other, place) : found.places;
+  for (const auto& [first, last] : places) {
+    if (!long_enough(first, last)) continue;
+    // Lines are thinned to columns of pixels: within one of an end they may be on their way to what
+    // differs behind it.
+    constexpr qreal kColumn = 1.5;
+    over.emplace_back(place(first) + kColumn, place(last) - kColumn);
+    for (std::size_t i = first; equal && i <= last; ++i)
+      equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
+              equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
+  }
+  qreal all = 0.0;
+  for (const auto& [first, last] : over) all += last - first;
+  if (all < std::max(kLeast, kWorthSaying * area.width())) return false;
+  shown.hides = before.curve;
+  shown.later = ++before.later;
+  shown.over = std::move(over);
+  shown.partly = found.differ || gaps > kLeast;
+  shown.alike = equal ? Alike::Equal : Alike::Near;
+  return true;
+}
+
+void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, const QRectF& area,
+                           const AxisScale& y_axis, qreal same) {
+  const ChartPanel& panel = page_.panels[index];
+  const ChartCurve &one = panel.curves[a], &other = panel.curves[shown.curve];
+  const auto [known, unknown] = equal_runs_.try_emplace({index, a, shown.curve}, false);
+  // What is 0 but for rounding is 0.
+  const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
+  const auto equal = [nothing](double p, double q) {
+    return equal_values(p, q) || std::abs(p - q) <= nothing;
+  };
+  if (unknown) {
+    const Agreement whole = agreement(one, other, 0, page_.x.size(), equal);
+    known->second = whole.agree && !whole.gaps;
+  }
+  shown.alike = Alike::Equal;
+  if (known->second) return;
+  const auto [from, to] = places_between(page_.x, low_, high_);
+  const double seen = same / area.height() * (y_axis.max - y_axis.min);
+  const auto near = [&](double p, double q) {
+    const bool p_shown = !panel.log || p > 0.0, q_shown = !panel.log || q > 0.0;
+    return p_shown && q_shown ? std::abs(y_axis.shown(p) - y_axis.shown(q)) <= seen
+                              : p_shown == q_shown;
+  };
+  const Agreement seen_alike = agreement(one, other, from, to, near);
+  const auto place = [&](std::size_t i) {
+    return area.left() +
+           (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+  };
+  shown.partly =
+      seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
+  shown.alike = !seen_alike.agree                              ? Alike::Covers
+                : agreement(one, other, from, to, equal).agree ? Alike::Equal
+                                                               : Alike::Near;
+}
+
+}  // namespace adore::desktop

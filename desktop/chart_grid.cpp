@@ -1,0 +1,103 @@
+#include "desktop/chart_scene_parts.hpp"
+
+#include <QFontMetricsF>
+#include <QGraphicsItem>
+#include <QPainter>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+/// Frames of panels: the lines at their ticks. One item draws all of a panel's.
+namespace adore::desktop {
+namespace {
+
+class GridItem : public QGraphicsItem {
+ public:
+  GridItem(const QRectF& area, std::vector<qreal> across, std::vector<qreal> up, bool axis_up,
+           const Theme& theme)
+      : area_(area),
+        across_(std::move(across)),
+        up_(std::move(up)),
+        axis_up_(axis_up),
+        grid_(theme.grid, 1),
+        frame_(theme.frame, 1) {}
+  [[nodiscard]] QRectF boundingRect() const override {
+    return area_.adjusted(-kTick - 1.0, -1.0, 1.0, kTick + 1.0);
+  }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->setPen(grid_);
+    for (const qreal x : across_) painter->drawLine(QLineF(x, area_.top(), x, area_.bottom()));
+    for (const qreal y : up_) painter->drawLine(QLineF(area_.left(), y, area_.right(), y));
+    painter->setPen(frame_);
+    painter->drawLine(QLineF(area_.bottomLeft(), area_.bottomRight()));
+    for (const qreal x : across_)
+      painter->drawLine(QLineF(x, area_.bottom(), x, area_.bottom() + kTick));
+    if (!axis_up_) return;
+    painter->drawLine(QLineF(area_.topLeft(), area_.bottomLeft()));
+    for (const qreal y : up_) painter->drawLine(QLineF(area_.left() - kTick, y, area_.left(), y));
+  }
+
+ private:
+  static constexpr qreal kTick = 4.0;
+  QRectF area_;
+  std::vector<qreal> across_, up_;
+  bool axis_up_;
+  QPen grid_, frame_;
+};
+
+/// Where the ticks of an axis of so many pixels stand along it.
+std::vector<qreal> places(const std::vector<AxisTick>& ticks, const AxisScale& axis, qreal length) {
+  std::vector<qreal> out;
+  for (const AxisTick& tick : ticks)
+    out.push_back(std::clamp((tick.at - axis.min) / (axis.max - axis.min), 0.0, 1.0) * length);
+  return out;
+}
+
+}  // namespace
+
+void ChartScene::addFrame(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
+                          const QString& x_title, const QString& y_title, bool x_labels,
+                          bool y_labels, const Metrics& m) {
+  lines_.push_back(0);
+  if (page_.schematic) return;
+  const std::vector<AxisTick> x_ticks = axis_ticks(x_scale),
+                              y_ticks = y_labels ? axis_ticks(y_scale) : std::vector<AxisTick>();
+  std::vector<qreal> across = places(x_ticks, x_scale, area.width()),
+                     up = places(y_ticks, y_scale, area.height());
+  for (qreal& x : across) x += area.left();
+  for (qreal& y : up) y = area.bottom() - y;
+  addItem(new GridItem(area, std::move(across), std::move(up), y_labels, *theme_));
+  addLabels(area, x_scale, y_scale, x_title, y_title, x_labels ? x_ticks : std::vector<AxisTick>(),
+            y_ticks, m);
+}
+
+void ChartScene::addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
+                             const Metrics& m) {
+  constexpr qreal kAside = 14.0, kEnd = 4.0, kLongest = 110.0;
+  const double span = (y_axis.max - y_axis.min) * y_axis.factor;
+  // No longer than the highest of the lines is.
+  double highest = 0.0;
+  for (const ChartCurve& curve : panel.curves)
+    for (std::size_t i = 0; i < curve.y.size(); ++i)
+      if (is_drawable(curve.y[i])) highest = std::max(highest, curve.value(i) - curve.foot);
+  double value = nice_step(span, std::max(2, static_cast<int>(area.height() / kLongest)));
+  if (highest > 0.0) value = std::min(value, nice_step(highest, 1));
+  const qreal length = value / span * area.height(), x = area.left() - kAside,
+              top = area.bottom() - length;
+  const QPen pen(theme_->text, 1.4);
+  addLine(QLineF(x, area.bottom(), x, top), pen);
+  for (const qreal y : {area.bottom(), top}) addLine(QLineF(x - kEnd, y, x + kEnd, y), pen);
+  const QFont font = ui_font(m.tick_font);
+  const QFontMetricsF metrics(font);
+  const QString text = text_of(pretty_quantity(value, panel.unit, 3))
+                           .replace(QRegularExpression("^1 of largest$"), tr("the largest"));
+  auto* name = addSimpleText(text, font);
+  name->setBrush(theme_->text);
+  name->setRotation(-90);
+  // Beside its middle, not below the panel.
+  name->setPos(
+      x - kEnd - metrics.height() - 2.0,
+      std::min(area.bottom() - 0.5 * (length - metrics.horizontalAdvance(text)), area.bottom()));
+}
+
+}  // namespace adore::desktop

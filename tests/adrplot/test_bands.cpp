@@ -1,0 +1,192 @@
+#include "adrplot/plot_document.hpp"
+#include "core/results/synthetic.hpp"
+#include "desktop/chart_scene.hpp"
+#include "desktop/chart_view.hpp"
+#include "results/full_precision.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_writer.hpp"
+#include "support/qt_app.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+/// Extremes between stored steps on the pages of AdrPlot.
+using namespace adore;
+using namespace adore::adrplot;
+using namespace adore::testing;
+using Catch::Contains;
+using results::UnitSystem;
+
+namespace {
+
+constexpr long kEvery = 10, kLast = 100;
+
+/// A tenth of it is stored: a fast wave about the values of the synthetic run.
+double wave(long step) { return 1.0 + 0.5 * std::sin(2.0 * static_cast<double>(step)); }
+
+scene::Snapshot at(const bearing::Bearing& bearing, long step) {
+  scene::Snapshot out = make_snapshot(bearing, step);
+  for (auto& element : out.elements) {
+    for (auto& race : element.race) race.heat *= wave(step);
+    for (auto& pocket : element.pocket) pocket.force = 20.0 * wave(step);
+  }
+  for (auto& cage : out.cages)
+    for (auto& land : cage.lands) land.force = 7.0 * wave(step);
+  return out;
+}
+
+/// SOL1 of element 2 and SOL4 of the cage, and RESULTS.h5 with what the steps in between had.
+void write_run(const TemporaryFolder& folder, UnitSystem units) {
+  const bearing::Bearing bearing = make_bearing();
+  results::ChannelRecorder recorder(bearing, units, channel_table());
+  std::vector<results::SolWriter> files;
+  for (const auto& [name, index] : {std::pair{"SOL1", 2}, {"SOL4", 4}})
+    files.push_back(results::SolWriter::create(
+        folder / name, results::make_sol_header(bearing, index, units), units));
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  results::StepBand band;
+  for (long step = 0; step <= kLast; ++step) {
+    const bool stored = step % kEvery == 0;
+    const auto& record = recorder.record(at(bearing, step), &band);
+    if (!stored) continue;
+    for (auto& file : files) file.write(record);
+    h5.write(record);
+    band.clear();
+  }
+  h5.close();
+}
+
+int page_named(const PlotDocument& document, const std::string& title) {
+  for (std::size_t i = 0; i < document.pages.size(); ++i)
+    if (document.pages[i].title.starts_with(title)) return static_cast<int>(i + 1);
+  FAIL("no page " << title);
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("pages of pockets, lands and heat draw the extremes between stored steps",
+          "[unit][adrplot][step-band]") {
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    TemporaryFolder folder;
+    write_run(folder, units);
+    struct Case {
+      const char *file, *page, *known, *unknown;
+    };
+    for (const Case& of :
+         {Case{"SOL4", "Pocket 2 interaction", "Normal force", "\"Gap\" and \"Contact angle\""},
+          Case{"SOL4", "Cage to race interaction, land 1", "Normal force",
+               "\"Gap\" and \"Contact angle\""},
+          Case{"SOL1", "Race interactions 3", "Heat generation", "\"Contact temp. rise\""}}) {
+      INFO(of.file << ", " << of.page << ", " << (units == UnitSystem::SI ? "SI" : "English"));
+      const PlotDocument document = open_document(folder / of.file);
+      const desktop::ChartPage page = document.build(page_named(document, of.page), {});
+      CHECK_THAT(page.note, Contains("Pale areas reach from the lowest to the highest value"));
+      CHECK_THAT(page.note, Contains(std::string("peaks of ")));
+      CHECK_THAT(page.note, Contains(of.unknown));
+      CHECK_THAT(page.note, !Contains(std::string("\"") + of.known));
+      const desktop::ChartPanel& panel = page.panels.front();
+      CHECK(panel.title == of.known);
+      for (const desktop::ChartCurve& curve : panel.curves) {
+        REQUIRE(curve.high.size() == static_cast<std::size_t>(kLast / kEvery + 1));
+        REQUIRE(curve.low.size() == curve.high.size());
+        for (std::size_t i = 1; i < curve.high.size(); ++i) {
+          const long step = static_cast<long>(i) * kEvery;
+          double low = 1e300, high = 0.0;
+          for (long k = step - kEvery + 1; k <= step; ++k) {
+            low = std::min(low, wave(k));
+            high = std::max(high, wave(k));
+          }
+          const double mean = curve.y[i] / wave(step);  // of the wave, in the file's unit
+          CHECK(curve.low[i] == Approx(low * mean).epsilon(1e-9));
+          CHECK(curve.high[i] == Approx(high * mean).epsilon(1e-9));
+          CHECK(curve.low[i] <= curve.y[i]);
+          CHECK(curve.high[i] >= curve.y[i]);
+        }
+        CHECK(curve.high[0] == curve.low[0]);
+      }
+    }
+  }
+}
+
+TEST_CASE("a page without extremes says that peaks are not in the file",
+          "[unit][adrplot][step-band]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI);
+  const PlotDocument document = open_document(folder / "SOL1");
+  const desktop::ChartPage page = document.build(page_named(document, "Race interactions 2"), {});
+  for (const auto& panel : page.panels)
+    for (const auto& curve : panel.curves) CHECK(curve.high.empty());
+  CHECK_THAT(page.note, Contains("is stored: peaks between stored steps are not in the file.") &&
+                            !Contains("Pale"));
+}
+
+TEST_CASE("bands of a range that passes over stored steps hold those, too",
+          "[unit][adrplot][step-band]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI);
+  results::SolRange range;
+  range.every = 5;
+  const PlotDocument document = open_document(folder / "SOL4", range);
+  const desktop::ChartPage page = document.build(page_named(document, "Pocket 1"), {});
+  const desktop::ChartCurve& force = page.panels.front().curves.front();
+  REQUIRE(force.high.size() == 3);  // steps 0, 50, 100
+  double high = 0.0, low = 1e300;
+  for (long k = 51; k <= 100; ++k) {
+    high = std::max(high, 20.0 * wave(k));
+    low = std::min(low, 20.0 * wave(k));
+  }
+  CHECK(force.high[2] == Approx(high).epsilon(1e-9));
+  CHECK(force.low[2] == Approx(low).epsilon(1e-9));
+  CHECK_THAT(page.note, Contains("shorter peaks of \"Gap\" and \"Contact angle\" are left out"));
+}
+
+TEST_CASE("spectra are of stored values and a file of another run gives no bands",
+          "[unit][adrplot][step-band]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI);
+  const PlotDocument document = open_document(folder / "SOL4");
+  PageOptions options;
+  options.domain = Domain::Spectrum;
+  const desktop::ChartPage spectrum = document.build(page_named(document, "Pocket 1"), options);
+  for (const auto& panel : spectrum.panels)
+    for (const auto& curve : panel.curves) CHECK(curve.high.empty());
+
+  results::SolFile other = results::read_sol(folder / "SOL4");
+  other.header.run_id = "another run";
+  CHECK(results::bands_of(other, {0, 1, 2, 3, 4, 5}).empty());
+}
+
+TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {
+  test::use_qt();
+  desktop::ChartPage page;
+  page.title = "Pocket";
+  page.x_title = "Time";
+  page.x_unit = "s";
+  page.x = {0.0, 1.0, 2.0, 3.0};
+  desktop::ChartPanel panel{"Normal force", "N", {}};
+  desktop::ChartCurve with{"", {1.0, 2.0, 1.0, 3.0}, {}};
+  with.low = {1.0, 0.5, 0.25, 2.0};
+  with.high = {1.0, 17.6, 4.0, 9.0};
+  panel.curves = {with};
+  page.panels = {panel};
+  desktop::ChartView view;
+  view.resize(900, 500);
+  view.show();
+  view.showPage(page);
+  const desktop::ChartScene& scene = view.chartScene();
+  const auto told = [&](double x) {
+    return scene.readout({scene.positionOf(x), scene.plotAreas().front().center().y()});
+  };
+  CHECK_THAT(told(1.0).toStdString(), Contains("2 N (0.5 N to 17.6 N)"));
+  CHECK_THAT(told(0.0).toStdString(), !Contains(" to "));
+  view.setCursor(0, 1.0);
+  view.setCursor(1, 3.0);
+  // What was before A counts no more.
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 0.25 N to 9 N"));
+  view.setCursor(0, 0.0);
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 0.25 N to 17.6 N"));
+}

@@ -1,0 +1,110 @@
+#include "agore/agore_window.hpp"
+#include "agore/made_run.hpp"
+#include "agore/motion_picture.hpp"
+#include "agore/view_scene.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+/// A run that was killed, or still goes on: RESULTS.h5 ends before SOL8.
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+constexpr std::size_t kFrames = 31;
+
+/// SOL8 has all frames, RESULTS.h5 ends with the step `last`.
+void write_cut(const testing::TemporaryFolder& folder, long last) {
+  test::write_run(folder);
+  test::write_text(folder / "SOL8",
+                   test::sol8_text(results::MotionFile::open(folder / "RESULTS.h5").frames()));
+  std::filesystem::remove(folder / "RESULTS.h5");
+  test::write_run(folder, last);
+}
+
+}  // namespace
+
+TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said to be its own",
+          "[gui][h5]") {
+  test::use_qt();
+  for (const long last : {16L, 20L, 29L, 30L}) {
+    const testing::TemporaryFolder folder;
+    write_cut(folder, last);
+    const Animation a = open_motion(folder / "SOL8");
+    INFO("to step " << last << ": " << a.source << a.no_contacts);
+    REQUIRE(a.motion);
+    REQUIRE(a.frames() == kFrames);
+    const auto exact = static_cast<std::size_t>(last) + 1;
+    const std::string words = "from SOL8 alone from frame " + std::to_string(exact + 1) + " on";
+    CHECK((a.source.find(words) != std::string::npos) == (exact < kFrames));
+    const results::Sol8File sol8 = results::read_sol8(folder / "SOL8");
+    MotionPicture picture(a);
+    for (std::size_t i = 0; i < kFrames; ++i) {
+      const bool behind = i >= exact;
+      CHECK(a.behind(i) == behind);
+      CHECK((a.contacts_at(i) == nullptr) == behind);
+      CHECK(std::isnan(a.value("contact.load", i, 0)) == behind);
+      if (behind) CHECK(a.frame(i).elements[2].theta == sol8.frames[i].elements[2].theta);
+      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colours " + words) == behind);
+      ViewOptions options;
+      options.contacts = true;
+      for (const View view : {View::Bearing, View::Element, View::Section, View::Solid}) {
+        options.view = view;
+        const QString svg = QString::fromUtf8(picture.svg({900, 700}, i, options));
+        INFO(view_title(view) << ", frame " << i + 1);
+        CHECK(svg.contains(QString::fromStdString("loads: " + words)) == behind);
+        CHECK(svg.contains("from SOL8 alone   ·   frame") == behind);
+      }
+      if (i > 1 && i + 2 < exact) i = exact - 2;  // a few of them are enough
+    }
+  }
+}
+
+TEST_CASE("behind the end of RESULTS.h5 curves go on as SOL8 has them, or end", "[gui][h5]") {
+  const testing::TemporaryFolder folder;
+  write_cut(folder, 19);
+  const Animation a = open_motion(folder / "SOL8");
+  REQUIRE(a.frames() == kFrames);
+  const results::Sol8File sol8 = results::read_sol8(folder / "SOL8");
+  const auto goes_on = [&](const History& history, auto value) {
+    REQUIRE(history.time.size() == kFrames);
+    REQUIRE(history.value.size() == kFrames);
+    for (std::size_t i = 20; i < kFrames; ++i) {
+      CHECK(history.time[i] == sol8.frames[i].time);
+      CHECK(history.value[i] == Approx(value(sol8.frames[i])).epsilon(0.05));
+    }
+  };
+  goes_on(land_force(a, 1), [](const auto& frame) { return frame.land_force[1]; });
+  goes_on(pocket_force(a, 3), [](const auto& frame) { return frame.elements[3].pocket_force; });
+  goes_on(race_position(a, 1, 1), [](const auto& frame) { return frame.races[1].position[1]; });
+  const History load = contact_load(a, 2, 0);
+  REQUIRE(load.value.size() == kFrames);
+  for (std::size_t i = 0; i < kFrames; ++i) CHECK(std::isnan(load.value[i]) == (i >= 20));
+  ViewOptions options;
+  options.view = View::Section;
+  const desktop::ChartPage page = data_page(a, options);
+  REQUIRE(page.marks.size() == 1);
+  CHECK(page.marks[0].x == Approx(a.time[19]));
+  CHECK(page.x.back() == a.time.back());
+}
+
+TEST_CASE("behind the end of RESULTS.h5 a SOL8 cut anywhere gives whole frames alone", "[h5]") {
+  const testing::TemporaryFolder folder;
+  write_cut(folder, 25);
+  const std::string text = testing::read_bytes(folder / "SOL8");
+  const results::Sol8File whole = results::read_sol8(folder / "SOL8");
+  for (std::size_t less = 1; less < text.size() / 8; less += 37) {
+    test::write_text(folder / "SOL8", text.substr(0, text.size() - less));
+    const Animation a = open_motion(folder / "SOL8");
+    CAPTURE(less);
+    REQUIRE(a.frames() >= 26);
+    for (std::size_t i = 26; i < a.frames(); ++i) {
+      CHECK(a.frame(i).time == whole.frames[i].time);
+      CHECK(a.frame(i).races[1].angles == whole.frames[i].races[1].angles);
+    }
+  }
+}

@@ -1,0 +1,119 @@
+#include "results/channels.hpp"
+#include "results/step_band.hpp"
+#include "synthetic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace adore::results;
+using adore::scene::Look;
+using adore::scene::Looked;
+
+namespace {
+
+/// Two elements: outer and inner race of the first, then of the second.
+Look loads(std::vector<double> values) {
+  Look out;
+  out[Looked::ContactLoad] = std::move(values);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a band has the lowest, highest and mean value of its looks", "[unit][step-band]") {
+  constexpr Looked kLoad = Looked::ContactLoad;
+  StepBand band;
+  CHECK(band.empty());
+  band.look(loads({1.0, 3.0, 2.0, 4.0}));
+  band.look(loads({5.0, 3.0, 0.0, 1.0}));
+  band.look(loads({3.0, 3.0, 1.0, 1.0}));
+  CHECK(band.low(kLoad, 0) == 1.0);
+  CHECK(band.high(kLoad, 0) == 5.0);
+  CHECK(band.mean(kLoad, 0) == 3.0);
+  CHECK(band.low(kLoad, 2) == 0.0);
+  CHECK(band.high(kLoad, 1) == 3.0);
+  CHECK(band.low(kLoad, 1) == 3.0);
+  CHECK(band.mean(kLoad, 3) == 2.0);
+
+  std::map<std::string, double> master{{"average time", 1.0}};
+  band.save(master);
+  StepBand again;
+  again.restore(master);
+  for (StepBand* each : {&band, &again}) each->look(loads({9.0, 0.0, 9.0, 0.0}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(again.low(kLoad, i) == band.low(kLoad, i));
+    CHECK(again.high(kLoad, i) == band.high(kLoad, i));
+    CHECK(again.mean(kLoad, i) == band.mean(kLoad, i));
+  }
+  band.clear();
+  CHECK(band.empty());
+  band.look(loads({7.0, 7.0, 7.0, 7.0}));
+  CHECK(band.high(kLoad, 0) == 7.0);
+  CHECK(band.mean(kLoad, 3) == 7.0);
+  StepBand none;
+  none.restore({{"average time", 1.0}});
+  CHECK(none.empty());
+  none.restore({{"band looks", 5.0}});  // a damaged file
+  CHECK(none.empty());
+}
+
+TEST_CASE("what a scene lacks is 0, and what nobody looked at is no number", "[unit][step-band]") {
+  StepBand band;
+  band.look(loads({1.0, 2.0}));
+  const std::vector<double> land{0.0};
+  band.look(Looked::LandForce, land);
+  band.stored();
+  CHECK(band.high(Looked::LandForce, 0) == 0.0);
+  CHECK(std::isnan(band.low(Looked::FlangeForce, 0)));
+  CHECK(std::isnan(band.high(Looked::FlangeForce, 0)));
+  CHECK(std::isnan(band.mean(Looked::ContactLoad, 2)));
+  band.clear();
+  band.look(Looked::LandForce, std::vector<double>{3.0});
+  band.stored();
+  CHECK(band.low(Looked::LandForce, 0) == 3.0);
+}
+
+TEST_CASE("the mean of looks that are all alike is that value", "[unit][step-band]") {
+  StepBand band;
+  for (int k = 0; k < 10; ++k) band.look(loads({0.1}));
+  CHECK(band.mean(Looked::ContactLoad, 0) == 0.1);  // ten times 0.1 is less than 1
+}
+
+TEST_CASE("every channel that is looked at has its extremes and mean behind it, in its unit",
+          "[unit][step-band][output]") {
+  const auto all = channels();
+  for (std::size_t k = 0; k < adore::scene::kLooked; ++k) {
+    const std::string id(channel_of(static_cast<Looked>(k)));
+    INFO(id);
+    const std::size_t at = channel_index(id);
+    REQUIRE(at + 3 < all.size());
+    for (const auto& [place, suffix] :
+         {std::pair<std::size_t, const char*>{1, "_low"}, {2, "_high"}, {3, "_mean"}}) {
+      const Channel& channel = all[at + place];
+      CHECK(channel.id == id + suffix);
+      CHECK(channel.unit == all[at].unit);
+      CHECK(channel.per == all[at].per);
+      CHECK(channel.frame == all[at].frame);
+      CHECK_FALSE(channel.continuous);
+      CHECK_THAT(std::string(channel.help), Catch::Contains("since the step stored before"));
+    }
+  }
+}
+
+TEST_CASE("a record alone has bands without width", "[unit][step-band][output]") {
+  using namespace adore::testing;
+  const adore::bearing::Bearing bearing = make_bearing();
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
+  const StepRecord& record = recorder.record(make_snapshot(bearing, 7));
+  for (std::size_t k = 0; k < adore::scene::kLooked; ++k) {
+    const std::string id(channel_of(static_cast<Looked>(k)));
+    for (const char* suffix : {"_low", "_high", "_mean"}) {
+      INFO(id << suffix);
+      CHECK(record[id + suffix] == record[id]);
+    }
+  }
+}

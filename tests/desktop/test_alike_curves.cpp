@@ -1,0 +1,154 @@
+#include "desktop/chart_scene.hpp"
+#include "support/qt_app.hpp"
+
+#include <QGraphicsSimpleTextItem>
+#include <QImage>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+/// What is said and drawn of a curve that lies on another one.
+using namespace adore;
+using namespace adore::desktop;
+
+namespace {
+
+ChartPage page_of(std::vector<double> lower, std::vector<double> upper) {
+  ChartPage page;
+  page.title = "Two curves";
+  page.x_title = "Time";
+  page.x_unit = "s";
+  for (std::size_t i = 0; i < lower.size(); ++i) page.x.push_back(1e-3 * static_cast<double>(i));
+  page.panels = {
+      {"Load", "N", {{"outer race", std::move(lower), {}}, {"inner race", std::move(upper), {}}}}};
+  return page;
+}
+
+QString legend_of(const ChartScene& scene) {
+  QString out;
+  for (QGraphicsItem* item : scene.items())
+    if (auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item);
+        text != nullptr && text->text().startsWith("inner race"))
+      out = text->text();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("chart_scene: lines side by side are whole, in every size of a picture",
+          "[gui][desktop]") {
+  test::use_qt();
+  // A ramp, and the same a little higher over its second half: by parts of a line's width.
+  constexpr std::size_t kPoints = 900;
+  constexpr double kLine = 1.6;
+  for (const QSizeF size : {QSizeF(700, 450), QSizeF(1000, 620), QSizeF(1280, 800)})
+    for (const double lines : {0.1, 0.8, 1.0, 1.5, 3.0}) {
+      ChartScene scene;
+      scene.setPageSize(size);
+      std::vector<double> lower, upper;
+      for (std::size_t i = 0; i < kPoints; ++i) lower.push_back(static_cast<double>(i % 300));
+      scene.setPage(page_of(lower, lower));
+      const QRectF area = scene.plotAreas()[0];
+      const double pixel =
+          (scene.valueAt(0, area.top()) - scene.valueAt(0, area.bottom())) / area.height();
+      for (std::size_t i = 0; i < kPoints; ++i)
+        upper.push_back(lower[i] + (i < kPoints / 2 ? 30.0 : 0.0) * pixel +
+                        (i < kPoints / 2 ? 0.0 : lines * kLine * pixel));
+      scene.setPage(page_of(lower, upper));
+      INFO(size.width() << " wide, " << lines
+                        << " lines apart: " << legend_of(scene).toStdString());
+      CHECK(legend_of(scene).contains("≈") == (lines < 0.3));
+    }
+}
+
+TEST_CASE("chart_scene: what scatters about the bound is one stretch, not many", "[gui][desktop]") {
+  test::use_qt();
+  // As far apart as 0.2 to 0.5 of a line: a bound between the two would cut it all over.
+  constexpr std::size_t kPoints = 1200;
+  const auto lines_of = [&](double low, double high) {
+    ChartScene scene;
+    scene.setPageSize({1280, 800});
+    std::vector<double> lower(kPoints), upper(kPoints);
+    for (std::size_t i = 0; i < kPoints; ++i) lower[i] = static_cast<double>(i);
+    scene.setPage(page_of(lower, lower));
+    const QRectF area = scene.plotAreas()[0];
+    const double line =
+        1.6 * (scene.valueAt(0, area.top()) - scene.valueAt(0, area.bottom())) / area.height();
+    for (std::size_t i = 0; i < kPoints; ++i)
+      upper[i] = lower[i] + (i < kPoints / 2 ? 40.0 : i % 20 < 10 ? low : high) * line;
+    scene.setPage(page_of(lower, upper));
+    return legend_of(scene);
+  };
+  CHECK(lines_of(0.2, 0.5).contains("partly ≈"));
+  CHECK_FALSE(lines_of(0.5, 0.55).contains("≈"));  // nowhere near enough to begin
+  CHECK_FALSE(lines_of(0.2, 5.0).contains("≈"));   // crossings
+}
+
+TEST_CASE("chart_scene: a spike of a curve that lies on another one elsewhere is whole",
+          "[gui][desktop]") {
+  test::use_qt();
+  // 20,000 values, 30 of them a spike: many to a pixel, so that lines are thinned.
+  for (const QSize size : {QSize(700, 450), QSize(1280, 800)})
+    for (const std::size_t at : {7001UL, 9500UL, 12013UL, 15020UL}) {
+      std::vector<double> lower(20'000, 0.0), upper(20'000, 0.0);
+      for (std::size_t k = 0; k < 30; ++k)
+        upper[at + k] = 100.0 - 6.0 * std::abs(static_cast<double>(k) - 15.0);
+      upper[at - 1] = upper[at + 30] = 4.0;
+      ChartScene scene;
+      const Theme& colours = theme(ThemeKind::Light);
+      scene.setTheme(colours);
+      scene.setPageSize(size);
+      scene.setPage(page_of(lower, upper));
+      REQUIRE(legend_of(scene).contains("partly"));
+      const QImage image = scene.image(size);
+      const int x = static_cast<int>(scene.positionOf(1e-3 * static_cast<double>(at + 15)));
+      const int top = static_cast<int>(scene.heightOf(0, 95.0)),
+                bottom = static_cast<int>(scene.heightOf(0, 3.0));
+      int bare = 0;
+      for (int y = top; y <= bottom; ++y) {
+        bool ink = false;
+        for (int dx = -4; dx <= 4; ++dx) {
+          const QColor pixel = image.pixelColor(x + dx, y);
+          ink = ink || (pixel.red() > pixel.blue() + 80 && pixel.red() > 180);
+        }
+        bare += ink ? 0 : 1;
+      }
+      INFO(size.width() << " wide, spike at " << at);
+      CHECK(bare == 0);
+    }
+}
+
+TEST_CASE("chart_scene: a curve is whole where the one that it lies on has no values",
+          "[gui][desktop]") {
+  test::use_qt();
+  for (const std::size_t count : {300UL, 20'000UL}) {
+    std::vector<double> lower(count, 5.0), upper(count, 5.0);
+    lower[0] = upper[0] = 0.0;
+    for (std::size_t i = count / 3; i < 2 * count / 3; ++i)
+      lower[i] = std::numeric_limits<double>::quiet_NaN();
+    ChartScene scene;
+    scene.setTheme(theme(ThemeKind::Light));
+    scene.setPageSize({1280, 800});
+    const ChartPage page = page_of(lower, upper);
+    scene.setPage(page);
+    INFO(count << " values, " << legend_of(scene).toStdString());
+    REQUIRE(legend_of(scene).contains("partly = outer race"));
+    const QImage image = scene.image({1280, 800});
+    const int y = static_cast<int>(scene.heightOf(0, 5.0));
+    const int left = static_cast<int>(scene.positionOf(page.x[count / 3])) + 4,
+              right = static_cast<int>(scene.positionOf(page.x[2 * count / 3])) - 4;
+    int bare = 0;
+    for (int x = left; x <= right; ++x) {
+      bool ink = false;
+      for (int dy = -2; dy <= 2; ++dy) {
+        const QColor pixel = image.pixelColor(x, y + dy);
+        ink = ink || (pixel.red() > pixel.blue() + 80 && pixel.red() > 180);
+      }
+      bare += ink ? 0 : 1;
+    }
+    CHECK(bare == 0);
+  }
+}
