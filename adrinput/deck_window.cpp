@@ -13,6 +13,7 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
+#include "adrinput/sweep_range.hpp"
 #include "adrinput/time_scale.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "base/excerpt.hpp"
@@ -590,7 +591,7 @@ void DeckWindow::continueRun() {
   showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck(
-      [this] { run_->continueRun(document_.path(), document_.deck(), document_.options()); });
+      [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
 }
 
 void DeckWindow::askForSweep() {
@@ -600,19 +601,28 @@ void DeckWindow::askForSweep() {
   dialog->setObjectName("sweep");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Sweep"));
-  dialog->setLabelText(
-      tr("Variable, first and last value and number of runs, as in\n"
-         "appLoadZ=500:1500:5 (values in the deck's units):"));
-  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& range) {
-    if (range.count('=') != 1 || range.count(':') != 2)
-      return desktop::show_message(
-          this,
-          tr("%1 is no sweep: write variable=first:last:runs, such as appLoadZ=500:1500:5")
-              .arg(range),
-          true);
-    withSavedDeck([this, range] {
-      run_->sweep(document_.path(), document_.deck(), document_.options(), range);
-    });
+  const auto tell = [this, dialog](const QString& typed) {
+    QString told = tr("such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
+    try {
+      if (!typed.trimmed().isEmpty())
+        told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
+    } catch (const InputError&) {
+      const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
+      if (!unit.isEmpty()) told = tr("a number without a unit is in %1").arg(unit);
+    }
+    dialog->setLabelText(tr("Variable, first and last value and number of runs:\n%1").arg(told));
+  };
+  tell({});
+  connect(dialog, &QInputDialog::textValueChanged, this, tell);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& typed) {
+    try {
+      const QString range = QString::fromStdString(read_sweep(document_, typed.toStdString()).set);
+      withSavedDeck([this, range] {
+        run_->sweep(document_.path(), document_.deck(), document_.options(), range);
+      });
+    } catch (const InputError& error) {
+      desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    }
   });
   dialog->open();
 }

@@ -1,6 +1,7 @@
 #include "adrinput/accuracy_panel.hpp"
 #include "adrinput/catalogue_dialog.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/file_names.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
@@ -39,9 +40,7 @@ namespace {
 
 const QString kApp = "adrinput";
 
-QString whole_name(const std::filesystem::path& path) {
-  return QString::fromStdString(std::filesystem::absolute(path).string());
-}
+QString from(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
@@ -126,7 +125,9 @@ void DeckWindow::makeOtherMenus() {
   run->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
   run->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
                  &DeckWindow::runInNewFolder);
-  run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  QAction* go_on = run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  run->setToolTipsVisible(true);
+  connect(run, &QMenu::aboutToShow, this, [this, go_on] { run_->nameContinuation(*go_on); });
   run->addSeparator();
   run->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
   run->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this, &DeckWindow::studyAccuracy);
@@ -178,7 +179,7 @@ void DeckWindow::forgetResults(bool reread) {
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   try {
     // A name from where the program was started means nothing in its dialogs.
-    const std::filesystem::path file = std::filesystem::absolute(facade::deck_path(path));
+    const std::filesystem::path file = whole_path(facade::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
     forgetResults(reread);
@@ -292,7 +293,7 @@ void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()>
 bool DeckWindow::writeTo(const std::filesystem::path& path) {
   try {
     document_.save(path);
-    remember(path);
+    remember(document_.path());
     QString said = tr("Saved %1").arg(QString::fromStdString(path.string()));
     if (!document_.kept_copy().empty())
       said += tr("; the file as it was is kept as %1")
@@ -336,7 +337,7 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("txt");
-  dialog->selectFile(document_.path().empty() ? QString("DATA.txt") : whole_name(document_.path()));
+  dialog->selectFile(document_.path().empty() ? QString("DATA.txt") : from(document_.path()));
   connect(
       dialog, &QFileDialog::fileSelected, this,
       [this, then = std::move(then)](const QString& name) { saveTo(name.toStdString(), then); });
@@ -359,7 +360,7 @@ void DeckWindow::parkDraft() {
                : std::filesystem::path(document_.path()).replace_extension("draft");
   dialog->selectFile(document_.path().empty() && document_.draft().empty()
                          ? QString::fromStdString(name.string())
-                         : whole_name(name));
+                         : from(name));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());
@@ -388,9 +389,12 @@ void DeckWindow::saveAndExit() {
 void DeckWindow::leaveDeck(std::function<void()> then) {
   document_.end_step();
   if (!document_.modified()) return then();
-  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("The deck has changes that are not saved. Save them?"),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  auto* box = new QMessageBox(
+      QMessageBox::Warning, "AdrInput",
+      tr("%1 has changes that are not saved. Save them?")
+          .arg(document_.path().empty() ? tr("The new deck")
+                                        : QString::fromStdString(short_name(document_.path()))),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setDefaultButton(QMessageBox::Save);

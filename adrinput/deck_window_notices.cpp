@@ -1,5 +1,6 @@
 #include "adrinput/compare_dialog.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/file_names.hpp"
 #include "adrinput/file_watch.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/notice_bar.hpp"
@@ -19,6 +20,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSettings>
+#include <QStatusBar>
 
 #include <algorithm>
 #include <exception>
@@ -168,7 +170,7 @@ void DeckWindow::checkFile() {
   const std::filesystem::path path = document_.path();
   std::error_code error;
   if (path.empty()) return;
-  const QString name = QString::fromStdString(path.filename().string());
+  const QString name = QString::fromStdString(short_name(path));
   if (!std::filesystem::exists(path, error)) {
     file_notice_->ask(
         tr("%1 was removed or renamed by another program. Saving writes it again.").arg(name),
@@ -193,7 +195,12 @@ void DeckWindow::checkFile() {
 void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> then) {
   leaveDeck([this, bytes, then = std::move(then)] {
     try {
+      const std::filesystem::path before = document_.path();
       const std::string page = document_.restore(bytes);
+      if (!before.empty() && before != document_.path())
+        statusBar()->showMessage(tr("%1, which was open here, is closed")
+                                     .arg(QString::fromStdString(short_name(before))),
+                                 8000);
       forgetResults();
       checkNow();
       current_.clear();

@@ -60,13 +60,13 @@ class Document {
   /// A broken deck is taken as far as it can be understood: texts that are no values stay in their
   /// fields, and everything that the reader remarked is among the problems.
   /// @throws InputError when there is no such file or it is no text; the document stays as it was.
-  void open(const std::filesystem::path& path);
+  void open(const std::filesystem::path& name);
   /// Writes the deck when `adore check` accepts it and it reads back equal, in the text of the file
   /// that it was opened from with the file's own remarks (deck/keep_text.hpp). Where that text
   /// cannot be kept, the first save leaves the old file beside it as NAME.bak. Run options go into
   /// the ADORE.json beside it when they differ from what it says.
   /// @throws InputError with every reason against it; no file is touched then.
-  void save(const std::filesystem::path& path);
+  void save(const std::filesystem::path& name);
   /// Errors for which save() would refuse the deck whatever the file.
   [[nodiscard]] std::vector<Issue> errors();
   /// Where the last save() left the file that was there before; empty when it did not.
@@ -78,8 +78,9 @@ class Document {
   [[nodiscard]] const std::filesystem::path& draft() const { return draft_; }
 
   [[nodiscard]] const deck::Deck& deck() const { return state_.deck; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }  ///< empty: not named
-  [[nodiscard]] const std::string& original() const { return original_; }    ///< file as opened
+  /// A whole name, from wherever it was given; empty: not named.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::string& original() const { return original_; }  ///< file as opened
   [[nodiscard]] bool modified() const;
   /// Did another program change the file that this deck would replace?
   [[nodiscard]] bool changed_on_disk(const std::filesystem::path& path) const;
@@ -91,7 +92,7 @@ class Document {
   /// bytes for restore().
   [[nodiscard]] std::string snapshot(std::string_view page) const;
   /// Returns the page that was shown. @throws InputError when the bytes are no snapshot; the
-  /// document stays as it was.
+  /// document stays as it was. Bytes that hold no whole name make a deck without one.
   std::string restore(std::string_view bytes);
 
   /// Run options as the page shows them, those that differ from their defaults.

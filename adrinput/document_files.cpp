@@ -1,4 +1,5 @@
 #include "adrinput/document.hpp"
+#include "adrinput/file_names.hpp"
 #include "adrinput/typed.hpp"
 #include "base/atomic_file.hpp"
 #include "base/kept_copy.hpp"
@@ -116,7 +117,8 @@ void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) 
 
 }  // namespace
 
-void Document::open(const fs::path& path) {
+void Document::open(const fs::path& name) {
+  const fs::path path = whole_path(name);
   refuse_pipe(path);
   if (holds_draft(path)) {
     const std::string bytes = bytes_of(path);
@@ -200,7 +202,8 @@ std::vector<Issue> Document::errors() {
   return reasons;
 }
 
-void Document::save(const fs::path& path) {
+void Document::save(const fs::path& name) {
+  const fs::path path = whole_path(name);
   std::vector<Issue> reasons = errors();
   // The file's own text goes on, as far as it can; foreign letters as UTF-8.
   deck::KeptText kept{deck::write_deck(state_.deck), original_.empty(), {}};
@@ -251,7 +254,7 @@ void Document::save(const fs::path& path) {
 void Document::save_draft(const fs::path& path) {
   end_step();
   write_file_atomically(path, std::string(kDraftHead) + snapshot(""));
-  draft_ = path;
+  draft_ = whole_path(path);
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
   saved_options_ = state_.options;

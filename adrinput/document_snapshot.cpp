@@ -179,7 +179,9 @@ std::string Document::restore(std::string_view bytes) {
     for (const Json& item : json.at("issues")) issues.push_back(issue_in(item));
     auto original = json.at("original").get<std::string>();
     const bool kept = json.at("original_kept").get<bool>();
-    const std::filesystem::path path = json.at("path").get<std::string>();
+    // An earlier release kept names as they were typed: nobody knows from which folder.
+    std::filesystem::path path = json.at("path").get<std::string>();
+    if (path.is_relative()) path.clear();
     const bool has_options = json.at("has_option_file").get<bool>();
     auto option_text = json.at("option_file").get<std::string>();
     auto page = json.at("page").get<std::string>();

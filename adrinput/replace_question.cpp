@@ -1,5 +1,7 @@
 #include "adrinput/replace_question.hpp"
 
+#include "adrinput/file_names.hpp"
+
 #include <QAbstractButton>
 #include <QMessageBox>
 
@@ -13,7 +15,7 @@ void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
       QMessageBox::Warning, "AdrInput",
       QObject::tr("Another program changed %1 since it was opened here. Saving replaces what it "
                   "wrote.")
-          .arg(QString::fromStdString(file.string())),
+          .arg(QString::fromStdString(short_name(whole_path(file)))),
       QMessageBox::Save | QMessageBox::Cancel, parent);
   box->setObjectName("changed");
   box->setAttribute(Qt::WA_DeleteOnClose);

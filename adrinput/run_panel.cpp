@@ -19,7 +19,6 @@
 #include <QFileSystemWatcher>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -79,15 +78,6 @@ QString headline_of(const facade::RunOutcome& outcome) {
   return from("The run gave up: " + message + " The files are valid up to then. " + done);
 }
 
-/// The first folder "<stem>-001" and on that is not there yet.
-std::filesystem::path free_folder(const std::filesystem::path& beside, const std::string& stem) {
-  std::error_code ignored;
-  for (int number = 1;; ++number) {
-    const auto folder = beside / fmt::format("{}-{:03d}", stem, number);
-    if (!std::filesystem::exists(folder, ignored)) return folder;
-  }
-}
-
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 }  // namespace
@@ -127,7 +117,9 @@ RunPanel::RunPanel(QWidget* parent)
   more_->setPopupMode(QToolButton::InstantPopup);
   auto* ways = new QMenu(more_);
   ways->addAction(tr("Run into a &new folder"), this, &RunPanel::newFolderWanted);
-  ways->addAction(tr("&Continue the run"), this, &RunPanel::continueWanted);
+  QAction* go_on = ways->addAction(tr("&Continue the run"), this, &RunPanel::continueWanted);
+  ways->setToolTipsVisible(true);
+  connect(ways, &QMenu::aboutToShow, this, [this, go_on] { nameContinuation(*go_on); });
   ways->addAction(tr("&Sweep a variable …"), this, &RunPanel::sweepWanted);
   more_->setMenu(ways);
   first->addWidget(more_);
@@ -220,119 +212,6 @@ void RunPanel::watchResults() {
     if (!watched.contains(name)) watcher_->addPath(name);
 }
 
-void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
-                     const RunOptionValues& options) {
-  if (busy()) return;
-  if (file_ != file || !out_.empty()) own_report_.reset();
-  begin(file, deck, options);
-  launchRun(own_report_ && own_report_ == reportTime());
-}
-
-void RunPanel::begin(const std::filesystem::path& file, const deck::Deck& deck,
-                     const RunOptionValues& options) {
-  computed_ = deck;
-  another_ = false;
-  computed_options_ = options;
-  stale_ = false;
-  file_ = file;
-  out_.clear();
-}
-
-void RunPanel::startInNewFolder(const std::filesystem::path& file, const deck::Deck& deck,
-                                const RunOptionValues& options) {
-  if (busy()) return;
-  begin(file, deck, options);
-  out_ = free_folder(file.parent_path(), "run");
-  launchRun(false);
-}
-
-void RunPanel::continueRun(const std::filesystem::path& file, const deck::Deck& deck,
-                           const RunOptionValues& options) {
-  if (busy()) return;
-  begin(file, deck, options);
-  facade::RunRequest request;
-  request.deck = file_;
-  request.go_on = true;
-  launchRequest(std::move(request));
-}
-
-void RunPanel::sweep(const std::filesystem::path& file, const deck::Deck& deck,
-                     const RunOptionValues& options, const QString& range) {
-  if (busy()) return;
-  begin(file, deck, options);
-  out_ = free_folder(file.parent_path(), "sweep");
-  facade::RunRequest request;
-  request.deck = file_;
-  request.out = out_;
-  request.sets.emplace_back(range.section('=', 0, 0).trimmed().toStdString(),
-                            range.section('=', 1).trimmed().toStdString());
-  launchRequest(std::move(request));
-}
-
-std::filesystem::path RunPanel::resultFolder() const {
-  return out_.empty() ? file_.parent_path() : out_;
-}
-
-void RunPanel::launchRun(bool overwrite) {
-  facade::RunRequest request;
-  request.deck = file_;
-  if (!out_.empty()) request.out = out_;
-  request.overwrite = overwrite;
-  launchRequest(std::move(request));
-}
-
-void RunPanel::launchRequest(facade::RunRequest request) {
-  began_ = std::filesystem::file_time_type::clock::now();
-  stored_ = false;
-  view_->hide();
-  view_->clear();
-  bar_->setValue(0);
-  headline_ = request.go_on ? tr("Reading the state that the run goes on from …")
-                            : tr("Finding the equilibrium that the run starts from …");
-  showNote();
-  run_.start(std::move(request));
-  enableButtons();
-}
-
-std::optional<std::filesystem::file_time_type> RunPanel::reportTime() const {
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(resultFolder() / "RUN.json", error);
-  if (error) return {};
-  return time;
-}
-
-void RunPanel::askToReplace() {
-  auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
-                              tr("The folder of the deck holds results of an earlier run. Replace "
-                                 "them?"),
-                              QMessageBox::Cancel, this);
-  box->setObjectName("replace-results");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setDefaultButton(QMessageBox::Cancel);
-  const auto answer = [&](const QString& text, const char* name, QMessageBox::ButtonRole role) {
-    QPushButton* button = box->addButton(text, role);
-    button->setObjectName(name);
-    return button;
-  };
-  QPushButton* go_on = nullptr;
-  std::error_code ignored;
-  const std::string state = computed_.has_record("2.3") ? computed_.text("masName") : "MASTER";
-  if (std::filesystem::exists(resultFolder() / state, ignored))
-    go_on = answer(tr("C&ontinue the run"), "continue-instead", QMessageBox::ActionRole);
-  QPushButton* beside =
-      answer(tr("Run into a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
-  QPushButton* replace = answer(tr("&Replace them"), "replace-them", QMessageBox::DestructiveRole);
-  connect(box, &QMessageBox::buttonClicked, this,
-          [this, go_on, beside, replace](QAbstractButton* button) {
-            if (busy()) return;
-            if (button == replace) launchRun(true);
-            if (button == beside) startInNewFolder(file_, computed_, computed_options_);
-            if (go_on != nullptr && button == go_on)
-              continueRun(file_, computed_, computed_options_);
-          });
-  box->open();
-}
-
 void RunPanel::cancel() {
   run_.stop();
   cancel_->setEnabled(false);
@@ -365,18 +244,11 @@ void RunPanel::show(const facade::Progress& progress) {
 void RunPanel::show(const RunEnd& end) {
   if (end.outcome) {
     headline_ = headline_of(*end.outcome);
-    own_report_ = reportTime();
+    noteMade(end.outcome->status != facade::RunStatus::Interrupted);
     view_->setPlainText(report(*end.outcome));
     if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
   } else if (end.sweep) {
-    bar_->setValue(kBarSteps);
-    headline_ = end.sweep->exit_code == 0
-                    ? tr("The sweep is done.")
-                    : tr("The sweep is over; some of its runs have no result.");
-    QString text = tr("Table: %1\n").arg(from(end.sweep->table.string()));
-    for (const Issue& issue : end.sweep->warnings)
-      text += from(in_window_words(issue.text())) + "\n";
-    view_->setPlainText(text);
+    showSweep(*end.sweep);
   } else {
     const QString reason = from(in_window_words(end.reason));
     // Progress is told now and then only: a short run may have stored steps before.

@@ -10,8 +10,11 @@
 #include <QWidget>
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <vector>
 
+class QAction;
 class QCheckBox;
 class QFileSystemWatcher;
 class QLabel;
@@ -34,16 +37,23 @@ class RunPanel : public QWidget {
   Launch launch;
 
   /// Runs the deck file, whose content is `deck`, with the ADORE.json beside it, which holds
-  /// `options`. Results go there too, in place of those that this panel computed before; others are
-  /// replaced only after a question (a box named "replace-results").
+  /// `options`. Results go there too, in place of those that this panel computed of the same deck;
+  /// others are replaced only after a question (a box named "replace-results", decision 748).
   void start(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
   /// The same into a folder of its own below the deck's, "run-001" and on.
   void startInNewFolder(const std::filesystem::path& file, const deck::Deck& deck,
                         const RunOptionValues& options);
-  /// Goes on with the run whose MASTER and FINAL stand beside the deck, up to its end.
+  /// Goes on up to its end with the run whose MASTER and FINAL stand in `folder`; empty: beside the
+  /// deck.
   void continueRun(const std::filesystem::path& file, const deck::Deck& deck,
+                   const RunOptionValues& options, const std::filesystem::path& folder = {});
+  /// Goes on with the run or sweep that this panel made last; where others were broken off, too, or
+  /// it made none and several were, asks which (a dialog named "continue-which").
+  void continueAny(const std::filesystem::path& file, const deck::Deck& deck,
                    const RunOptionValues& options);
+  /// Says in an action what continueAny() would go on with for the deck in the form.
+  void nameContinuation(QAction& action) const;
   /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
@@ -74,12 +84,28 @@ class RunPanel : public QWidget {
   void show(const facade::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
+  void showSweep(const facade::SweepOutcome& sweep);
   void begin(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
   void launchRun(bool overwrite);
   void launchRequest(facade::RunRequest request);
   [[nodiscard]] std::filesystem::path resultFolder() const;
   void askToReplace();
+  /// A run or a sweep that can go on.
+  struct Way {
+    std::filesystem::path folder;
+    QString state;  ///< what is said of it where there is a choice
+    bool sweep = false;
+  };
+  [[nodiscard]] std::vector<Way> waysToGoOn(const std::filesystem::path& file,
+                                            const deck::Deck& deck) const;
+  void goOn(const Way& way, const std::filesystem::path& file, const deck::Deck& deck,
+            const RunOptionValues& options);
+  void continueSweep(const std::filesystem::path& folder, const deck::Deck& deck,
+                     const RunOptionValues& options);
+  void noteMade(bool whole);
+  [[nodiscard]] bool madeHere() const;
+  [[nodiscard]] bool mayReplace() const;
   /// The report that stands beside the deck, as far as it can be told from another one.
   [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
   void enableButtons();
@@ -103,7 +129,23 @@ class RunPanel : public QWidget {
   std::filesystem::path shown_file_;  ///< the deck in the form; empty: it has no name yet
   deck::Deck shown_;
   std::filesystem::file_time_type began_;
-  std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
+  /// The last run that this panel made in a folder.
+  struct Made {
+    std::filesystem::file_time_type report;  ///< of RUN.json: later ones are of somebody else
+    deck::Deck deck;
+    RunOptionValues options;
+    bool whole = false;  ///< not cancelled
+  };
+  std::map<std::filesystem::path, Made> made_;
+  bool replace_unasked_ = false;
+  /// A sweep that was cancelled, or that goes on.
+  struct Sweep {
+    std::filesystem::path file, folder;
+    QString range;
+    deck::Deck deck;
+    RunOptionValues options;
+  };
+  std::vector<Sweep> sweeps_;
   deck::Deck computed_;
   RunOptionValues computed_options_;
   bool stale_ = false, another_ = false;

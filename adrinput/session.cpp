@@ -1,6 +1,7 @@
 #include "adrinput/session.hpp"
 
 #include "adrinput/deck_window.hpp"
+#include "adrinput/file_names.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "base/atomic_file.hpp"
 #include "desktop/dialogs.hpp"
@@ -111,10 +112,7 @@ void Session::rememberPlace() {
   const fs::path& path = window_.document().path();
   store.setValue("session/geometry", window_.saveGeometry());
   store.setValue("session/docks", window_.saveState());
-  store.setValue("session/deck",
-                 path.empty()
-                     ? QString()
-                     : QFileInfo(QString::fromStdString(path.string())).absoluteFilePath());
+  store.setValue("session/deck", QString::fromStdString(path.string()));
   store.setValue("session/page", QString::fromStdString(window_.currentRecord()));
 }
 
@@ -188,8 +186,9 @@ bool Session::offerNext() {
   try {
     Document left;
     left.restore(bytes_of(file));
-    const QString name =
-        left.path().empty() ? tr("a new deck") : QString::fromStdString(left.path().string());
+    const QString name = left.path().empty() ? tr("a deck without a name")
+                                             : QString::fromStdString(short_name(left.path()));
+    bar.setToolTip(QString::fromStdString(left.path().string()));
     bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
                 .arg(name, when),
             {{"restore", tr("Res&tore it"), [this] { restore(); }},

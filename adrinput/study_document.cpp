@@ -1,5 +1,6 @@
 #include "adrinput/study_document.hpp"
 
+#include "adrinput/file_names.hpp"
 #include "adrinput/study_example.hpp"
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
@@ -30,7 +31,7 @@ StudyJson& object_at(StudyJson& values, const std::string& key) {
 
 void StudyDocument::open(const fs::path& file) {
   std::string text = results::read_text_file(file);
-  path_ = file;
+  path_ = whole_path(file);
   stored_ = text;
   state_ = std::move(text);
   undo_.clear();
@@ -50,7 +51,7 @@ void StudyDocument::start_new(const fs::path& file, const std::string& kind, con
     if (const fs::path whole = fs::absolute(deck, error); fs::is_regular_file(whole, error))
       values = fitted_to(std::move(values), deck::read_deck(whole).deck);
   }
-  path_ = file;
+  path_ = whole_path(file);
   stored_.reset();
   state_ = studies::write_study_text(values, studies::is_toml(file));
   undo_.clear();
@@ -218,7 +219,7 @@ void StudyDocument::save(const fs::path& file) {
     text = studies::write_study_text(*values_, studies::is_toml(file));
   write_file_atomically(file, text);
   forget_unsaved();
-  path_ = file;
+  path_ = whole_path(file);
   stored_ = text;
   state_ = std::move(text);
   last_place_.clear();

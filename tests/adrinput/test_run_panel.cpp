@@ -53,6 +53,17 @@ void run_to_end(DeckWindow& window) {
 
 QString note(DeckWindow& window) { return window.findChild<QLabel*>("run-note")->text(); }
 
+/// Starts a run whose deck is another than that of the results, which it may replace.
+void replace_and_run(DeckWindow& window) {
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  window.runDeck();
+  REQUIRE(spy.wait(120000));
+  auto* replace = window.findChild<QPushButton*>("replace-them");
+  REQUIRE(replace != nullptr);
+  QTest::mouseClick(replace, Qt::LeftButton);
+  REQUIRE(window.runPanel().busy());
+}
+
 void shorten(Document& document, const char* steps) {
   document.edit(cell("maxStps"), steps);
   document.edit(cell("kPltFreq"), "1");
@@ -104,7 +115,11 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   for (const char* box : {"plots-at-end", "animation-at-end"})
     window.findChild<QCheckBox*>(box)->setChecked(false);
   launches.clear();
-  run_to_end(window);
+  {
+    QSignalSpy ended(&window.runPanel(), &RunPanel::finished);
+    replace_and_run(window);
+    CHECK(QTest::qWaitFor([&] { return ended.count() == 2; }, 120000));
+  }
   CHECK(launches.empty());
   CHECK(deck::read_deck(folder.filePath("DATA.txt").toStdString()).deck.real("appLoadX") == 1501);
   press(window, "open-plots");
@@ -246,8 +261,10 @@ TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {
        {std::tuple{"1000000", "1e12", " of 1000000, "}, {"100000000", "1e6", " of 8.549 s"}}) {
     shorten(window.document(), steps);
     window.document().edit(cell("fTime"), time);
-    window.runDeck();
-    if (auto* box = window.findChild<QMessageBox*>("replace-results")) box->close();
+    if (fs::exists(folder.filePath("RUN.json").toStdString()))
+      replace_and_run(window);
+    else
+      window.runDeck();
     // Nothing is known of the pace before the first step.
     REQUIRE(QTest::qWaitFor(
         [&] { return note(window).startsWith("Step ") && !note(window).startsWith("Step 0,"); },
@@ -271,7 +288,10 @@ TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[
   auto* bar = window.findChild<QProgressBar*>("progress");
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   const auto start = [&] {
-    window.runDeck();
+    if (fs::exists(folder.filePath("RUN.json").toStdString()))
+      replace_and_run(window);
+    else
+      window.runDeck();
     REQUIRE(window.runPanel().busy());
     REQUIRE(QTest::qWaitFor([&] { return note(window).startsWith("Step"); }, 60000));
   };
@@ -298,7 +318,7 @@ TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[
   CHECK(window.runPanel().busy());
   answer(true);
   CHECK_FALSE(window.isVisible());
-  CHECK((spy.count() == 2 || spy.wait(60000)));
+  CHECK((spy.count() == 3 || spy.wait(60000)));
   CHECK(note(window).startsWith("Cancelled"));
 }
 
@@ -532,7 +552,10 @@ TEST_CASE("a question whose other answer ends or deletes something is not answer
       "setDefaultButton\\(QMessageBox::(Cancel|No|Ok)\\)|"
       "Discard[\\s\\S]*setDefaultButton\\(QMessageBox::Save\\)");
   const QRegularExpression static_box("QMessageBox::(question|warning|critical)\\(");
+  // A box that spares the next question is for a hand that ticks it.
+  const QRegularExpression ticked("setChecked\\((?!false)");
   int questions = 0;
+  bool replaces = false;
   for (const char* program : {"adrinput", "adrplot", "agore", "desktop"})
     for (const auto& entry : fs::recursive_directory_iterator(test::source_dir() / program)) {
       if (entry.path().extension() != ".cpp") continue;
@@ -544,9 +567,12 @@ TEST_CASE("a question whose other answer ends or deletes something is not answer
         const QString box = boxes[i].section("->open()", 0, 0);
         if (!box.contains(choice)) continue;
         ++questions;
+        replaces = replaces || (box.contains("replace-results") && box.contains("setCheckBox"));
         INFO(box.toStdString());
         CHECK(box.contains(harmless));
+        CHECK_FALSE(box.contains(ticked));
       }
     }
   CHECK(questions >= 6);
+  CHECK(replaces);
 }

@@ -1,0 +1,313 @@
+#include "adrinput/file_names.hpp"
+#include "adrinput/run_panel.hpp"
+#include "adrinput/unfinished_runs.hpp"
+#include "adrinput/window_words.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+/// The ways to run: anew, into a new folder, on from where a run ended, over a range.
+namespace adore::adrinput {
+namespace {
+
+namespace fs = std::filesystem;
+
+QString from(const fs::path& path) { return QString::fromStdString(path.string()); }
+
+/// The first folder "<stem>-001" and on that is not there yet.
+fs::path free_folder(const fs::path& beside, const std::string& stem) {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    const auto folder = beside / fmt::format("{}-{:03d}", stem, number);
+    if (!fs::exists(folder, ignored)) return folder;
+  }
+}
+
+QString place_of(const fs::path& folder, const fs::path& file) {
+  return folder == file.parent_path() ? RunPanel::tr("beside the deck")
+                                      : RunPanel::tr("in %1").arg(from(folder.filename()));
+}
+
+}  // namespace
+
+void RunPanel::start(const fs::path& file, const deck::Deck& deck, const RunOptionValues& options) {
+  if (busy()) return;
+  begin(file, deck, options);
+  launchRun(mayReplace());
+}
+
+void RunPanel::begin(const fs::path& file, const deck::Deck& deck, const RunOptionValues& options) {
+  computed_ = deck;
+  another_ = false;
+  computed_options_ = options;
+  stale_ = false;
+  file_ = file;
+  out_.clear();
+}
+
+void RunPanel::startInNewFolder(const fs::path& file, const deck::Deck& deck,
+                                const RunOptionValues& options) {
+  if (busy()) return;
+  begin(file, deck, options);
+  out_ = free_folder(file.parent_path(), "run");
+  launchRun(false);
+}
+
+void RunPanel::continueRun(const fs::path& file, const deck::Deck& deck,
+                           const RunOptionValues& options, const fs::path& folder) {
+  if (busy()) return;
+  begin(file, deck, options);
+  if (folder != file.parent_path()) out_ = folder;
+  facade::RunRequest request;
+  request.deck = file_;
+  if (!out_.empty()) request.out = out_;
+  request.go_on = true;
+  launchRequest(std::move(request));
+}
+
+void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOptionValues& options,
+                     const QString& range) {
+  if (busy()) return;
+  begin(file, deck, options);
+  out_ = free_folder(file.parent_path(), "sweep");
+  sweeps_.push_back({file_, out_, range, deck, options});
+  facade::RunRequest request;
+  request.deck = file_;
+  request.out = out_;
+  request.sets.emplace_back(range.section('=', 0, 0).trimmed().toStdString(),
+                            range.section('=', 1).trimmed().toStdString());
+  launchRequest(std::move(request));
+}
+
+/// What one run of it has is kept, whatever the deck is by now: another deck would be computed anew
+/// in its place.
+void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
+                             const RunOptionValues& options) {
+  const auto found = std::find_if(sweeps_.begin(), sweeps_.end(),
+                                  [&](const Sweep& one) { return one.folder == folder; });
+  if (found == sweeps_.end()) return;
+  if (!(found->deck == deck) || found->options != options)
+    return desktop::show_message(
+        this, tr("The sweep in %1 is of the deck as it was before the last change. Take the change "
+                 "back (Ctrl+Z) to continue it, or start a new sweep.")
+                  .arg(from(folder.filename())));
+  begin(found->file, deck, options);
+  out_ = folder;
+  facade::RunRequest request;
+  request.deck = file_;
+  request.out = out_;
+  request.go_on = true;
+  request.sets.emplace_back(found->range.section('=', 0, 0).trimmed().toStdString(),
+                            found->range.section('=', 1).trimmed().toStdString());
+  launchRequest(std::move(request));
+}
+
+std::vector<RunPanel::Way> RunPanel::waysToGoOn(const fs::path& file,
+                                                const deck::Deck& deck) const {
+  std::vector<Way> out;
+  if (file.empty()) return out;
+  const std::vector<UnfinishedRun> unfinished = unfinished_runs(file, deck);
+  const bool told = !computed_.records.empty() && file == file_;
+  const fs::path last = told ? resultFolder() : fs::path();
+  std::error_code ignored;
+  const auto add = [&](const fs::path& folder, const QString& state, bool sweep) {
+    if (std::none_of(out.begin(), out.end(), [&](const Way& way) { return way.folder == folder; }))
+      out.push_back({folder, state, sweep});
+  };
+  const auto sweep_in = [&](const fs::path& folder) {
+    return std::any_of(sweeps_.begin(), sweeps_.end(),
+                       [&](const Sweep& one) { return one.folder == folder; });
+  };
+  if (sweep_in(last))
+    add(last, tr("the sweep of this window that was told of last"), true);
+  else if (told && fs::exists(last / "RUN.json", ignored))
+    add(last, tr("the run that was told of last"), false);
+  for (const Sweep& one : sweeps_)
+    if (one.file == file && fs::exists(one.folder, ignored))
+      add(one.folder, tr("a sweep that was cancelled"), true);
+  for (const UnfinishedRun& one : unfinished)
+    add(one.folder, QString::fromStdString(one.state), false);
+  return out;
+}
+
+void RunPanel::goOn(const Way& way, const fs::path& file, const deck::Deck& deck,
+                    const RunOptionValues& options) {
+  if (way.sweep) return continueSweep(way.folder, deck, options);
+  continueRun(file, deck, options, way.folder);
+}
+
+void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
+                           const RunOptionValues& options) {
+  if (busy()) return;
+  const std::vector<Way> ways = waysToGoOn(file, deck);
+  if (ways.empty()) return continueRun(file, deck, options);
+  if (ways.size() == 1) return goOn(ways.front(), file, deck, options);
+  QStringList names;
+  for (const Way& way : ways)
+    names << tr("%1: %2").arg(
+        way.folder == file.parent_path() ? tr("beside the deck") : from(way.folder.filename()),
+        way.state);
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName("continue-which");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Continue a run"));
+  dialog->setLabelText(
+      tr("Several runs of %1 can go on. Which?").arg(QString::fromStdString(short_name(file))));
+  dialog->setComboBoxItems(names);
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, ways, names, file, deck, options](const QString& name) {
+            const auto index = names.indexOf(name);
+            if (index >= 0 && !busy())
+              goOn(ways[static_cast<std::size_t>(index)], file, deck, options);
+          });
+  dialog->open();
+}
+
+void RunPanel::nameContinuation(QAction& action) const {
+  const std::vector<Way> ways = waysToGoOn(shown_file_, shown_);
+  const fs::path beside = shown_file_.parent_path();
+  if (ways.size() > 1) {
+    action.setText(tr("&Continue a run …"));
+    action.setToolTip(tr("Several can go on; asks which"));
+  } else if (ways.size() == 1) {
+    const QString place = place_of(ways.front().folder, shown_file_);
+    action.setText(ways.front().sweep ? tr("&Continue the sweep %1").arg(place)
+                                      : tr("&Continue the run %1").arg(place));
+    action.setToolTip(from(ways.front().folder));
+  } else if (!shown_file_.empty() && can_go_on(beside, shown_)) {
+    action.setText(tr("&Continue the run %1").arg(place_of(beside, shown_file_)));
+    action.setToolTip(from(beside));
+  } else {
+    action.setText(tr("&Continue the run"));
+    action.setToolTip(tr("There is none to go on from yet"));
+  }
+}
+
+fs::path RunPanel::resultFolder() const { return out_.empty() ? file_.parent_path() : out_; }
+
+void RunPanel::launchRun(bool overwrite) {
+  facade::RunRequest request;
+  request.deck = file_;
+  if (!out_.empty()) request.out = out_;
+  request.overwrite = overwrite;
+  launchRequest(std::move(request));
+}
+
+void RunPanel::launchRequest(facade::RunRequest request) {
+  began_ = fs::file_time_type::clock::now();
+  stored_ = false;
+  view_->hide();
+  view_->clear();
+  bar_->setValue(0);
+  headline_ = !request.go_on ? tr("Finding the equilibrium that the run starts from …")
+              : out_.empty()
+                  ? tr("Reading the state that the run goes on from …")
+                  : tr("Reading the state in %1 to go on from …").arg(from(out_.filename()));
+  showNote();
+  run_.start(std::move(request));
+  enableButtons();
+}
+
+std::optional<fs::file_time_type> RunPanel::reportTime() const {
+  std::error_code error;
+  const auto time = fs::last_write_time(resultFolder() / "RUN.json", error);
+  if (error) return {};
+  return time;
+}
+
+void RunPanel::noteMade(bool whole) {
+  if (const auto time = reportTime())
+    made_[resultFolder()] = {*time, computed_, computed_options_, whole};
+}
+
+/// Do the results in the folder come from this panel?
+bool RunPanel::madeHere() const {
+  const auto made = made_.find(resultFolder());
+  return made != made_.end() && made->second.report == reportTime();
+}
+
+bool RunPanel::mayReplace() const {
+  if (!madeHere()) return false;
+  const Made& made = made_.at(resultFolder());
+  return replace_unasked_ ||
+         (made.whole && made.deck == computed_ && made.options == computed_options_);
+}
+
+void RunPanel::askToReplace() {
+  const bool mine = madeHere();
+  const bool cancelled = mine && !made_.at(resultFolder()).whole;
+  const QString what = cancelled ? tr("results of a run that was cancelled")
+                       : mine
+                           ? tr("the results that this window computed before the deck was changed")
+                           : tr("results of an earlier run");
+  auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
+                              tr("The folder of the deck holds %1. Replace them?").arg(what) +
+                                  "\n\n" + QString::fromStdString(short_name(resultFolder())),
+                              QMessageBox::Cancel, this);
+  box->setObjectName("replace-results");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  auto* always =
+      new QCheckBox(tr("Replace what this window computed without asking &while it is open"), box);
+  always->setObjectName("replace-unasked");
+  box->setCheckBox(always);
+  const auto answer = [&](const QString& text, const char* name, QMessageBox::ButtonRole role) {
+    QPushButton* button = box->addButton(text, role);
+    button->setObjectName(name);
+    return button;
+  };
+  QPushButton* go_on = nullptr;
+  if (can_go_on(resultFolder(), computed_))
+    go_on = answer(tr("C&ontinue the run"), "continue-instead", QMessageBox::ActionRole);
+  QPushButton* beside =
+      answer(tr("Run into a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
+  QPushButton* replace = answer(tr("&Replace them"), "replace-them", QMessageBox::DestructiveRole);
+  connect(box, &QMessageBox::buttonClicked, this,
+          [this, go_on, beside, replace, always](QAbstractButton* button) {
+            if (busy()) return;
+            if (button == replace) {
+              replace_unasked_ = replace_unasked_ || always->isChecked();
+              launchRun(true);
+            }
+            if (button == beside) startInNewFolder(file_, computed_, computed_options_);
+            if (go_on != nullptr && button == go_on)
+              continueRun(file_, computed_, computed_options_);
+          });
+  box->open();
+}
+
+void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
+  constexpr int kCancelled = 130;
+  const bool cancelled = sweep.exit_code == kCancelled;
+  const auto found = std::find_if(sweeps_.begin(), sweeps_.end(),
+                                  [&](const Sweep& one) { return one.folder == out_; });
+  QString text = tr("Table: %1\n").arg(from(sweep.table));
+  if (!cancelled) {
+    bar_->setValue(bar_->maximum());
+    headline_ = sweep.exit_code == 0 ? tr("The sweep is done.")
+                                     : tr("The sweep is over; some of its runs have no result.");
+    if (found != sweeps_.end()) sweeps_.erase(found);
+  } else {
+    headline_ = tr("The sweep was cancelled; the table holds what is done. Run > Continue the "
+                   "sweep in %1 goes on with it while this window is open.")
+                    .arg(from(out_.filename()));
+    if (found != sweeps_.end())
+      text += tr("Later, in a terminal: `adore run '%1' --set %2 --out '%3' --continue`\n")
+                  .arg(from(file_), found->range, from(out_));
+  }
+  for (const Issue& issue : sweep.warnings)
+    text += QString::fromStdString(in_window_words(issue.text())) + "\n";
+  view_->setPlainText(text);
+}
+
+}  // namespace adore::adrinput

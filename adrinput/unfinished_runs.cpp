@@ -1,0 +1,63 @@
+#include "adrinput/unfinished_runs.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace adore::adrinput {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Report {
+  std::string deck, status;
+};
+
+/// Of a file that is none or is damaged: nothing.
+Report report_in(const fs::path& folder) {
+  std::ifstream file(folder / "RUN.json", std::ios::binary);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  if (!json.is_object()) return {};
+  const auto text = [&](const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  return {text("deck"), text("status")};
+}
+
+}  // namespace
+
+bool can_go_on(const fs::path& folder, const deck::Deck& deck) {
+  std::error_code ignored;
+  const std::string state = deck.has_record("2.3") ? deck.text("masName") : "MASTER";
+  return fs::exists(folder / (state.empty() ? "MASTER" : state), ignored);
+}
+
+std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck::Deck& deck) {
+  std::error_code error;
+  const fs::path beside = deck_file.parent_path();
+  std::vector<fs::path> folders;
+  for (fs::directory_iterator at(beside, error), end; !error && at != end; at.increment(error))
+    if (std::error_code none;
+        at->path().filename().string().rfind("run-", 0) == 0 && at->is_directory(none))
+      folders.push_back(at->path());
+  std::sort(folders.begin(), folders.end());
+  folders.insert(folders.begin(), beside);
+  std::vector<UnfinishedRun> out;
+  for (const fs::path& folder : folders) {
+    if (!can_go_on(folder, deck)) continue;
+    const auto& [of, status] = report_in(folder);
+    if (status == "done" || status == "untrusted") continue;  // came to its end
+    if (!of.empty() && of != deck_file.filename().string()) continue;
+    out.push_back({folder, status == "interrupted" ? "cancelled"
+                           : status == "running"   ? "cut off, or still going on elsewhere"
+                           : status.empty()        ? "without a report of its end"
+                                                   : status});
+  }
+  return out;
+}
+
+}  // namespace adore::adrinput

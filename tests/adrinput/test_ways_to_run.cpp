@@ -1,0 +1,313 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/run_panel.hpp"
+#include "adrinput/sweep_range.hpp"
+#include "adrinput/unit_choice.hpp"
+#include "results/run_json.hpp"
+#include "support/qt_app.hpp"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+/// Which run goes on, what a run may replace, and what a sweep's range may be.
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Bench {
+  QTemporaryDir folder;
+  DeckWindow window;
+  explicit Bench(const char* steps) {
+    window.runPanel().launch = [](const QString&, const QStringList&) {};
+    window.show();
+    window.document().change({{"maxStps", steps}, {"kPltFreq", "1"}, {"kAGraf", "1"}});
+    window.document().save(path("DATA.txt"));
+  }
+  [[nodiscard]] fs::path path(const char* name) const {
+    return folder.filePath(name).toStdString();
+  }
+  [[nodiscard]] std::string status(const char* in = ".") const {
+    return results::read_run_mark(path(in) / "RUN.json").status;
+  }
+  void change(const char* name, const char* value) {
+    window.document().edit(cell(name), value);
+    window.document().end_step();
+  }
+  void wait() {
+    REQUIRE(QTest::qWaitFor([&] { return !window.runPanel().busy(); }, 120000));
+  }
+  /// Ends a run as soon as it has stored something.
+  void cancel() {
+    REQUIRE(QTest::qWaitFor(
+        [&] { return note().startsWith("Step ") && !note().startsWith("Step 0,"); }, 60000));
+    press(window, "cancel");
+    wait();
+    CHECK(note().startsWith("Cancelled"));
+  }
+  QString note() { return window.findChild<QLabel*>("run-note")->text(); }
+  QMessageBox* question() { return window.findChild<QMessageBox*>("replace-results"); }
+  void answer(const char* button) {
+    QTest::mouseClick(question()->findChild<QPushButton*>(button), Qt::LeftButton);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    wait();
+  }
+  /// The entry of the menu as it is opened.
+  QAction& entry() {
+    auto* menu = window.findChild<QMenu*>("run-menu");
+    emit menu->aboutToShow();
+    for (QAction* action : menu->actions())
+      if (action->text().contains("ontinue")) return *action;
+    FAIL("no such entry");
+    throw 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the run that was cancelled last goes on, in its own folder, and the menu names it",
+          "[gui][adrinput][continue]") {
+  test::use_qt();
+  Bench bench("3");
+  CHECK(bench.entry().text() == "&Continue the run");
+  bench.window.runDeck();
+  bench.wait();
+  CHECK(bench.entry().text() == "&Continue the run beside the deck");
+  const std::string first = bytes_of(bench.path("RUN.json"));
+  bench.change("maxStps", "1000000");
+  bench.window.runInNewFolder();
+  bench.cancel();
+  REQUIRE(bench.status("run-001") == "interrupted");
+  CHECK(bench.entry().text() == "&Continue the run in run-001");
+  CHECK(bench.entry().toolTip().endsWith("/run-001"));
+  const auto size = fs::file_size(bench.path("run-001/SOL1"));
+  bench.entry().trigger();
+  CHECK(bench.note().contains("run-001"));
+  bench.cancel();
+  CHECK(fs::file_size(bench.path("run-001/SOL1")) > size);
+  CHECK(bytes_of(bench.path("RUN.json")) == first);
+
+  // Another window made none of them: what was broken off is what goes on.
+  {
+    DeckWindow other;
+    REQUIRE(other.openFile(bench.path("DATA.txt")));
+    QAction name(nullptr);
+    other.runPanel().nameContinuation(name);
+    CHECK(name.text() == "&Continue the run in run-001");
+  }
+
+  // Another deck in the same folder has none of these.
+  {
+    fs::copy_file(bench.path("DATA.txt"), bench.path("COPY.txt"));
+    DeckWindow other;
+    REQUIRE(other.openFile(bench.path("COPY.txt")));
+    QAction name(nullptr);
+    other.runPanel().nameContinuation(name);
+    CHECK_FALSE(name.text().contains("run-001"));
+  }
+
+  // Two that were broken off: which is asked.
+  bench.window.runInNewFolder();
+  bench.cancel();
+  CHECK(bench.entry().text() == QString::fromUtf8("&Continue a run …"));
+  for (const int choice : {0, 1}) {
+    const char* folder = choice == 0 ? "run-002" : "run-001";
+    bench.entry().trigger();
+    CHECK_FALSE(bench.window.runPanel().busy());
+    auto* dialog = bench.window.findChild<QInputDialog*>("continue-which");
+    REQUIRE(dialog != nullptr);
+    auto* combo = dialog->findChild<QComboBox*>();
+    REQUIRE(combo != nullptr);
+    CHECK(combo->count() == 2);
+    CHECK(combo->itemText(0).startsWith("run-002"));  // the last one
+    combo->setCurrentIndex(choice);
+    const auto before = fs::file_size(bench.path(folder) / "SOL1");
+    dialog->accept();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    REQUIRE(bench.window.runPanel().busy());
+    bench.cancel();
+    CHECK(fs::file_size(bench.path(folder) / "SOL1") > before);
+  }
+  CHECK(bytes_of(bench.path("RUN.json")) == first);
+}
+
+TEST_CASE("a sweep that was cancelled goes on, and says why not after a change of the deck",
+          "[gui][adrinput][continue]") {
+  test::use_qt();
+  Bench bench("150");
+  RunPanel& panel = bench.window.runPanel();
+  Document& document = bench.window.document();
+  panel.sweep(document.path(), document.deck(), document.options(), "rpm2=7000:7500:6");
+  const auto done = [&](int number) {
+    const QString folder = QString("sweep-001/rpm2-%1").arg(number);
+    return bench.status(folder.toStdString().c_str()) == "done";
+  };
+  REQUIRE(QTest::qWaitFor([&] { return done(1) || done(2); }, 120000));
+  press(bench.window, "cancel");
+  bench.wait();
+  REQUIRE_FALSE(done(6));
+  CHECK(bench.note().contains("cancelled"));
+  CHECK(panel.text().contains("--continue"));
+  CHECK(bench.entry().text() == "&Continue the sweep in sweep-001");
+  const fs::path first = bench.path(done(1) ? "sweep-001/rpm2-1" : "sweep-001/rpm2-2");
+  const std::string kept = bytes_of(first / "RUN.json");
+
+  bench.change("appLoadX", "1501");
+  bench.entry().trigger();
+  CHECK_FALSE(panel.busy());
+  CHECK(take_message(bench.window).contains("before the last change"));
+  CHECK(bytes_of(first / "RUN.json") == kept);
+  bench.window.undo();
+  bench.entry().trigger();
+  REQUIRE(panel.busy());
+  bench.wait();
+  CHECK(bench.note() == "The sweep is done.");
+  for (int number = 1; number <= 6; ++number) CHECK(done(number));
+  CHECK(bytes_of(first / "RUN.json") == kept);  // not computed again
+  CHECK(bench.entry().text() == "&Continue the run");
+}
+
+TEST_CASE("results of another deck are replaced after a question, which can be spared",
+          "[gui][adrinput][continue]") {
+  test::use_qt();
+  Bench bench("20");
+  DeckWindow& window = bench.window;
+  const auto run = [&] {
+    window.runDeck();
+    bench.wait();
+  };
+  run();
+  const auto load = [&] { return bytes_of(bench.path("SOL7")); };
+  const std::string first = load();
+  run();  // the same deck: the same results
+  CHECK(bench.question() == nullptr);
+  bench.change("appLoadX", "1501");
+  run();
+  REQUIRE(bench.question() != nullptr);
+  CHECK(bench.question()->text().contains("before the deck was changed"));
+  QTest::keyClick(bench.question(), Qt::Key_Return);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK_FALSE(window.runPanel().busy());
+  CHECK(load() == first);
+  // A tick without "Replace them" promises nothing.
+  run();
+  window.findChild<QCheckBox*>("replace-unasked")->setChecked(true);
+  QTest::keyClick(bench.question(), Qt::Key_Escape);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  run();
+  REQUIRE(bench.question() != nullptr);
+  CHECK_FALSE(window.findChild<QCheckBox*>("replace-unasked")->isChecked());
+  bench.answer("new-folder-instead");
+  CHECK(fs::exists(bench.path("run-001/SOL7")));
+  CHECK(load() == first);
+  // Taken back, it is the deck of the results again, whatever ran elsewhere in between.
+  window.undo();
+  run();
+  CHECK(bench.question() == nullptr);
+  CHECK(bench.note().startsWith("Done: 20 steps"));
+
+  bench.change("appLoadX", "1502");
+  run();
+  REQUIRE(bench.question() != nullptr);
+  bench.answer("replace-them");
+  CHECK(load() != first);
+  bench.change("appLoadX", "1503");
+  run();
+  REQUIRE(bench.question() != nullptr);
+  window.findChild<QCheckBox*>("replace-unasked")->setChecked(true);
+  bench.answer("replace-them");
+  for (const char* value : {"1504", "1505"}) {
+    const std::string before = load();
+    bench.change("appLoadX", value);
+    run();
+    CHECK(bench.question() == nullptr);
+    CHECK(load() != before);
+  }
+  // Not so what somebody else put there.
+  fs::last_write_time(bench.path("RUN.json"),
+                      fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  run();
+  REQUIRE(bench.question() != nullptr);
+  CHECK(bench.question()->text().contains("an earlier run"));
+}
+
+TEST_CASE("a run that was cancelled is not begun anew over its results without a question",
+          "[gui][adrinput][continue]") {
+  test::use_qt();
+  Bench bench("1000000");
+  bench.window.runDeck();
+  bench.cancel();
+  const std::string kept = bytes_of(bench.path("SOL1"));
+  bench.window.runDeck();
+  bench.wait();
+  REQUIRE(bench.question() != nullptr);
+  CHECK(bench.question()->text().contains("cancelled"));
+  CHECK(bench.question()->findChild<QPushButton*>("continue-instead") != nullptr);
+  CHECK(bytes_of(bench.path("SOL1")) == kept);
+}
+
+TEST_CASE("a sweep takes units as fields do, one for a value or for both",
+          "[gui][adrinput][sweep]") {
+  test::use_qt();
+  DeckWindow window;
+  Document& document = window.document();
+  const auto set = [&](const char* text) { return read_sweep(document, text).set; };
+  const std::string newtons = "appLoadZ=500:1500:3";
+  for (const char* text :
+       {"appLoadZ=500:1500:3", " appLoadZ = 500 : 1500 : 3 ", "appLoadZ=0.5 kN:1.5 kN:3",
+        "appLoadZ=0,5 kN:1500 N:3", "appLoadZ=0.5:1.5 kN:3", "appLoadZ=0.5 kN:1.5:3",
+        "appLoadZ=0.5:1.5:3 kN", "appLoadZ=1/2:3*0.5 kN:3", "appLoadZ=500:3*0.5 kN:3 N"}) {
+    INFO(text);
+    CHECK(set(text) == newtons);
+  }
+  CHECK(set("pitchDia=60 mm:61 mm:2") == "pitchDia=0.06:0.061:2");
+  CHECK(set("pitchDia=60:61:2 mm") == "pitchDia=0.06:0.061:2");
+  CHECK(read_sweep(document, newtons).told == "appLoadZ from 500 N to 1500 N, 3 runs");
+  CHECK(sweep_unit(document, "appLoadZ") == "N");
+  CHECK(sweep_unit(document, "nothing") == "");
+  const auto refusal = [&](const char* text) {
+    try {
+      (void)read_sweep(document, text);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using Catch::Contains;
+  CHECK_THAT(refusal("appLoadZ=0.5 mm:1 mm:3"), Contains("0.5 mm") && Contains("appLoadZ"));
+  CHECK_THAT(refusal("appLoadZ=500:1500:1"), Contains("number of runs"));
+  CHECK_THAT(refusal("appLoadZ=500:1500:two"), Contains("number of runs"));
+  CHECK_THAT(refusal("appLoadQ=500:1500:3"), Contains("no variable \"appLoadQ\""));
+  CHECK_THAT(refusal("specId=500:1500:3"), Contains("no variable") || Contains("is a text"));
+  for (const char* text : {"", "=", "appLoadZ", "appLoadZ=1", "appLoadZ=1:2", "a=b=1:2:3",
+                           "appLoadZ=1:2:3:4", "appLoadZ=::", "appLoadZ=:1:2", ":::"}) {
+    INFO(text);
+    CHECK_FALSE(refusal(text).empty());
+  }
+
+  // Where kilonewtons are shown, a number means them, and the dialog says so.
+  choose_unit("N", "kN");
+  CHECK(set("appLoadZ=0.5:1.5:3") == newtons);
+  CHECK(set("appLoadZ=500 N:1500:3") == newtons);
+  CHECK(sweep_unit(document, "appLoadZ=5") == "kN");
+  window.show();
+  window.askForSweep();
+  auto* dialog = window.findChild<QInputDialog*>("sweep");
+  REQUIRE(dialog != nullptr);
+  dialog->setTextValue("appLoadZ=0.5");
+  CHECK(dialog->labelText().contains("in kN"));
+  dialog->setTextValue("appLoadZ=0.5:1.5:3");
+  CHECK(dialog->labelText().contains("from 500 N to 1500 N, 3 runs"));
+  choose_unit("N", {});
+}
