@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "deck/catalogue.hpp"
+#include "desktop/dialogs.hpp"
 
 #include <QAbstractItemView>
 #include <QBoxLayout>
@@ -21,7 +22,7 @@ namespace adore::adrinput {
 CatalogueDialog::CatalogueDialog(QWidget* parent)
     : QDialog(parent), name_(new QLineEdit(this)), story_(new QLabel(this)) {
   setObjectName("catalogue");
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   setWindowTitle(tr("New deck from the catalogue"));
   auto* label =
       new QLabel(tr("&Bearing, such as 6205, 7208 B, NU209, 30208 or 22210; or an outside "

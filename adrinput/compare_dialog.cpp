@@ -1,6 +1,7 @@
 #include "adrinput/compare_dialog.hpp"
 
 #include "adrinput/help_text.hpp"
+#include "desktop/dialogs.hpp"
 #include "desktop/theme.hpp"
 
 #include <QCheckBox>
@@ -32,7 +33,7 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
       labels_(new QCheckBox(tr("Also the &labels of records"), this)),
       list_(new QListWidget(this)) {
   setObjectName("compare");
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   setWindowTitle(tr("Compare with %1").arg(name));
   resize(820, 560);
   summary_->setObjectName("summary");

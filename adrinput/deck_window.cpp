@@ -599,7 +599,7 @@ void DeckWindow::askForSweep() {
   if (run_->busy() || !readyToCompute()) return;
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("sweep");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Sweep"));
   const auto tell = [this, dialog](const QString& typed) {
     QString told = tr("such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");

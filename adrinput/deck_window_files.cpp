@@ -240,7 +240,7 @@ void DeckWindow::askForFile() {
         new QFileDialog(this, tr("Open deck"), settings().value("folder").toString(),
                         tr("Decks and drafts (*.txt *.TXT *.dat *.DAT *.draft);;All files (*)"));
     dialog->setObjectName("open");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    desktop::delete_when_done(*dialog);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this,
             [this](const QString& name) { openFile(name.toStdString()); });
@@ -317,7 +317,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput", text, QMessageBox::Ok, this);
   box->setObjectName("message");
   box->setTextFormat(Qt::PlainText);
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
   QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
   park->setObjectName("park-draft");
@@ -334,7 +334,7 @@ void DeckWindow::askForName(std::function<void()> then) {
   auto* dialog = new QFileDialog(this, tr("Save deck"), settings().value("folder").toString(),
                                  tr("Decks (*.txt);;All files (*)"));
   dialog->setObjectName("save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("txt");
   dialog->selectFile(document_.path().empty() ? QString("DATA.txt") : from(document_.path()));
@@ -350,7 +350,7 @@ void DeckWindow::parkDraft() {
       new QFileDialog(this, tr("Park the deck as a draft"), settings().value("folder").toString(),
                       tr("Drafts of AdrInput (*.draft);;All files (*)"));
   dialog->setObjectName("save-draft");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("draft");
   std::filesystem::path name = document_.draft();
@@ -396,7 +396,7 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
                                         : QString::fromStdString(short_name(document_.path()))),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Save);
   connect(box, &QMessageBox::buttonClicked, this, [this, box, then](QAbstractButton* button) {
     const QMessageBox::StandardButton answer = box->standardButton(button);
@@ -415,7 +415,7 @@ void DeckWindow::leaveRun(std::function<void()> then) {
                                  "the last stored step."),
                               QMessageBox::Cancel, this);
   box->setObjectName("running");
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);
   QPushButton* quit = box->addButton(tr("End the run"), QMessageBox::DestructiveRole);
   connect(box, &QMessageBox::buttonClicked, this, [quit, then](QAbstractButton* button) {

@@ -245,7 +245,7 @@ void DeckWindow::askForComparison() {
                                  QSettings("Adore", "adrinput").value("folder").toString(),
                                  tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
   dialog->setObjectName("compare-open");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& name) {
     compareWithFile(name.toStdString(), QFileInfo(name).fileName());

@@ -1,6 +1,7 @@
 #include "adrinput/replace_question.hpp"
 
 #include "adrinput/file_names.hpp"
+#include "desktop/dialogs.hpp"
 
 #include <QAbstractButton>
 #include <QMessageBox>
@@ -18,7 +19,7 @@ void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
           .arg(QString::fromStdString(short_name(whole_path(file)))),
       QMessageBox::Save | QMessageBox::Cancel, parent);
   box->setObjectName("changed");
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);
   QObject::connect(box, &QMessageBox::buttonClicked, parent,
                    [box, replace = std::move(replace)](QAbstractButton* button) {

@@ -328,7 +328,7 @@ void RunPanel::showListing() {
   if (file.size() > kMostShown) text += tr("\n… the listing goes on in %1").arg(file.fileName());
   auto* window = new QDialog(this);
   window->setObjectName("listing-window");
-  window->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*window);
   window->setWindowTitle(file.fileName());
   desktop::open_at_size(*window, {1080, 760});
   auto* listing = desktop::make_listing_view(window);

@@ -159,7 +159,7 @@ void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
         way.state);
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("continue-which");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Continue a run"));
   dialog->setLabelText(
       tr("Several runs of %1 can go on. Which?").arg(QString::fromStdString(short_name(file))));
@@ -255,7 +255,7 @@ void RunPanel::askToReplace() {
                                   "\n\n" + QString::fromStdString(short_name(resultFolder())),
                               QMessageBox::Cancel, this);
   box->setObjectName("replace-results");
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);
   auto* always =
       new QCheckBox(tr("Replace what this window computed without asking &while it is open"), box);

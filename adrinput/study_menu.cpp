@@ -2,6 +2,7 @@
 
 #include "adrinput/deck_window.hpp"
 #include "adrinput/study_window.hpp"
+#include "desktop/dialogs.hpp"
 
 #include <QFileDialog>
 #include <QMenu>
@@ -43,7 +44,7 @@ void DeckWindow::openStudy() {
                                  QString::fromStdString(document_.path().parent_path().string()),
                                  tr("Studies (*.json *.toml);;All files (*)"));
   dialog->setObjectName("open-study");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& name) { openStudyFile(name.toStdString()); });

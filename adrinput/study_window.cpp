@@ -245,7 +245,7 @@ void StudyWindow::askForFile() {
     auto* dialog = new QFileDialog(this, tr("Open study"), from(document_.path().parent_path()),
                                    tr("Studies (*.json *.toml);;All files (*)"));
     dialog->setObjectName("open");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    desktop::delete_when_done(*dialog);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this,
             [this](const QString& name) { openFile(name.toStdString()); });
@@ -257,7 +257,7 @@ void StudyWindow::askForDeck() {
   auto* dialog = new QFileDialog(this, tr("Base deck"), from(document_.path().parent_path()),
                                  tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
   dialog->setObjectName("deck-dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& name) {
     const fs::path deck =
@@ -297,7 +297,7 @@ void StudyWindow::saveAs() {
   auto* dialog = new QFileDialog(this, tr("Save study"), from(document_.path().parent_path()),
                                  tr("Studies (*.json *.toml);;All files (*)"));
   dialog->setObjectName("save");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("json");
   dialog->selectFile(from(document_.path().filename().string()));
@@ -346,7 +346,7 @@ void StudyWindow::leave(std::function<void()> then) {
                                 QMessageBox::Cancel, this);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setObjectName("running");
-    box->setAttribute(Qt::WA_DeleteOnClose);
+    desktop::delete_when_done(*box);
     QPushButton* quit = box->addButton(tr("End the runs"), QMessageBox::DestructiveRole);
     connect(box, &QMessageBox::buttonClicked, this, [this, quit, then](QAbstractButton* button) {
       if (button != quit) return;
@@ -363,7 +363,7 @@ void StudyWindow::leave(std::function<void()> then) {
                               tr("The study has changes that are not saved. Save them?"),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
-  box->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Save);
   connect(box, &QMessageBox::buttonClicked, this, [this, box, then](QAbstractButton* button) {
     const QMessageBox::StandardButton answer = box->standardButton(button);

@@ -102,7 +102,7 @@ void AgoreWindow::askForLimits() {
     return desktop::show_message(this, tr("Choose first what colours the elements (C)."));
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("limits");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Scale of the Colours"));
   const QString unit = now.unit.empty() ? QString() : " [" + QString::fromStdString(now.unit) + "]";
   dialog->setLabelText(tr("Limits of %1%2, low:high").arg(QString::fromStdString(now.title), unit));

@@ -1,6 +1,7 @@
 #include "agore/film_dialog.hpp"
 
 #include "desktop/chart_page.hpp"
+#include "desktop/dialogs.hpp"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -23,7 +24,7 @@ FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::siz
     : QDialog(parent), time_(std::move(time)), tell_(std::move(tell)) {
   setObjectName("filmRange");
   setWindowTitle(tr("Save Film"));
-  setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*this);
   auto* all = new QVBoxLayout(this);
   auto* form = new QFormLayout;
   all->addLayout(form);

@@ -122,7 +122,7 @@ void AgoreWindow::askForFilmName(int first, int last) {
                                     "folder (*)")
                                      .arg(desktop::ffmpeg_found() ? QString() : missing));
   dialog->setObjectName("film");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
   const auto name_as = [this, dialog](const QString& filter) {

@@ -79,7 +79,7 @@ void show_help(QWidget* parent, const QString& title, const QString& html) {
   constexpr QSize kFrame(16, 48), kLeast(240, 160);  // of a window manager
   auto* dialog = new QDialog(parent);
   dialog->setObjectName("help-window");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  delete_when_done(*dialog);
   dialog->setWindowTitle(title);
   auto* browser = new QTextBrowser(dialog);
   browser->setAccessibleName(title);
