@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -147,4 +148,30 @@ TEST_CASE("Tab behind a count goes into the table that the count makes", "[gui][
   QTest::keyClick(count, Qt::Key_Tab);
   CHECK(QApplication::focusWidget() == window.page()->fieldOf(cell("kPltElemInd").variable));
   CHECK(window.document().deck().integer("kNumPltElem") == 2);
+}
+
+TEST_CASE("a letter with Alt that nothing answers to now is not typed into a field",
+          "[gui][adrinput][letters]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  for (const char* name : {"pitchDia", "mode", "masName"}) {
+    if (window.document().instances(cell(name).record) == 0) continue;
+    window.showRecord(cell(name).record);
+    QWidget* field = window.page()->fieldOf(cell(name).variable);
+    field->setFocus();
+    const std::string before = window.document().text(cell(name));
+    for (char letter = 'a'; letter <= 'z'; ++letter) {
+      if (QApplication::focusWidget() != field) field->setFocus();
+      QKeyEvent press(QEvent::KeyPress, letter - 'a' + Qt::Key_A, Qt::AltModifier,
+                      QString(QChar(letter)));
+      QApplication::sendEvent(field, &press);
+    }
+    window.document().end_step();
+    INFO(name);
+    CHECK(window.document().text(cell(name)) == before);
+    CHECK_FALSE(window.document().modified());
+  }
 }
