@@ -315,13 +315,19 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   tell_holding(chart, file, page, context.facts);
   if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
   for (std::size_t p = 0; p < page.panels.size(); ++p)
-    for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
-      const auto band = context.bands.find(page.panels[p].curves[c].column);
-      if (band == context.bands.end() || band->second.low.size() != file.steps.size()) continue;
-      if (!any_value(chart.panels[p].curves[c].y) && !any_but_zero(band->second)) continue;
-      chart.panels[p].curves[c].low = band->second.low;
-      chart.panels[p].curves[c].high = band->second.high;
-      if (is_seen(band->second, chart.panels[p].curves[c].y))
+    for (const CurveSpec& spec : page.panels[p].curves) {
+      // A flange that is not there has no curve beside those that are.
+      std::vector<ChartCurve>& drawn = chart.panels[p].curves;
+      const auto curve = std::find_if(drawn.begin(), drawn.end(),
+                                      [&](const ChartCurve& c) { return c.name == spec.name; });
+      const auto band = context.bands.find(spec.column);
+      if (curve == drawn.end() || band == context.bands.end() ||
+          band->second.low.size() != file.steps.size())
+        continue;
+      if (!any_value(curve->y) && !any_but_zero(band->second)) continue;
+      curve->low = band->second.low;
+      curve->high = band->second.high;
+      if (is_seen(band->second, curve->y))
         add_note(chart,
                  "Pale areas reach from the lowest to the highest value between the stored "
                  "steps.");

@@ -137,6 +137,37 @@ TEST_CASE("pages: a flange that the race does not have is not hedged", "[unit][a
   CHECK_FALSE(no_flange("flange.gap.inner.1", facts));
 }
 
+TEST_CASE("pages: each flange keeps its own extremes beside one that the race does not have",
+          "[unit][adrplot][step-band]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  file.header.bearing_type = 2;
+  file.header.inner_flange = true;
+  file.header.value_count = 73;
+  for (results::SolStep& step : file.steps) step.values.assign(73, 1.0);
+  set(file, "flange.gap.inner.1", 0.0);
+  PageContext context;
+  context.facts.flanges = {"inner.2"};
+  const auto pages = plot_pages(file.kind, file.header);
+  const auto flanges = std::find_if(pages.begin(), pages.end(), [](const PageSpec& page) {
+    return page.title.starts_with("Inner race flange");
+  });
+  REQUIRE(flanges != pages.end());
+  for (const PanelSpec& panel : flanges->panels)
+    for (const CurveSpec& curve : panel.curves) {
+      const double of = curve.column.ends_with(".2") ? 2.0 : 1.0;
+      context.bands[curve.column] = {std::vector<double>(file.steps.size(), 0.5 * of),
+                                     std::vector<double>(file.steps.size(), 1.5 * of)};
+    }
+  const desktop::ChartPage page =
+      build_page(file, pages, static_cast<int>(flanges - pages.begin()) + 1, {}, context);
+  REQUIRE(page.panels.size() == flanges->panels.size());
+  for (const desktop::ChartPanel& panel : page.panels) {
+    REQUIRE(panel.curves.size() == 1);
+    REQUIRE(panel.curves.front().high.size() == file.steps.size());
+    CHECK(panel.curves.front().high.front() == 3.0);
+  }
+}
+
 TEST_CASE("pages: equal stretches of two curves are told from equal curves", "[gui]") {
   desktop::ChartPage chart;
   chart.x_unit = "s";
