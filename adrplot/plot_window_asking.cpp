@@ -13,7 +13,7 @@
 namespace adore::adrplot {
 
 void PlotWindow::askForFile() {
-  desktop::ask_files(this, kApp, tr("Open plot files"), "SOL* RUN.json SWEEP.csv ACCURACY.json",
+  desktop::ask_files(this, kApp, tr("Open plot files"), "SOL[1-7] RUN.json SWEEP.csv ACCURACY.json",
                      [this](const QStringList& names) { openSeveral(names); });
 }
 
