@@ -1,9 +1,12 @@
 #include "adrinput/unfinished_runs.hpp"
 
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "results/growing_file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 namespace adore::adrinput {
@@ -18,8 +21,12 @@ struct Report {
 
 /// Of a file that is none or is damaged: nothing.
 Report report_in(const fs::path& folder) {
-  std::ifstream file(folder / "RUN.json", std::ios::binary);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  nlohmann::json json;
+  try {
+    const fs::path file = folder / "RUN.json";
+    json = parse_json(results::read_text_file(file), file.string());
+  } catch (const InputError&) {
+  }
   if (!json.is_object()) return {};
   const auto text = [&](const char* key) {
     const auto found = json.find(key);

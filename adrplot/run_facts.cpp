@@ -61,7 +61,7 @@ std::string orbit_note(const OrbitScale& scale) {
       return size.empty() ? ""
                           : fmt::format(
                                 "Divided by the radial clearance of the guide lands{}: at "
-                                "1 the cage touches.",
+                                "1 a cage that is not tilted touches.",
                                 size);
     case Of::Pockets:
       return fmt::format(

@@ -200,6 +200,13 @@ bool only_rounding(const std::vector<double>& values, const std::string& unit, d
   });
 }
 
+/// No two of them differ.
+static bool one_value(const std::vector<double>& values) {
+  const auto number = [](double v) { return std::isfinite(v); };
+  const auto first = std::find_if(values.begin(), values.end(), number);
+  return std::all_of(first, values.end(), [&](double v) { return !number(v) || v == *first; });
+}
+
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
   std::vector<double> frequency;
   std::vector<Aside> asides;
@@ -231,7 +238,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
         continue;
       }
       if (only_rounding(stored, panel.unit, panel.least_span)) {
-        none(kRounding);
+        none(one_value(stored) ? kStill : kRounding);
         continue;
       }
       scale_spectrum(spectrum, options.scale);

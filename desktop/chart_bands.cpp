@@ -5,46 +5,57 @@
 
 namespace adore::desktop {
 
-/// The extremes between the values, as a pale area that the lowest and highest value of each column
-/// of pixels bound. Blocks of a long curve that stand in one column are taken whole.
+/// The extremes between the values, as a pale area over each interval from one stored value to the
+/// next: from the lowest to the highest of both and of what lies between them. Intervals of one
+/// column of pixels are one piece, a pixel wide, for what is narrower would fade; blocks of a long
+/// curve that stand in one column are taken whole.
 void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& area,
                          const AxisScale& y_axis, int colour, std::vector<QPolygonF>& drawn) {
   const ChartCurve& curve = page_.panels[panel].curves[which];
-  const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
-  struct Column {
-    qreal x = 0.0;
+  const std::size_t count =
+      std::min({page_.x.size(), curve.y.size(), curve.low.size(), curve.high.size()});
+  struct Piece {
+    qreal left = 0.0, right = 0.0;
     double low = 0.0, high = 0.0;
   };
-  std::vector<Column> columns;
+  std::vector<Piece> pieces;
   const auto flush = [&] {
-    if (columns.size() < 2) {
-      columns.clear();
-      return;
-    }
+    if (pieces.empty()) return;
     const auto height = [&](double value) {
       const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
       return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
     };
     QPolygonF outline;
-    for (const Column& c : columns) outline.append({c.x, height(c.high)});
-    for (auto c = columns.rbegin(); c != columns.rend(); ++c)
-      outline.append({c->x, height(c->low)});
+    for (const Piece& p : pieces) {
+      outline.append({p.left, height(p.high)});
+      outline.append({p.right, height(p.high)});
+    }
+    for (auto p = pieces.rbegin(); p != pieces.rend(); ++p) {
+      outline.append({p->right, height(p->low)});
+      outline.append({p->left, height(p->low)});
+    }
     QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
-    fill.setAlpha(70);
+    fill.setAlpha(95);
     addPolygon(outline, QPen(Qt::NoPen), fill);
     drawn.push_back(std::move(outline));
-    columns.clear();
+    pieces.clear();
   };
   const auto place = [&](std::size_t i) {
     return area.left() +
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
   };
-  const auto add = [&](qreal x, double low, double high) {
-    if (columns.size() > 1 && std::floor(x) == std::floor(columns.back().x)) {
-      columns.back().low = std::min(columns.back().low, low);
-      columns.back().high = std::max(columns.back().high, high);
+  const auto add = [&](qreal from, qreal to, double low, double high) {
+    if (from > to) std::swap(from, to);
+    if (to - from < 1.0) {
+      from = std::floor(from);
+      to = from + 1.0;
+    }
+    if (!pieces.empty()) from = std::max(from, pieces.back().right);
+    if (from < to || pieces.empty()) {
+      pieces.push_back({from, to, low, high});
     } else {
-      columns.push_back({x, low, high});
+      pieces.back().low = std::min(pieces.back().low, low);
+      pieces.back().high = std::max(pieces.back().high, high);
     }
   };
   const LongCurve* const blocks = blocks_.empty() ? nullptr : &blocks_[panel][which];
@@ -60,15 +71,17 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
         b < std::min(blocks->low.blocks.size(), blocks->high.blocks.size()) &&
         blocks->low.blocks[b].whole && blocks->high.blocks[b].whole &&
         std::floor(place(i)) == std::floor(place(end - 1))) {
-      add(place(i), curve.low[blocks->low.blocks[b].lowest],
+      add(place(i), place(end - 1), curve.low[blocks->low.blocks[b].lowest],
           curve.high[blocks->high.blocks[b].highest]);
       i = end;
       continue;
     }
-    if (is_drawable(curve.low[i]) && is_drawable(curve.high[i]))
-      add(place(i), curve.low[i], curve.high[i]);
-    else
+    if (!is_drawable(curve.low[i]) || !is_drawable(curve.high[i])) {
       flush();
+    } else if (i > 0) {
+      const double before = is_drawable(curve.y[i - 1]) ? curve.y[i - 1] : curve.low[i];
+      add(place(i - 1), place(i), std::min(curve.low[i], before), std::max(curve.high[i], before));
+    }
     ++i;
   }
   flush();

@@ -329,6 +329,50 @@ TEST_CASE("chart_scene: the extremes between stored values are a pale area", "[g
   CHECK(at(5.03, 35.0).blue() > at(5.03, 35.0).red());
 }
 
+TEST_CASE(
+    "chart_scene: extremes stand over the interval that has them, and are never too thin to see",
+    "[gui][step-band]") {
+  test::use_qt();
+  ChartPage page = lines_page();
+  page.panels.resize(1);
+  page.panels[0].curves.resize(1);
+  page.panels[0].message.clear();
+  ChartCurve& curve = page.panels[0].curves[0];
+  for (const int steps : {5, 20'001}) {
+    INFO(steps << " steps");
+    const int peak = steps / 2;
+    page.x.clear(), curve.y.clear();
+    for (int i = 0; i < steps; ++i) {
+      page.x.push_back(10.0 * i / (steps - 1));
+      curve.y.push_back(i % 2 == 0 ? 0.0 : 1.0);
+    }
+    curve.low = curve.high = curve.y;
+    curve.high[static_cast<std::size_t>(peak)] = 20.0;
+    ChartScene scene;
+    scene.setPageSize({900, 600});
+    scene.setPage(page);
+    const QImage image = scene.image({900, 600});
+    const double before = page.x[static_cast<std::size_t>(peak - 1)],
+                 after = page.x[static_cast<std::size_t>(peak + 1)];
+    const double at = page.x[static_cast<std::size_t>(peak)];
+    const int row = static_cast<int>(scene.heightOf(0, 18.0));
+    const auto pale = [&](double x) {
+      const QColor colour = image.pixelColor(static_cast<int>(scene.positionOf(x)), row);
+      return colour.blue() - colour.red() > 30;
+    };
+    CHECK(pale(0.5 * (before + at)));
+    if (steps < 10) CHECK_FALSE(pale(0.5 * (at + after)));
+    int columns = 0;
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor colour = image.pixelColor(x, row);
+      columns += colour.blue() - colour.red() > 30 ? 1 : 0;
+    }
+    const double wide = scene.positionOf(at) - scene.positionOf(before);
+    CHECK(columns >= 1);
+    CHECK(columns <= wide + 2.0);
+  }
+}
+
 TEST_CASE("page_export: numbers come back from CSV as they were", "[unit]") {
   ChartPage page = lines_page();
   page.panels[0].curves[0].y[1] = 1.0 / 3.0;
