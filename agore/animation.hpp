@@ -127,6 +127,8 @@ struct History {
   std::vector<double> value;
   std::string unit;
   std::string unknown;  ///< why the values cannot be known; empty: they are
+  /// Extremes since the value before, as RESULTS.h5 has them; empty: not known.
+  std::vector<double> low = {}, high = {};
 };
 /// `segment`: of the cage, from 0; the only one of a cage in one piece.
 [[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);

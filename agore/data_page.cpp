@@ -18,6 +18,8 @@ void add(desktop::ChartPage& page, const std::string& title, const std::string& 
     page.panels.push_back({title, history.unit, {}, false, ratio && !exact ? kRatioSpan : 0.0});
   desktop::ChartPanel& panel = page.panels.back();
   panel.curves.push_back({name, history.value, {}});
+  panel.curves.back().low = history.low;
+  panel.curves.back().high = history.high;
   if (!history.unknown.empty()) panel.message = history.unknown;
   if (page.x.size() < history.time.size()) page.x = history.time;
 }

@@ -39,7 +39,22 @@ History of_motion(const Animation& animation, const std::string& id, std::size_t
   History out;
   out.time = animation.motion->times();
   out.value = animation.motion->series(id, place, &out.unit);
+  if (animation.motion->has(id + "_low") && animation.motion->has(id + "_high")) {
+    out.low = animation.motion->series(id + "_low", place);
+    out.high = animation.motion->series(id + "_high", place);
+  }
   return out;
+}
+
+/// The larger one of both at each time.
+void take_larger(History& out, const History& other) {
+  const auto larger = [](std::vector<double>& mine, const std::vector<double>& others) {
+    for (std::size_t i = 0; i < std::min(mine.size(), others.size()); ++i)
+      mine[i] = std::max(mine[i], others[i]);
+  };
+  larger(out.value, other.value);
+  larger(out.low, other.low);
+  larger(out.high, other.high);
 }
 
 std::vector<double> shaft_of_motion(const Animation& animation) {
@@ -57,6 +72,8 @@ History with_rest(const Animation& animation, History exact,
     if (!(time - end > kRounding * std::abs(end))) return;
     exact.time.push_back(time);
     exact.value.push_back(value);
+    for (std::vector<double>* band : {&exact.low, &exact.high})
+      if (!band->empty()) band->push_back(kNone);
   };
   if (!alone) {
     for (std::size_t i = animation.exact; i < animation.frames(); ++i)
@@ -210,10 +227,8 @@ History pocket_force(const Animation& animation, std::size_t element) {
     const results::MotionChannel* all = animation.motion->channel("pocket.force");
     const std::size_t surfaces = std::max<std::size_t>(1, all->width / n);
     History out = of_motion(animation, "pocket.force", element * surfaces);
-    for (std::size_t j = 1; j < surfaces; ++j) {
-      const auto more = animation.motion->series("pocket.force", element * surfaces + j);
-      for (std::size_t i = 0; i < more.size(); ++i) out.value[i] = std::max(out.value[i], more[i]);
-    }
+    for (std::size_t j = 1; j < surfaces; ++j)
+      take_larger(out, of_motion(animation, "pocket.force", element * surfaces + j));
     return with_rest(animation, std::move(out),
                      [&](const Animation& alone) { return pocket_force(alone, element); });
   }

@@ -127,6 +127,8 @@ void AgoreWindow::makeMenus() {
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
        {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
+       {tr("pale areas of a curve"),
+        tr("from the lowest to the highest value between stored steps")},
        {tr("Ctrl+E"), tr("saves a film")},
        {tr("F5, F"), tr("reads the file again, as far as a run has come; does so while it goes "
                         "on")}});

@@ -1,0 +1,57 @@
+#include "agore/animation.hpp"
+#include "agore/made_run.hpp"
+#include "agore/views.hpp"
+
+#include <algorithm>
+
+using namespace adore;
+using namespace adore::agore;
+using namespace adore::testing;
+
+TEST_CASE("curves beside the pictures have the extremes between stored steps",
+          "[unit][h5][step-band]") {
+  constexpr long kEvery = 3, kLast = 30;
+  const auto force = [](long step) { return 20.0 + static_cast<double>(step % 2 == 0 ? step : 0); };
+  const auto load = [](long step) { return 100.0 - static_cast<double>(step % 2 == 0 ? 0 : step); };
+  TemporaryFolder folder;
+  const bearing::Bearing bearing = make_bearing(8);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  results::StepBand band;
+  for (long step = 0; step <= kLast; ++step) {
+    scene::Snapshot snapshot = make_snapshot(bearing, step);
+    for (auto& element : snapshot.elements) {
+      for (auto& pocket : element.pocket) pocket.force = force(step);
+      for (auto& race : element.race) race.load = load(step);
+    }
+    const auto& record = recorder.record(snapshot, &band);
+    if (step % kEvery != 0) continue;
+    h5.write(record);
+    band.clear();
+  }
+  h5.close();
+  const Animation animation = open_motion(folder / "RESULTS.h5");
+  ViewOptions options;
+  options.element = 4;
+  const auto check = [&](View view, std::size_t panel, const auto& value) {
+    options.view = view;
+    const desktop::ChartPage page = data_page(animation, options);
+    const desktop::ChartCurve& curve = page.panels.at(panel).curves.front();
+    REQUIRE(curve.y.size() == kLast / kEvery + 1);
+    REQUIRE(curve.low.size() == curve.y.size());
+    REQUIRE(curve.high.size() == curve.y.size());
+    for (long i = 1; i <= kLast / kEvery; ++i) {
+      double low = value(i * kEvery), high = low;
+      for (long k = (i - 1) * kEvery + 1; k < i * kEvery; ++k) {
+        low = std::min(low, value(k));
+        high = std::max(high, value(k));
+      }
+      const auto at = static_cast<std::size_t>(i);
+      CHECK(curve.y[at] == Approx(value(i * kEvery)));
+      CHECK(curve.low[at] == Approx(low));
+      CHECK(curve.high[at] == Approx(high));
+    }
+  };
+  check(View::Pocket, 0, force);
+  check(View::Section, 0, load);
+}
