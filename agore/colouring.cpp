@@ -1,3 +1,4 @@
+#include "agore/picture_key.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
 #include "desktop/axis_scale.hpp"
@@ -145,23 +146,6 @@ QColor scale_colour(double part) {
   return {mix(kStops[i].red, kStops[i + 1].red), mix(kStops[i].green, kStops[i + 1].green),
           mix(kStops[i].blue, kStops[i + 1].blue)};
 }
-
-namespace {
-
-/// Words in lines that fit, broken between words.
-QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
-  QStringList out;
-  for (const QString& word : text.split(' ')) {
-    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
-    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
-      out.back() = longer;
-    else
-      out << word;
-  }
-  return out;
-}
-
-}  // namespace
 
 void draw_scale(const Scene& s, const Colouring& colours) {
   const Sketch& sketch = s.sketch;

@@ -15,6 +15,18 @@
 
 namespace adore::agore {
 
+QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
+  QStringList out;
+  for (const QString& word : text.split(' ')) {
+    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
+    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      out.back() = longer;
+    else
+      out << word;
+  }
+  return out;
+}
+
 namespace {
 
 constexpr double kKeyIndent = 26.0;
@@ -48,19 +60,6 @@ void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
 double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
   return kKeyIndent +
          std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
-}
-
-/// Words in lines that fit, broken between words.
-QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
-  QStringList out;
-  for (const QString& word : text.split(' ')) {
-    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
-    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
-      out.back() = longer;
-    else
-      out << word;
-  }
-  return out;
 }
 
 /// A remark in lines that fit, broken between its parts.

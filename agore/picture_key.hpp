@@ -6,10 +6,12 @@
 #include <QImage>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 
 #include <utility>
 #include <vector>
 
+class QFontMetricsF;
 class QPainter;
 
 namespace adore::agore {
@@ -26,6 +28,9 @@ struct KeyEntry {
   QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
   bool operator==(const KeyEntry&) const = default;
 };
+
+/// Words in lines that fit, broken between words.
+[[nodiscard]] QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics);
 
 /// Columns in which a key of so many entries stands in a picture of a size: two in a small one, of
 /// which one would take half.

@@ -50,10 +50,11 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
       from = std::floor(from);
       to = from + 1.0;
     }
-    if (!pieces.empty()) from = std::max(from, pieces.back().right);
-    if (from < to || pieces.empty()) {
+    from = std::max(from, pieces.empty() ? area.left() : pieces.back().right);
+    to = std::min(to, area.right());
+    if (from < to) {
       pieces.push_back({from, to, low, high});
-    } else {
+    } else if (!pieces.empty()) {
       pieces.back().low = std::min(pieces.back().low, low);
       pieces.back().high = std::max(pieces.back().high, high);
     }
@@ -61,7 +62,8 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
   const LongCurve* const blocks = blocks_.empty() ? nullptr : &blocks_[panel][which];
   const auto [first, last] =
       rising_ ? places_between(page_.x, low_, high_) : std::pair(std::size_t{0}, count);
-  for (std::size_t i = first; i < std::min(last, count);) {
+  // The interval that the end of the view cuts is drawn as far.
+  for (std::size_t i = first; i < std::min(last + 1, count);) {
     if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) {
       ++i;
       continue;

@@ -9,6 +9,7 @@
 
 #include <QFile>
 #include <QGraphicsLineItem>
+#include <QGraphicsPolygonItem>
 #include <QGraphicsSimpleTextItem>
 #include <QImage>
 #include <QImageReader>
@@ -371,6 +372,33 @@ TEST_CASE(
     CHECK(columns >= 1);
     CHECK(columns <= wide + 2.0);
   }
+}
+
+TEST_CASE("chart_scene: extremes end with the view, wherever it cuts their intervals",
+          "[gui][step-band]") {
+  test::use_qt();
+  ChartPage page = lines_page();
+  page.panels.resize(1);
+  page.panels[0].curves.resize(1);
+  ChartCurve& curve = page.panels[0].curves[0];
+  page.x = {0.0, 4.0, 8.0};
+  curve.y = {1.0, 1.0, 1.0};
+  curve.low = {1.0, 0.0, 0.0};
+  curve.high = {1.0, 20.0, 20.0};
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(page);
+  scene.setView(3.0, 5.0);
+  const QRectF area = scene.plotAreas()[0];
+  int bands = 0;
+  for (const QGraphicsItem* item : scene.items()) {
+    const auto* band = qgraphicsitem_cast<const QGraphicsPolygonItem*>(item);
+    if (band == nullptr) continue;
+    ++bands;
+    CHECK(band->polygon().boundingRect().left() == Approx(area.left()));
+    CHECK(band->polygon().boundingRect().right() == Approx(area.right()));
+  }
+  CHECK(bands == 1);
 }
 
 TEST_CASE("page_export: numbers come back from CSV as they were", "[unit]") {
