@@ -79,9 +79,36 @@ std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
   return out;
 }
 
+/// Height of a bend of the stripes below [px].
+constexpr qreal kBend = 18.0;
+
+/// To and fro with the height: 0 to kBend.
+qreal bent(qreal y) {
+  const qreal part = y / (2.0 * kBend);
+  return 2.0 * kBend * std::abs(part - std::round(part));
+}
+
+/// A line with a point wherever it passes a bend.
+QPolygonF with_bends(const QPolygonF& line) {
+  QPolygonF out;
+  for (const QPointF& q : line) {
+    if (!out.isEmpty()) {
+      const QPointF p = out.back();
+      const qreal from = p.y() / kBend, to = q.y() / kBend;
+      const qreal way = to > from ? 1.0 : -1.0;
+      for (qreal k = way > 0.0 ? std::floor(from) + 1.0 : std::ceil(from) - 1.0;
+           way * (to - k) > 0.0; k += way)
+        out.append(p + (k - from) / (to - from) * (q - p));
+    }
+    out.append(q);
+  }
+  return out;
+}
+
 /// The parts of a line that are left to the curve that lies above: every `of`-th of stripes across
-/// the picture, so that a spike shows both. They stand upright where the line is so long, a dense
-/// run back and forth, that its parts were very many.
+/// the picture, so that a spike, which goes its way twice, shows both. The stripes are bent to and
+/// fro, for along straight ones a line of their own direction would be of one colour. They stand
+/// upright where the line is so long, a dense run back and forth, that its parts were very many.
 std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& area) {
   constexpr qreal kWide = 9.0, kLong = 20000.0;
   const std::vector<QPolygonF> lines = parts_inside(whole, area);
@@ -96,13 +123,17 @@ std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& a
     if (piece.size() > 1) out.push_back(piece);
     piece.clear();
   };
-  for (const QPolygonF& line : lines) {
+  const auto stripe_at = [slant](const QPointF& p) {
+    return (p.x() + slant * bent(p.y())) / kWide;
+  };
+  for (const QPolygonF& smooth : lines) {
+    const QPolygonF line = slant > 0.0 ? with_bends(smooth) : smooth;
     for (qsizetype i = 0; i < line.size(); ++i) {
       const QPointF q = line[i];
-      const qreal to = (q.x() + slant * q.y()) / kWide;
+      const qreal to = stripe_at(q);
       if (i > 0) {
         const QPointF p = line[i - 1];
-        const qreal from = (p.x() + slant * p.y()) / kWide;
+        const qreal from = stripe_at(p);
         const long last = static_cast<long>(std::floor(to)), way = to > from ? 1 : -1;
         for (long s = static_cast<long>(std::floor(from)); s != last; s += way) {
           const qreal edge = static_cast<qreal>(way > 0 ? s + 1 : s);

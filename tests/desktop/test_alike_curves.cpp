@@ -64,6 +64,49 @@ TEST_CASE("chart_scene: lines side by side are whole, in every size of a picture
     }
 }
 
+TEST_CASE("chart_scene: both of two equal curves are seen along a line of any slope",
+          "[gui][desktop]") {
+  test::use_qt();
+  constexpr double kFarthest = 48.0;  // a bend of the stripes, and one of them either side [px]
+  const auto& colours = theme(ThemeKind::Light).curves;
+  const auto away = [](const QColor& a, QRgb b) {
+    return std::abs(a.red() - qRed(b)) + std::abs(a.green() - qGreen(b)) +
+           std::abs(a.blue() - qBlue(b));
+  };
+  for (const bool rising : {true, false})
+    for (const double slope : {0.2, 0.5, 0.8, 0.95, 1.0, 1.05, 1.3, 2.0, 5.0}) {
+      ChartScene scene;
+      scene.setTheme(theme(ThemeKind::Light));
+      scene.setPageSize({1280, 800});
+      const std::vector<double> line =
+          rising ? std::vector<double>{0.0, 1.0} : std::vector<double>{1.0, 0.0};
+      scene.setPage(page_of(line, line));
+      const QRectF area = scene.plotAreas()[0];
+      const double half = 0.5 * area.height() / (slope * area.width());
+      scene.setPanelView(0, std::pair(0.5 - half, 0.5 + half));
+      REQUIRE(legend_of(scene).contains("="));
+      const QImage image = scene.image({1280, 800});
+      const double step = 0.5 / std::hypot(1.0, slope);  // half a pixel of the way
+      double farthest = 0.0, begun = area.left(), lengths[2] = {0.0, 0.0};
+      int last = -1;
+      for (double x = area.left() + 2.0; x < area.right() - 2.0; x += step) {
+        const double y =
+            scene.heightOf(0, (rising ? 1.0 : -1.0) * (x - area.center().x()) / area.width() + 0.5);
+        if (y < area.top() + 3.0 || y > area.bottom() - 3.0) continue;
+        const QRgb ink = image.pixel(QPointF(x, y).toPoint());
+        const int own = away(colours[0], ink) < away(colours[1], ink) ? 0 : 1;
+        if (own != last) begun = x;
+        last = own;
+        lengths[own] += 0.5;
+        farthest = std::max(farthest, (x - begun) * std::hypot(1.0, slope));
+      }
+      INFO((rising ? "rising " : "falling ") << slope << ": " << farthest << " px of one colour");
+      CHECK(farthest < kFarthest);
+      CHECK(lengths[0] > 0.1 * (lengths[0] + lengths[1]));
+      CHECK(lengths[1] > 0.1 * (lengths[0] + lengths[1]));
+    }
+}
+
 TEST_CASE("chart_scene: what scatters about the bound is one stretch, not many", "[gui][desktop]") {
   test::use_qt();
   // As far apart as 0.2 to 0.5 of a line: a bound between the two would cut it all over.
