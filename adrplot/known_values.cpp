@@ -96,9 +96,10 @@ KnownValues KnownColumns::values(const std::string& id) const {
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
       if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))
         open = drop(stored("contact.load" + behind(id, channel)), is_zero);
-    if (open && std::any_of(out.values.begin(), out.values.end(),
-                            [](double v) { return std::isfinite(v); }))
-      out.why_gaps = "no contact";
+    const bool some = std::any_of(out.values.begin(), out.values.end(),
+                                  [](double v) { return std::isfinite(v); });
+    if (open && some) out.why_gaps = "no contact";
+    if (open && !some) nothing("There is no contact at any step.");
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),

@@ -50,7 +50,7 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
 /// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
 void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {
   const std::string aliased = aliasing(file, context);
-  if (aliased.empty()) return;
+  if (aliased.empty() || chart.panels.empty()) return;
   chart.note =
       aliased + ": what is faster is folded into the lines below " +
       desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
@@ -389,6 +389,13 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   limit_detail(chart);
   if (page.kind == PageKind::Spectrum) limit_components(chart);
   add_marks(chart, file, context);
+  to_spectra(chart, times(file), options);
+  const bool drawn =
+      std::any_of(chart.panels.begin(), chart.panels.end(), [](const ChartPanel& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(),
+                           [](const ChartCurve& curve) { return !curve.y.empty(); });
+      });
+  if (!drawn) return;  // what is said of lines is false without any
   const std::vector<double> turns = accumulated_turns(file);
   if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
     const auto [low, high] = speed_range(times(file), turns);
@@ -396,14 +403,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
                                 "over the run.",
                                 rpm_text(low), rpm_text(high)));
   }
-  to_spectra(chart, times(file), options);
-  // Nothing to read without a curve.
-  const bool drawn =
-      std::any_of(chart.panels.begin(), chart.panels.end(), [](const ChartPanel& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(),
-                           [](const ChartCurve& curve) { return !curve.y.empty(); });
-      });
-  if (drawn) tell_lines(chart, {chart.x.front()}, options);
+  tell_lines(chart, {chart.x.front()}, options);
   first_view_of_spectra(chart, options.scale);
   drop_low_marks(chart);
   lead_with_aliasing(chart, file, context);

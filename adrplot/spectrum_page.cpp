@@ -23,6 +23,7 @@ using desktop::ChartPanel;
 constexpr std::string_view kHere = "Nothing vibrates here: ";
 constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "Nothing vibrates here: the value does not change.";
+constexpr auto kAllStill = "Nothing vibrates here: no value of this page changes.";
 constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
 
 bool any_value(const std::vector<double>& values) {
@@ -225,7 +226,6 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       }
       stored = std::move(bridged.values);
       const Samples samples = equal_samples(t, stored);
-      add_note(chart, samples.note);
       if (samples.values.empty()) {
         none(samples.note);
         continue;
@@ -243,6 +243,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       }
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
+      add_note(chart, samples.note);  // of what is drawn
       if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
     }
     tell_reasons(panel, reasons, asides);
@@ -251,6 +252,12 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
     if (options.scale != SpectrumScale::Units)
       panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "of largest";
   }
+  const bool all_still =
+      chart.panels.size() > 1 &&
+      std::all_of(chart.panels.begin(), chart.panels.end(),
+                  [](const ChartPanel& panel) { return panel.message == kStill; });
+  for (ChartPanel& panel : chart.panels)
+    if (all_still) panel.message = kAllStill;
   // One sentence for panels of which the same is to be said.
   for (const Aside& aside : asides)
     add_note(chart,

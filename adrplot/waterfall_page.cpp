@@ -109,7 +109,6 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   }
   add_note(page, bridged.told);
   const Samples samples = equal_samples(times, bridged.values);
-  page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
   page.panels.clear();
   if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
     page.note += (page.note.empty() ? "" : " ") + source.title +
@@ -117,6 +116,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                  "numbers.";
     return;
   }
+  page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
   const Waterfall fall = waterfall(samples, options.window);
   if (fall.time.empty()) return;
   double largest = 0.0;

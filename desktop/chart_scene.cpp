@@ -429,7 +429,7 @@ bool is_something(const ChartPanel& panel) {
   });
 }
 
-/// Is the same said in place of all panels?
+/// Has nothing of the page values, for one reason? Then that is the page's, said once.
 bool one_message(const ChartPage& page) {
   return page.panels.size() > 1 &&
          std::all_of(page.panels.begin(), page.panels.end(), [&](const ChartPanel& panel) {
@@ -449,6 +449,13 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const ChartPanel& panel = page_.panels[index];
   bool any = false;
   AxisScale y_axis = panelAxis(index, area, any);
+  if (one_message(page_)) {  // axes would be of nothing
+    if (index == 0) addMessage(space(m), text_of(panel.message), m);
+    areas_.push_back(area);
+    y_axes_.push_back(y_axis);
+    lines_.push_back(0);
+    return;
+  }
   // Panels of one unit are compared: N beside kN are all drawn in N where that is no long number.
   std::vector<AxisScale> alike;
   for (std::size_t i = 0; any && shares_unit(panel) && i < page_.panels.size(); ++i) {
@@ -497,7 +504,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     addShown(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
-  if (!any && (!one_message(page_) || index == page_.panels.size() / 2))
+  if (!any)
     addMessage(
         area,
         panel.message.empty() ? tr("There are no values in the file.") : text_of(panel.message), m);

@@ -270,6 +270,52 @@ TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplo
   CHECK_FALSE(only_rounding(between, "m", 0.0));
 }
 
+TEST_CASE("pages: what nothing of a page has is said once, without axes or remarks on lines",
+          "[gui][adrplot]") {
+  test::use_qt();
+  // Races that stand still, stored at unequal steps; a cage without lands.
+  results::SolFile still = test::synthetic_sol(SolKind::Race);
+  const double step = still.steps[1].time - still.steps[0].time;
+  for (std::size_t i = 0; i < still.steps.size(); i += 3) still.steps[i].time += 0.2 * step;
+  set(still, "race.", 2e-6);
+  results::SolFile bare = test::synthetic_sol(SolKind::Cage);
+  set(bare, "cage.land", 0.0);
+  for (const auto& [page, told] :
+       {std::pair{page_with(still, "spectrum"),
+                  "Nothing vibrates here: no value of this page changes."},
+        {page_with(bare, "land 1"), "This cage has no guide land 1."}}) {
+    INFO(page.title << ": " << page.note);
+    CHECK(page.note.empty());
+    for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450)}) {
+      desktop::ChartScene scene;
+      scene.setPageSize(size);
+      scene.setPage(page);
+      int said = 0, beside = 0;
+      const QRectF below(0.0, 70.0, size.width(), size.height() - 70.0);
+      for (QGraphicsItem* item : scene.items()) {
+        const auto* text = qgraphicsitem_cast<QGraphicsTextItem*>(item);
+        if (text != nullptr && text->toPlainText() == told)
+          ++said;
+        else
+          beside += item->sceneBoundingRect().intersects(below) ? 1 : 0;
+      }
+      CHECK(said == 1);
+      CHECK(beside == 0);
+    }
+  }
+}
+
+TEST_CASE("pages: a contact that never closes is no missing value", "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  set(file, "contact.load.inner", 0.0);
+  const auto page = page_with(file, "load and angle");
+  CHECK(page.note.find("Inner race: there is no contact at any step.") != std::string::npos);
+  set(file, "contact.load.outer", 0.0);
+  for (const std::size_t p : {1U, 2U})
+    CHECK(page_with(file, "load and angle").panels.at(p).message ==
+          "There is no contact at any step.");
+}
+
 TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   const auto columns = results::sol_columns(file.header);
