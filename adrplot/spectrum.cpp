@@ -152,6 +152,21 @@ void scale_spectrum(Spectrum& spectrum, SpectrumScale scale) {
   }
 }
 
+std::vector<double> without_trend(const std::vector<double>& samples) {
+  const auto n = static_cast<double>(samples.size());
+  const double middle = 0.5 * (n - 1.0);
+  double mean = 0.0, moment = 0.0;
+  for (const double s : samples) mean += s / n;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    moment += (static_cast<double>(i) - middle) * (samples[i] - mean);
+  // Sum of the squares of the places about their middle: n (n^2 - 1) / 12.
+  const double slope = samples.size() > 1 ? 12.0 * moment / (n * (n * n - 1.0)) : 0.0;
+  std::vector<double> out(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    out[i] = samples[i] - mean - slope * (static_cast<double>(i) - middle);
+  return out;
+}
+
 Waterfall waterfall(const Samples& samples, Window window, std::size_t pieces) {
   Waterfall out;
   const std::size_t n = samples.values.size();
@@ -161,9 +176,13 @@ Waterfall waterfall(const Samples& samples, Window window, std::size_t pieces) {
   const std::size_t hop = std::max<std::size_t>(1, length / 2);
   for (std::size_t first = 0; first + length <= n; first += hop) {
     const auto begin = samples.values.begin() + static_cast<std::ptrdiff_t>(first);
-    const Spectrum piece =
-        amplitude_spectrum(std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(length)),
-                           samples.step, window);
+    const std::vector<double> values(begin, begin + static_cast<std::ptrdiff_t>(length));
+    Spectrum piece = amplitude_spectrum(without_trend(values), samples.step, window);
+    double size = 0.0;
+    for (const double v : values) size = std::max(size, std::abs(v));
+    // What a straight line leaves is the rounding of it.
+    if (*std::max_element(piece.amplitude.begin(), piece.amplitude.end()) <= 2e-13 * size)
+      std::fill(piece.amplitude.begin(), piece.amplitude.end(), 0.0);
     out.frequency = piece.frequency;
     out.amplitude.push_back(piece.amplitude);
     out.time.push_back(samples.start + samples.step * (static_cast<double>(first) +

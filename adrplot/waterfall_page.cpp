@@ -167,8 +167,10 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
       scale == SpectrumScale::Relative ? fmt::format("{:.1f} of the largest amplitude", distance)
                                        : desktop::pretty_quantity(distance, unit, 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
-  page.note += fmt::format(" What is slower than a piece of {} stands in its first lines.",
-                           desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3));
+  page.note += fmt::format(
+      " Each piece of {} is taken without its mean and trend: what is still slower is in its first "
+      "lines, and its first line may be up to half too low.",
+      desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3));
   if (decibel)
     page.note += " 0 dB is the largest amplitude of all; nothing below " +
                  desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";

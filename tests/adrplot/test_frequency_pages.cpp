@@ -237,6 +237,52 @@ TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spe
   }
 }
 
+TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
+          "[unit][adrplot]") {
+  // Pieces of 10 ms: a line every 100 Hz. A tone of 1 N on the twentieth, a load that grows by 100
+  // N and swings by 5 N in 60 ms.
+  constexpr double kPi = std::numbers::pi;
+  const std::vector<double> t = times(12500);
+  const auto fall = [&](auto&& value) {
+    Samples samples;
+    samples.step = kStep;
+    for (const double time : t) samples.values.push_back(value(time));
+    return waterfall(samples, Window::Hann);
+  };
+  const Waterfall slow = fall([&](double time) {
+    return std::sin(2.0 * kPi * 2000.0 * time) + 100.0 * time / t.back() +
+           5.0 * std::sin(2.0 * kPi * time / 0.06);
+  });
+  REQUIRE(slow.time.size() == 24);
+  REQUIRE(slow.frequency.front() == Approx(100.0));
+  for (const auto& piece : slow.amplitude) {
+    for (const std::size_t k : {0U, 1U, 2U}) CHECK(piece.at(k) < 0.35);  // 2 N with the trend
+    CHECK(piece.at(19) == Approx(1.0).epsilon(1e-3));
+  }
+  // What the page says of its first line, and of no other.
+  double least[2] = {1.0, 1.0}, most[2] = {0.0, 0.0};
+  for (int phase = 0; phase < 16; ++phase)
+    for (const std::size_t k : {0U, 1U}) {
+      const Waterfall one = fall([&](double time) {
+        return 7.0 +
+               std::sin(2.0 * kPi * (100.0 * static_cast<double>(k + 1) * time + phase / 16.0));
+      });
+      for (const auto& piece : one.amplitude) {
+        least[k] = std::min(least[k], piece.at(k));
+        most[k] = std::max(most[k], piece.at(k));
+      }
+    }
+  CHECK(least[0] == Approx(0.54).margin(0.01));
+  CHECK(most[0] == Approx(1.0).margin(0.01));
+  CHECK(least[1] == Approx(1.0).margin(0.01));
+  CHECK(most[1] == Approx(1.05).margin(0.01));
+  for (const auto& piece : fall([](double time) { return 3.0 + 200.0 * time; }).amplitude)
+    CHECK(*std::max_element(piece.begin(), piece.end()) == 0.0);
+  desktop::ChartPage page = page_of({tone(t, 2000.0)});
+  to_waterfall(page, t, {}, {Window::Hann, SpectrumScale::Units});
+  CHECK(page.note.find("without its mean and trend") != std::string::npos);
+}
+
 TEST_CASE("own charts: differences are from the curve that was ticked first, or from a chosen one",
           "[gui][adrplot]") {
   test::use_qt();
