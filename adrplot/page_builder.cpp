@@ -289,6 +289,34 @@ void tell_temperatures(ChartPage& chart, const PageSpec& page, const RunFacts& f
                         : " never change in this file: given ones, not computed in this run."));
 }
 
+/// An average over no time is no value (known_values.hpp): what was left out is said.
+void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+  const bool averages =
+      std::any_of(page.panels.begin(), page.panels.end(), [](const PanelSpec& panel) {
+        return panel.curves.front().column.find("wear_rate") != std::string::npos;
+      });
+  if (averages && !(file.steps.front().time > 0.0))
+    add_note(chart,
+             fmt::format("Step {} has no values: at its time there is nothing to average over.",
+                         file.steps.front().step));
+}
+
+/// Angles of lands and round pockets go on where nothing touches.
+void tell_nearest(ChartPage& chart, const PageSpec& page) {
+  for (std::size_t p = 1; p < page.panels.size(); ++p) {
+    const std::string& column = page.panels[p].curves.front().column;
+    if (!column.starts_with("pocket.theta.") &&
+        !(column.starts_with("cage.land") && column.ends_with("_angle")))
+      continue;
+    for (const ChartCurve& angle : chart.panels[p].curves)
+      for (const ChartCurve& force : chart.panels.front().curves)
+        for (std::size_t i = 0; i < std::min(angle.y.size(), force.y.size()); ++i)
+          if (std::isfinite(angle.y[i]) && force.y[i] == 0.0)
+            return add_note(chart,
+                            "Where nothing touches, the contact angle is that of the least gap.");
+  }
+}
+
 /// What the forces and moments of a race are.
 void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const RunFacts& facts) {
@@ -313,6 +341,8 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   tell_life(chart, file, page, context.facts);
   tell_temperatures(chart, page, context.facts);
   tell_holding(chart, file, page, context.facts);
+  tell_averages(chart, file, page);
+  tell_nearest(chart, page);
   if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (const CurveSpec& spec : page.panels[p].curves) {

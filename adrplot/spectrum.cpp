@@ -95,9 +95,9 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   out.resampled = true;
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
   out.note = fmt::format(
-      "Resampled: stored steps of {} to {} are read off straight lines every {}, and nothing above "
-      "{} can be trusted.",
-      seconds(smallest), seconds(largest), seconds(out.step),
+      "Resampled every {} by straight lines between stored steps of {} to {}: nothing above {} can "
+      "be trusted.",
+      seconds(out.step), seconds(smallest), seconds(largest),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
   std::size_t at = 0;
   for (std::size_t i = 0; i < n; ++i) {

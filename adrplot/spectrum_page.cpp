@@ -348,11 +348,10 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }
   if (beyond > 0.0)
-    add_note(chart, fmt::format("The first view ends at {}: the largest line beyond, at {}, has "
-                                "{} % of its curve's largest.",
-                                desktop::pretty_quantity(chart.view_high, "Hz", 3),
-                                desktop::pretty_quantity(at, "Hz", 3),
-                                desktop::pretty_number(100.0 * beyond, 2)));
+    add_note(chart, fmt::format("Beyond the first view no line is above {} % of its curve's "
+                                "largest (at {}).",
+                                desktop::pretty_number(100.0 * beyond, 2),
+                                desktop::pretty_quantity(at, "Hz", 3)));
 }
 
 }  // namespace adore::adrplot

@@ -168,18 +168,16 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                                        : desktop::pretty_quantity(distance, unit, 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   page.note += fmt::format(
-      " Each piece of {} is taken without its mean and trend: what is still slower is in its first "
-      "lines, and its first line may be up to half too low.",
+      " Each is of {} without mean and trend: what is slower is in its first lines, the first may "
+      "be half too low.",
       desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3));
   if (decibel)
     page.note += " 0 dB is the largest amplitude of all; nothing below " +
                  desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
   choose_frequency_axis(page, ends, kVisible);
   if (page.view_high < page.x.back())
-    page.note +=
-        fmt::format(" The first view ends at {}: nothing beyond is above {} % of the largest.",
-                    desktop::pretty_quantity(page.view_high, "Hz", 3),
-                    desktop::pretty_number(100.0 * kVisible, 2));
+    page.note += fmt::format(" Beyond the first view nothing is above {} % of the largest.",
+                             desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }
 

@@ -160,6 +160,15 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
     axis.decimals = decimals_for(axis.step);
     round_out();
   }
+  // A part of the axis that next to no value is in says nothing: -2 µm of a gap need no -100 µm.
+  constexpr double kLittle = 0.15;
+  const double second = axis.min + axis.step, second_last = axis.max - axis.step;
+  if (data_min < second && second - data_min < kLittle * axis.step &&
+      second < second_last + 0.5 * axis.step)
+    axis.min = data_min;
+  if (data_max > second_last && data_max - second_last < kLittle * axis.step &&
+      axis.min < second_last - 0.5 * axis.step)
+    axis.max = data_max;
   // A line that touches the frame gets a little air, so that it is seen whole.
   const double air = 0.03 * (axis.max - axis.min);
   if (data_min < axis.min + air) axis.min -= air;

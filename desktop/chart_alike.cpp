@@ -86,6 +86,26 @@ bool covered(const ChartScene::ShownCurve& below, const ChartScene::ShownCurve& 
   return within(below, above, same);
 }
 
+/// Is a curve a dense run to and fro, in more than a twentieth of the columns of pixels that it
+/// passes? Of such a one only the bounds are seen; of any other every value.
+bool runs_to_and_fro(const ChartScene::ShownCurve& one, qreal same) {
+  constexpr qreal kMost = 0.05;
+  qreal columns = 0.0, dense = 0.0;
+  for (const QPolygonF& line : one.lines) {
+    for (qsizetype i = 0; i < line.size();) {
+      const qreal column = std::floor(line[i].x());
+      qreal up = 0.0, down = 0.0;  // ways within the column
+      for (++i; i < line.size() && std::floor(line[i].x()) == column; ++i) {
+        const qreal way = line[i].y() - line[i - 1].y();
+        (way > 0.0 ? down : up) += std::abs(way);
+      }
+      columns += 1.0;
+      dense += std::min(up, down) > same ? 1.0 : 0.0;
+    }
+  }
+  return dense > kMost * columns;
+}
+
 /// Do curves and their bands agree from place `from` to before `to`, by what `same` says of two
 /// values, wherever both have one?
 struct Agreement {
@@ -107,6 +127,18 @@ Agreement agreement(const ChartCurve& a, const ChartCurve& b, std::size_t from, 
     }
   }
   return out;
+}
+
+/// Do the bands of two curves reach as far beyond their lines, to `seen`?
+bool bands_agree(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
+                 double seen) {
+  for (const auto values : {&ChartCurve::low, &ChartCurve::high}) {
+    const std::vector<double>&p = a.*values, &q = b.*values;
+    if (p.size() != q.size()) return false;
+    for (std::size_t i = from; i < std::min({to, p.size(), a.y.size(), b.y.size()}); ++i)
+      if (std::abs((p[i] - a.y[i]) - (q[i] - b.y[i])) > seen) return false;
+  }
+  return true;
 }
 
 /// When two values are the same for a picture: where a stretch begins, and while it goes on. With
@@ -390,13 +422,16 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
                               : p_shown == q_shown;
   };
   const Agreement seen_alike = agreement(one, other, from, to, near);
+  const bool bands_alike = bands_agree(one, other, from, to, seen * std::abs(y_axis.factor));
   const auto place = [&](std::size_t i) {
     return area.left() +
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
   };
   shown.partly =
       seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
-  shown.alike = !seen_alike.agree                              ? Alike::Covers
+  // On a steep way lines that lie on each other have values that differ by more than a line.
+  shown.alike = !seen_alike.agree
+                    ? (runs_to_and_fro(shown, same) || !bands_alike ? Alike::Covers : Alike::Near)
                 : agreement(one, other, from, to, equal).agree ? Alike::Equal
                                                                : Alike::Near;
 }

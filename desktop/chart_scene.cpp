@@ -75,6 +75,12 @@ void ChartScene::setPageSize(QSizeF size) {
   rebuild();
 }
 
+void ChartScene::setPointed(bool pointed) {
+  if (pointed == pointed_) return;
+  pointed_ = pointed;
+  if (!items().isEmpty()) rebuild();
+}
+
 void ChartScene::studyCurves() {
   constexpr std::size_t kLong = 8192;
   const std::vector<double>& x = page_.x;
@@ -340,7 +346,7 @@ void ChartScene::rebuild() {
                         : tight_axis(low_, high_, page_.x_unit,
                                      std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
-  const qreal rise = mark_rise(page_, m.tick_font);
+  const qreal rise = mark_rise(page_, m.tick_font, size_.width());
   const qreal height = (space.height() - m.gap * (count - 1) - m.legend - rise) / count;
   for (std::size_t i = 0; i < page_.panels.size(); ++i) {
     const QRectF area(space.left(),
@@ -473,7 +479,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   // A panel without values has no scale: any would be made up.
   const bool scaled = any && !log_of_none;
   const QRectF below_legend =
-      area.adjusted(0.0, names_above ? -mark_rise(page_, m.tick_font) : 0.0, 0.0, 0.0);
+      area.adjusted(0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
   const qreal legend =
       scaled ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m) : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
@@ -530,8 +536,11 @@ void ChartScene::paintPage(QPainter& painter, const QRectF& target) {
 QImage ChartScene::image(QSize size) {
   QImage image(size, QImage::Format_RGB32);
   image.fill(theme_->surface);
+  const bool before = pointed_;
+  setPointed(false);
   QPainter painter(&image);
   paintPage(painter, QRectF(QPointF(0, 0), QSizeF(size)));
+  setPointed(before);
   return image;
 }
 

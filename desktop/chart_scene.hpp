@@ -50,6 +50,10 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] const ChartPage& page() const { return page_; }
   void setTheme(const Theme& theme);
   void setPageSize(QSizeF size);
+  /// Is the scene before somebody who can point at it? Then what has no room can be read there; a
+  /// saved picture has to tell all, in small letters if need be.
+  void setPointed(bool pointed);
+  [[nodiscard]] bool pointed() const { return pointed_; }
 
   /// Visible part of the abscissa, in the page's units; limited to the data. Vertical axes follow.
   void setView(double low, double high);
@@ -213,6 +217,7 @@ class ChartScene : public QGraphicsScene {
   const Theme* theme_;
   ChartPage page_;
   QSizeF size_{1280, 800};
+  bool pointed_ = false;
   double low_ = 0.0, high_ = 1.0;
   AxisScale x_axis_;
   std::vector<AxisScale> y_axes_;
@@ -223,8 +228,8 @@ class ChartScene : public QGraphicsScene {
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<int> lines_;
-  /// What was found last, and for which note, width, height and right margin.
-  using NoteKey = std::tuple<std::string, qreal, qreal, qreal>;
+  /// What was found last, and for which note, width, height, right margin and use.
+  using NoteKey = std::tuple<std::string, qreal, qreal, qreal, bool>;
   mutable std::optional<std::pair<NoteKey, NoteLines>> note_lines_;
   bool rising_ = false;          ///< the abscissa
   std::vector<double> decades_;  ///< log10 of a logarithmic abscissa

@@ -79,12 +79,12 @@ struct ChartScene::Metrics {
 /// Between a panel and the names of its lines beside it.
 inline constexpr qreal kLineNameGap = 6.0;
 
-/// Between a panel and its legend: a row of names of marks, and the steps from these to their
-/// lines, so that no step crosses a curve.
-inline constexpr qreal kMarkSteps = 20.0;
-inline qreal mark_rise(const ChartPage& page, int tick_font) {
-  return page.marks.empty() ? 0.0 : tick_font + 6.0 + kMarkSteps;
-}
+/// Between a panel and its legend: rows of names of marks, and the steps from these to their lines,
+/// so that no step crosses a curve. As many rows as the names of all marks of the page take in a
+/// picture of that width: they stay while it is zoomed.
+[[nodiscard]] inline qreal mark_steps(int rows) { return rows > 1 ? 24.0 : 20.0; }
+[[nodiscard]] int mark_rows(const ChartPage& page, int tick_font, qreal width);
+[[nodiscard]] qreal mark_rise(const ChartPage& page, int tick_font, qreal width);
 
 /// Length of a title beside its panel: into the gaps above and below, not up to the next title.
 inline qreal title_room(const QRectF& area, qreal gap) {

@@ -47,6 +47,7 @@ std::string cursor_axis(const ChartPage& page) {
 ChartView::ChartView(QWidget* parent)
     : QGraphicsView(parent), scene_(new ChartScene(ChartStyle::Page, this)) {
   setScene(scene_);
+  scene_->setPointed(true);
   setFrameShape(QFrame::NoFrame);
   setRenderHint(QPainter::Antialiasing);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -45,6 +45,21 @@ QStringList wrapped(const QStringList& words, const QFontMetricsF& metrics, qrea
   return out;
 }
 
+/// The same without a word or two alone in the last line, in no more lines.
+QStringList evenly_wrapped(const QStringList& words, const QFontMetricsF& metrics, qreal width) {
+  constexpr qsizetype kFew = 3;
+  constexpr qreal kNarrower = 0.98, kNarrowest = 0.6;
+  const QStringList out = wrapped(words, metrics, width);
+  const auto alone = [](const QStringList& lines) { return lines.back().count(' ') + 1 < kFew; };
+  if (out.size() < 2 || !alone(out)) return out;
+  for (qreal part = kNarrower; part > kNarrowest; part *= kNarrower) {
+    QStringList lines = wrapped(words, metrics, part * width);
+    if (lines.size() > out.size()) break;
+    if (!alone(lines)) return lines;
+  }
+  return out;
+}
+
 /// The words of a note; a number keeps its unit beside it.
 QStringList words_of(const QString& note) {
   static const QRegularExpression kBeforeUnit(
@@ -72,34 +87,44 @@ qreal line_pitch(int font) { return font + 5.0; }
 /// counted, and read under the pointer.
 ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   if (page_.note.empty() || page_.panels.empty()) return {};
-  constexpr int kLargest = 13, kSmallest = 11, kLeft = 24;
+  constexpr int kLargest = 13, kSmallest = 11, kSmallestSaved = 9, kLeft = 24;
   // Of a heading any page has room for two lines; panels with their names keep as much as is read.
-  constexpr qreal kLeast = 34.0, kFew = 80.0, kHead = 66.0, kFoot = 54.0, kLegend = 22.0,
-                  kGap = 34.0, kPanel = 44.0;
+  constexpr qreal kLeast = 34.0, kFew = 80.0, kMore = 112.0, kHead = 66.0, kFoot = 54.0,
+                  kLegend = 22.0, kGap = 34.0, kPanel = 44.0, kPanelSaved = 34.0;
   const qreal width = size_.width() - kLeft - right;
   const auto panels = static_cast<qreal>(page_.equal_axes ? 3 : page_.panels.size());
-  const qreal room =
-      std::max(kLeast, size_.height() - kHead - kFoot - kLegend - mark_rise(page_, kLargest - 1) -
-                           panels * (kPanel + kGap) + kGap);
+  const auto room_beside = [&](qreal panel) {
+    return std::max(kLeast, size_.height() - kHead - kFoot - kLegend -
+                                mark_rise(page_, kLargest - 1, size_.width()) -
+                                panels * (panel + kGap) + kGap);
+  };
+  const qreal room = room_beside(kPanel);
   const QString note = text_of(page_.note);
   NoteLines out;
   const auto fits = [&](qreal height) {
     return static_cast<qreal>(out.lines.size()) * line_pitch(out.font) <= height;
   };
   const QStringList words = words_of(note);
-  for (const qreal height : {std::min(kFew, room), room})
+  for (const qreal height : {std::min(kFew, room), std::min(kMore, room), room})
     for (out.font = kLargest; out.font >= kSmallest; --out.font) {
-      out.lines = wrapped(words, QFontMetricsF(ui_font(out.font)), width);
+      out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
       if (fits(height)) return out;
     }
+  // Nobody can point at a saved picture: small letters before anything is left out.
+  for (out.font = kSmallest; !pointed_ && out.font >= kSmallestSaved; --out.font) {
+    out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
+    if (fits(room_beside(kPanelSaved))) return out;
+  }
   out.font = kSmallest;
   const QFontMetricsF metrics(ui_font(out.font));
   const QStringList sentences = sentences_of(note);
   for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
     const qsizetype left = sentences.size() - told;
-    const QString more = left == 1 ? tr("(One more sentence: point here in AdrPlot.)")
-                                   : tr("(%1 more sentences: point here in AdrPlot.)").arg(left);
-    out.lines = wrapped(words_of((sentences.mid(0, told) << more).join(' ')), metrics, width);
+    const QString where = pointed_ ? tr(": point here.") : tr(" for which there is no room.");
+    const QString more = (left == 1 ? tr("(One more sentence%1)").arg(where)
+                                    : tr("(%1 more sentences%2)").arg(left).arg(where));
+    out.lines =
+        evenly_wrapped(words_of((sentences.mid(0, told) << more).join(' ')), metrics, width);
     out.more = true;
     if (fits(room)) break;
   }
@@ -107,7 +132,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
 }
 
 const ChartScene::NoteLines& ChartScene::noteLines(qreal right) const {
-  const auto key = std::tuple(page_.note, size_.width(), size_.height(), right);
+  const auto key = std::tuple(page_.note, size_.width(), size_.height(), right, pointed_);
   if (!note_lines_ || note_lines_->first != key) note_lines_ = {key, findNoteLines(right)};
   return note_lines_->second;
 }
@@ -239,9 +264,10 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
       const QString sign = one->alike == Alike::Equal  ? "="
                            : one->alike == Alike::Near ? "≈"
                                                        : tr("over");
-      if (one->partly && whole)
-        return tr("%1 (partly %2 %3)")
-            .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name));
+      if (one->partly)
+        return whole ? tr("%1 (partly %2 %3)")
+                           .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
+                     : tr("%1 (partly %2)").arg(text_of(curve.name), sign);
       return whole ? tr("%1 (%2 %3)")
                          .arg(text_of(curve.name), sign, text_of(panel.curves[*one->hides].name))
                    : tr("%1 (%2)").arg(text_of(curve.name), sign);
@@ -300,119 +326,6 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     x -= line + gap;
   }
   return x;
-}
-
-namespace {
-
-/// A name over a panel, and the line that it belongs to.
-struct MarkName {
-  QStringList all;
-  QString text = {};
-  qreal line = 0.0, left = 0.0, width = 0.0;
-  /// Where the way from the name to its line leaves it.
-  [[nodiscard]] qreal foot() const {
-    const qreal edge = std::min(3.0, 0.5 * width);
-    return std::clamp(line, left + edge, left + width - edge);
-  }
-};
-
-/// Side by side from `left` to `right`, each as near to its line as the others let it be. Names of
-/// one line, and the last of too many, share a text, which counts those that it has no room for.
-void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal left, qreal right) {
-  constexpr qreal kApart = 8.0, kOneLine = 1.5;
-  const auto write = [&](MarkName& name, qreal room) {
-    name.text = name.all.join(", ");
-    for (qsizetype told = name.all.size() - 1;
-         told >= 0 && metrics.horizontalAdvance(name.text) > room; --told)
-      name.text = told > 0 ? ChartScene::tr("%1, %2 more")
-                                 .arg(name.all.mid(0, told).join(", "))
-                                 .arg(name.all.size() - told)
-                           : text_of(counted(name.all.size(), "name"));
-    name.width = metrics.horizontalAdvance(name.text);
-  };
-  const auto join = [&](std::size_t i) {  // the next one to it
-    names[i].all += names[i + 1].all;
-    names.erase(names.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    write(names[i], right - left);
-  };
-  for (MarkName& name : names) write(name, right - left);
-  for (std::size_t i = 0; i + 1 < names.size();)
-    if (names[i + 1].line - names[i].line < kOneLine)
-      join(i);
-    else
-      ++i;
-  // Without the last one, which may count its names.
-  const auto length = [&] {
-    qreal all = 0.0;
-    for (std::size_t i = 0; i + 1 < names.size(); ++i) all += names[i].width + kApart;
-    return all;
-  };
-  constexpr qreal kShort = 60.0;
-  const auto crowded = [&] {
-    return length() + std::min(names.back().width, kShort) > right - left;
-  };
-  while (names.size() > 1 && crowded()) join(names.size() - 2);
-  if (!names.empty()) write(names.back(), right - left - length());
-  for (MarkName& name : names) {
-    name.left = std::max(left, name.line - 0.5 * name.width);
-  }
-  for (std::size_t i = 1; i < names.size(); ++i)
-    names[i].left = std::max(names[i].left, names[i - 1].left + names[i - 1].width + kApart);
-  qreal end = right;
-  for (auto name = names.rbegin(); name != names.rend(); ++name) {
-    name->left = std::min(name->left, end - name->width);
-    end = name->left - kApart;
-  }
-}
-
-}  // namespace
-
-void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
-  std::vector<ChartMark> marks = page_.marks;
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
-  const QFont font = ui_font(m.tick_font);
-  const QFontMetricsF metrics(font);
-  const QPen pen(theme_->muted, 1, Qt::DashLine);
-  std::vector<MarkName> names;
-  for (const auto& mark : marks) {
-    const double shown = x_axis_.shown(mark.x);
-    if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
-    const qreal x =
-        area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
-    addLine(QLineF(x, area.top(), x, area.bottom()), pen);
-    names.push_back({.all = {text_of(mark.label)}, .line = x});
-  }
-  if (!label || names.empty()) return;
-  const std::vector<MarkName> lines = names;
-  arrange(names, metrics, area.left(), area.right());
-  // Steps below each other, so that none crosses another: of names to the right of their lines the
-  // last one goes deepest, of names to the left the first.
-  const qreal top = area.top() - kMarkSteps;
-  const qreal step = std::min(5.0, (kMarkSteps - 3.0) / static_cast<qreal>(names.size()));
-  std::vector<qreal> depth(names.size(), 0.0);
-  const auto aside = [&](std::size_t i) { return names[i].foot() - names[i].line; };
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (aside(i) > 0.5) depth[i] = step + (i > 0 ? depth[i - 1] : 0.0);
-  for (std::size_t i = names.size(); i-- > 0;)
-    if (aside(i) < -0.5) depth[i] = step + (i + 1 < names.size() ? depth[i + 1] : 0.0);
-  const QPen thin(theme_->muted, 1);
-  for (std::size_t i = 0, line = 0; i < names.size(); ++i) {
-    const MarkName& name = names[i];
-    auto* item = addSimpleText(name.text, font);
-    item->setBrush(theme_->muted);
-    item->setToolTip(name.all.join(", "));
-    item->setPos(name.left, top - metrics.height() + 1.0);
-    const qreal from = top + 1.0 + depth[i];
-    if (depth[i] > 0.0) {
-      addLine(QLineF(name.foot(), top + 1.0, name.foot(), from), thin);
-      addLine(QLineF(name.foot(), from, name.line, from), thin);
-    }
-    // All lines whose names it has.
-    const qreal next = i + 1 < names.size() ? names[i + 1].line : area.right() + 1.0;
-    for (; line < lines.size() && lines[line].line < next; ++line)
-      addLine(QLineF(lines[line].line, from, lines[line].line, area.top()), thin);
-  }
 }
 
 void ChartScene::addMessage(const QRectF& area, const QString& text, const Metrics& m) {

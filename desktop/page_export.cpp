@@ -107,6 +107,8 @@ ChartPage seen_part(const ChartScene& scene) {
 
 void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page) {
   const QSizeF before = scene.sceneRect().size();
+  const bool pointed = scene.pointed();
+  scene.setPointed(false);
   scene.setPageSize(page);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -114,6 +116,7 @@ void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QS
   scene.render(&painter, target, scene.sceneRect(), Qt::KeepAspectRatio);
   painter.restore();
   scene.setPageSize(before);
+  scene.setPointed(pointed);
 }
 
 void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,

@@ -57,8 +57,12 @@ TEST_CASE("pages: no note is cut, whatever the page, what it shows and its size"
               page.note += " There is still more to be told of page " +
                            std::to_string(document.pages.size() + static_cast<std::size_t>(i)) +
                            ", as files of runs that were killed have it.";
-            for (const QSizeF size : {QSizeF(700, 450), QSizeF(1280, 800)}) {
+            for (const auto& [size, pointed] : {std::pair(QSizeF(700, 450), true),
+                                                {QSizeF(1280, 800), true},
+                                                {QSizeF(700, 450), false},
+                                                {QSizeF(1280, 800), false}}) {
               desktop::ChartScene scene;
+              scene.setPointed(pointed);
               scene.setPageSize(size);
               scene.setPage(page);
               QString tip;
@@ -68,7 +72,10 @@ TEST_CASE("pages: no note is cut, whatever the page, what it shows and its size"
               CHECK_FALSE(shown.contains(QChar(0x2026)));
               if (shown == whole) continue;
               ++counted;
-              CHECK(shown.contains("point here"));
+              // Nobody can point at a picture; what a page has to say has room in it.
+              CHECK(shown.contains("point here") == pointed);
+              if (!pointed) CHECK(more > 0);
+              if (!pointed) CHECK(shown.endsWith("for which there is no room.)"));
               CHECK(tip.contains(whole.right(20).toHtmlEscaped()));
               const QString told = shown.left(shown.lastIndexOf('(')).trimmed();
               CHECK(whole.startsWith(told));

@@ -107,6 +107,31 @@ TEST_CASE("chart_scene: both of two equal curves are seen along a line of any sl
     }
 }
 
+TEST_CASE("chart_scene: a panel's size and shape change no word for curves that lie together",
+          "[gui][desktop]") {
+  test::use_qt();
+  // Loads that rise steeply, 1 % apart: over a narrow and high panel their values differ by more
+  // than a line is wide where nobody can see them apart. Their extremes are theirs.
+  constexpr std::size_t kPoints = 6000;
+  std::vector<double> lower, upper;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    lower.push_back(750.0 + 750.0 * std::cos(2e-3 * static_cast<double>(i)));
+    upper.push_back(750.0 + 750.0 * std::cos(2e-3 * (static_cast<double>(i) + 8.0)));
+  }
+  for (const ChartStyle style : {ChartStyle::Page, ChartStyle::Compact})
+    for (const QSizeF size : {QSizeF(700, 450), QSizeF(420, 1200)})
+      for (const bool bands : {false, true}) {
+        ChartScene scene(style);
+        scene.setPageSize(size);
+        ChartPage page = page_of(lower, upper);
+        for (ChartCurve& curve : page.panels[0].curves)
+          if (bands) curve.low = curve.high = curve.y;
+        scene.setPage(page);
+        INFO(size.width() << " wide: " << legend_of(scene).toStdString());
+        CHECK(legend_of(scene).contains("≈"));
+      }
+}
+
 TEST_CASE("chart_scene: what scatters about the bound is one stretch, not many", "[gui][desktop]") {
   test::use_qt();
   // As far apart as 0.2 to 0.5 of a line: a bound between the two would cut it all over.

@@ -71,6 +71,27 @@ TEST_CASE("axis_scale: ticks are 1, 2 or 5 times a power of ten and hold the dat
   }
 }
 
+TEST_CASE("axis_scale: no step of an axis is there for next to nothing", "[unit]") {
+  // A gap of 120 µm with contacts of 3 µm: the axis begins below those, not at -100 µm.
+  const AxisScale gap = value_axis(-3e-6, 120e-6, "m", 2);
+  REQUIRE(gap.step == Approx(50.0).margin(51.0));
+  CHECK(gap.min < -3.0);
+  CHECK(gap.min > -20.0);
+  for (const double low : {-1.0, -0.2, -0.05, -0.01, 0.0, 0.3})
+    for (const double high : {0.35, 0.5, 1.0, 1.01, 1.1, 3.7})
+      for (const int parts : {2, 3, 5, 8}) {
+        const AxisScale axis = value_axis(low, high, "", parts);
+        CAPTURE(low, high, parts, axis.min, axis.max, axis.step);
+        CHECK(axis.min <= low);
+        CHECK(axis.max >= high);
+        CHECK(axis_ticks(axis).size() >= 2);
+        // Either the axis ends near the values, or they fill a good part of its last step.
+        const auto idle = [&](double beyond) { return beyond < 0.9 * axis.step; };
+        CHECK(idle(low - axis.min));
+        CHECK(idle(axis.max - high));
+      }
+}
+
 TEST_CASE("axis_scale: units take SI prefixes, or powers of ten where they have none", "[unit]") {
   CHECK(value_axis(0, 3.2e-6, "m", 5).unit == "µm");
   CHECK(value_axis(0, 3.2e-6, "m", 5).factor == Approx(1e-6));
