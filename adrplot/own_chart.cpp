@@ -8,9 +8,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <string_view>
 
 namespace adore::adrplot {
 namespace {
@@ -20,6 +23,8 @@ struct Taken {
   std::vector<double> x, y;
   bool wraps = false;
   std::vector<bool> own = {};  ///< as long as x: a value that is stored; empty: all are
+  /// Extremes between the stored values, as long as x; empty: not known.
+  std::vector<double> low = {}, high = {};
 };
 
 /// Which of the places `where`, which rise, are stored ones of a curve.
@@ -38,9 +43,94 @@ std::string run_of(const PlotDocument& file) {
   return (folder.empty() ? "" : folder + "/") + file.path.filename().string();
 }
 
+constexpr std::string_view kBands = "Pale areas ";
+
+/// Sentences, each with its full stop.
+std::vector<std::string> sentences_of(const std::string& note) {
+  std::vector<std::string> out;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i + 2 < note.size(); ++i) {
+    const auto next = static_cast<unsigned char>(note[i + 2]);
+    if (note[i] != '.' || note[i + 1] != ' ' ||
+        (std::isupper(next) == 0 && std::isdigit(next) == 0))
+      continue;
+    out.push_back(note.substr(begin, i + 1 - begin));
+    begin = i + 2;
+  }
+  if (begin < note.size()) out.push_back(note.substr(begin));
+  return out;
+}
+
+/// What the pages say that curves were taken from: of all of them at once, else by their names.
+class SourceNotes {
+ public:
+  void add(const std::string& source, const std::string& sentence) {
+    if (std::find(sources_.begin(), sources_.end(), source) == sources_.end())
+      sources_.push_back(source);
+    if (sentence.empty()) return;
+    const auto same = std::find_if(said_.begin(), said_.end(),
+                                   [&](const auto& one) { return one.first == sentence; });
+    if (same == said_.end())
+      said_.push_back({sentence, {source}});
+    else if (std::find(same->second.begin(), same->second.end(), source) == same->second.end())
+      same->second.push_back(source);
+  }
+  void tell(desktop::ChartPage& page) const {
+    for (const auto& [sentence, of] : said_)
+      if (of.size() == sources_.size()) add_note(page, sentence);
+    std::map<std::vector<std::string>, std::string> others;
+    for (const auto& [sentence, of] : said_) {
+      if (of.size() == sources_.size()) continue;
+      std::string& text = others[of];
+      text += (text.empty() ? "" : " ") + sentence;
+    }
+    for (const auto& [of, text] : others) {
+      std::string names;
+      for (const std::string& name : of) names += (names.empty() ? "" : ", ") + name;
+      add_note(page, names + ": " + text);
+    }
+  }
+
+ private:
+  std::vector<std::string> sources_;
+  std::vector<std::pair<std::string, std::vector<std::string>>> said_;
+};
+
+/// What the page of a curve says that is true of the curve over this domain, too.
+std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartPage& history,
+                                    const PageOptions& options, bool band) {
+  std::vector<std::string> out;
+  if (!pick.file->note.empty()) out.push_back("Incomplete file: " + pick.file->note + ".");
+  const bool over_time = options.domain == Domain::History;
+  const std::string note = over_time ? history.note : pick.file->build(pick.page, options).note;
+  for (const std::string& sentence : sentences_of(note)) {
+    const auto is = [&](std::string_view begin) { return sentence.starts_with(begin); };
+    // Of frequencies the page speaks of spectra of its own.
+    const bool of_file = is("Aliased: ") || is("These are ") || is("Of the file ") ||
+                         is("The values have ") || is("RESULTS.h5 ");
+    if (over_time ? band || !is(kBands) : of_file) out.push_back(sentence);
+  }
+  return out;
+}
+
+/// Extremes since the value before at other places: those of the stored step that the place lies
+/// in.
+std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<double>& extremes,
+                                const std::vector<double>& where) {
+  std::vector<double> out;
+  out.reserve(where.size());
+  std::size_t at = 0;
+  for (const double place : where) {
+    while (at < x.size() && x[at] < place) ++at;
+    const bool inside = at < x.size() && place >= x.front();
+    out.push_back(inside ? extremes[at] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return out;
+}
+
 /// What is chosen, each curve over its own abscissa; title and unit of that go into the page.
 std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& options,
-                        desktop::ChartPage& page) {
+                        Domain domain, desktop::ChartPage& page, SourceNotes& notes) {
   std::vector<Taken> taken;
   std::set<std::string> runs;
   for (const CurvePick& pick : picks) {
@@ -68,6 +158,12 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
                            curve.name, pick.file->subject, run_of(*pick.file));
     one.x = source.x;
     one.y = curve.y;
+    if (curve.low.size() == curve.y.size()) one.low = curve.low, one.high = curve.high;
+    PageOptions shown = options;
+    shown.domain = source.x_title == "Time" ? domain : Domain::History;
+    notes.add(one.name, {});
+    for (const std::string& remark : remarks_on(pick, source, shown, !one.low.empty()))
+      notes.add(one.name, remark);
     runs.insert(run_of(*pick.file));
     taken.push_back(std::move(one));
   }
@@ -143,6 +239,9 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
     const std::vector<bool> of_first = own_places(first, one.x);
     for (std::size_t k = 0; k < one.own.size(); ++k) one.own[k] = one.own[k] && of_first[k];
     one.title = "Difference";
+    if (!one.low.empty() || !first.low.empty())
+      add_note(page, "Extremes between the stored steps are not known of a difference.");
+    one.low.clear(), one.high.clear();
     one.wraps = false;
     out.push_back(std::move(one));
   }
@@ -158,6 +257,10 @@ void trim(Taken& one) {
   one.x = {one.x.begin() + first, one.x.begin() + last};
   one.y = {one.y.begin() + first, one.y.begin() + last};
   if (!one.own.empty()) one.own = {one.own.begin() + first, one.own.begin() + last};
+  if (!one.low.empty()) {
+    one.low = {one.low.begin() + first, one.low.begin() + last};
+    one.high = {one.high.begin() + first, one.high.begin() + last};
+  }
 }
 
 /// Each curve over time becomes its spectrum.
@@ -175,6 +278,7 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
       add_note(page, curves.size() > 1 ? one.name + ": " + alone.note : alone.note);
     one.wraps = false;
     one.own.clear();  // lines of a spectrum are its own
+    one.low.clear(), one.high.clear();
     one.x = has ? alone.x : std::vector<double>();
     one.y = has ? alone.panels[0].curves[0].y : std::vector<double>();
     if (has) one.unit = alone.panels[0].unit;
@@ -192,6 +296,10 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
 void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool one_title) {
   for (const Taken& one : curves) {
     desktop::ChartCurve curve{one.name, read_off(one.x, one.y, page.x), {}};
+    if (!one.low.empty()) {
+      curve.low = extremes_at(one.x, one.low, page.x);
+      curve.high = extremes_at(one.x, one.high, page.x);
+    }
     curve.stored = own_places(one, page.x);
     if (std::find(curve.stored.begin(), curve.stored.end(), false) == curve.stored.end())
       curve.stored.clear();
@@ -240,7 +348,8 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   if (options.domain != Domain::History) history.abscissa = Abscissa::Time;
   desktop::ChartPage page;
   page.title = less ? "Differences" : "Chosen curves";
-  std::vector<Taken> curves = take(picks, history, page);
+  SourceNotes notes;
+  std::vector<Taken> curves = take(picks, history, options.domain, page, notes);
   // Spectra are of time: sweeps, tables and curves over frequency have none.
   const Domain domain =
       page.x_title == "Time" && page.x_unit == "s" ? options.domain : Domain::History;
@@ -259,6 +368,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     page.x = one.x;
     page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
     to_waterfall(page, one.x, {}, options.spectrum);
+    notes.tell(page);
     return page;
   }
   if (domain == Domain::Spectrum) {
@@ -266,6 +376,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     page.x = all_places(curves);
   }
   add_panels(page, curves, less);
+  notes.tell(page);
   if (domain == Domain::Spectrum) {
     // Runs turn at their own speeds: marks of one are wrong over another.
     if (of_one_run(picks))

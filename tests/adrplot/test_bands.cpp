@@ -1,3 +1,4 @@
+#include "adrplot/own_chart.hpp"
 #include "adrplot/plot_document.hpp"
 #include "core/results/synthetic.hpp"
 #include "desktop/chart_scene.hpp"
@@ -158,6 +159,57 @@ TEST_CASE("spectra are of stored values and a file of another run gives no bands
   results::SolFile other = results::read_sol(folder / "SOL4");
   other.header.run_id = "another run";
   CHECK(results::bands_of(other, {0, 1, 2, 3, 4, 5}).empty());
+}
+
+TEST_CASE("own charts keep the extremes and the remarks of the pages that they are from",
+          "[unit][adrplot][step-band]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI);
+  results::SolRange range;
+  range.every = 5;
+  const PlotDocument all = open_document(folder / "SOL4"),
+                     few = open_document(folder / "SOL4", range),
+                     element = open_document(folder / "SOL1");
+  const int pocket = page_named(all, "Pocket 1"), slip = page_named(element, "Race interactions 2");
+  const CurvePick force{&all, pocket, 0, 0}, force_of_few{&few, pocket, 0, 0},
+      gap{&all, pocket, 1, 0}, slipping{&element, slip, 0, 0};
+  const auto said = [](const desktop::ChartPage& page, const std::string& what) {
+    return page.note.find(what) != std::string::npos;
+  };
+  const auto source = all.build(pocket, {});
+  // Two abscissae: each place has the extremes of the stored step that it lies in.
+  const auto page = combine_curves({force, force_of_few}, Combine::Overlay, {});
+  REQUIRE(page.panels.size() == 1);
+  const auto& curves = page.panels[0].curves;
+  CHECK(curves.at(0).low == source.panels[0].curves[0].low);
+  CHECK(curves[0].high == source.panels[0].curves[0].high);
+  REQUIRE(curves.at(1).high.size() == page.x.size());
+  for (std::size_t i = 0; i < page.x.size(); ++i) {
+    double high = 20.0 * wave(0), low = high;
+    const long end = i == 0 ? 0 : i <= 5 ? 50 : 100;
+    for (long k = end - 49; k <= end && end > 0; ++k) {
+      high = k == end - 49 ? 20.0 * wave(k) : std::max(high, 20.0 * wave(k));
+      low = k == end - 49 ? 20.0 * wave(k) : std::min(low, 20.0 * wave(k));
+    }
+    CHECK(curves[1].high[i] == Approx(high).epsilon(1e-9));
+    CHECK(curves[1].low[i] == Approx(low).epsilon(1e-9));
+  }
+  CHECK(said(page, "Pale areas reach from"));
+  // What one of them says is said of that one; what a curve does not have is not spoken of.
+  CHECK(said(page, "of the file's steps, every 5th one"));
+  CHECK_FALSE(said(combine_curves({gap}, Combine::Overlay, {}), "Pale"));
+  const auto two = combine_curves({gap, slipping}, Combine::Overlay, {});
+  REQUIRE(two.panels.size() == 2);
+  CHECK(said(two, two.panels[1].curves[0].name + ": Of every 10 steps of the run one is stored: "
+                                                 "peaks between stored steps are not"));
+  const auto less = combine_curves({force, force_of_few}, Combine::Difference, {});
+  for (const auto& curve : less.panels.at(0).curves) CHECK(curve.high.empty());
+  CHECK(said(less, "Extremes between the stored steps are not known of a difference."));
+  PageOptions spectra;
+  spectra.domain = Domain::Spectrum;
+  const auto lines = combine_curves({force, force_of_few}, Combine::Overlay, spectra);
+  CHECK_FALSE(said(lines, "Pale"));
+  CHECK(said(lines, "of the file's steps, every 5th one"));
 }
 
 TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {
