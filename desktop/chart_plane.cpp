@@ -1,5 +1,6 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_scene_parts.hpp"
+#include "desktop/dense_way.hpp"
 
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
@@ -231,26 +232,45 @@ void ChartScene::addOrbit(const Metrics& m) {
       }
       shown.push_back(std::move(one));
     }
-    Polyline line, piece;  // all that is drawn, and the part since the last gap
+    const QPen pen = penOf(colour,
+                           curve.heavy            ? 3.0 * m.line
+                           : page_.closed_outline ? m.line
+                                                  : m.thin_line,
+                           curve.dashed || on_another);
+    constexpr std::size_t kLong = 4096;
+    Polyline line, piece;  // first and last place; the part since the last gap
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
-      addCurve(piece, area, x_axis, y_axis,
-               penOf(colour,
-                     curve.heavy            ? 3.0 * m.line
-                     : page_.closed_outline ? m.line
-                                            : m.thin_line,
-                     curve.dashed || on_another));
+      addCurve(piece, area, x_axis, y_axis, pen);
       piece = {};
     };
-    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-      if (!is_drawable(curve.x[i]) || !is_drawable(curve.y[i])) {
+    const auto known = [&curve](std::size_t i) {
+      return is_drawable(curve.x[i]) && is_drawable(curve.y[i]);
+    };
+    const std::size_t count = std::min(curve.x.size(), curve.y.size());
+    const bool by_what_is_seen = count > kLong && !curve.dashed && !on_another;
+    std::size_t first = 0, last = count;
+    while (first < count && !known(first)) ++first;
+    while (last > first && !known(last - 1)) --last;
+    if (first < last) {
+      line.x = {curve.x[first], curve.x[last - 1]};
+      line.y = {curve.y[first], curve.y[last - 1]};
+    }
+    if (by_what_is_seen) {
+      const double x_per = area.width() / (x_axis.max - x_axis.min),
+                   y_per = -area.height() / (y_axis.max - y_axis.min);
+      const PlaneScale scale{area.left() - x_axis.min * x_per, x_per / x_axis.factor,
+                             area.bottom() - y_axis.min * y_per, y_per / y_axis.factor};
+      addWay(seen_way(curve.x, curve.y, scale, area), area, pen);
+      if (!lines_.empty()) ++lines_.back();
+    }
+    for (std::size_t i = first; i < last && !by_what_is_seen; ++i) {
+      if (!known(i)) {
         draw_piece();
         continue;
       }
-      for (Polyline* to : {&line, &piece}) {
-        to->x.push_back(curve.x[i]);
-        to->y.push_back(curve.y[i]);
-      }
+      piece.x.push_back(curve.x[i]);
+      piece.y.push_back(curve.y[i]);
     }
     draw_piece();
     ++colour;

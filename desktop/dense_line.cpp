@@ -1,5 +1,6 @@
 #include "desktop/dense_line.hpp"
 
+#include "desktop/dense_way.hpp"
 #include "desktop/stroke_mask.hpp"
 
 #include <QPaintDevice>
@@ -40,64 +41,13 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
   return out;
 }
 
-QList<QLineF> distinct_parts(const QPolygonF& line, double scale) {
-  constexpr double kPerPixel = 4.0, kFar = 32767.0;
-  constexpr int kSlotBits = 18, kLooks = 8;
-  // What was drawn, by its hash; of more than there is room for the latest.
-  std::vector<std::uint64_t> drawn(std::size_t{1} << kSlotBits, 0);
-  const auto is_new = [&drawn](std::uint64_t part) {
-    const std::size_t first = (part * 0x9e3779b97f4a7c15ULL) >> (64 - kSlotBits);
-    for (std::size_t i = 0; i < kLooks; ++i) {
-      std::uint64_t& slot = drawn[(first + i) & (drawn.size() - 1)];
-      if (slot == part) return false;
-      if (slot != 0) continue;
-      slot = part;
-      return true;
-    }
-    drawn[first] = part;
-    return true;
-  };
-  QList<QLineF> out;
-  if (line.isEmpty()) return out;
-  struct Place {
-    std::uint64_t key = 0;
-    bool near = false;
-  };
-  const auto place = [&](const QPointF& p) -> Place {
-    const double x = std::round(kPerPixel * scale * p.x()),
-                 y = std::round(kPerPixel * scale * p.y());
-    if (!(std::abs(x) < kFar && std::abs(y) < kFar)) return {};
-    return {static_cast<std::uint64_t>(x + kFar) << 16 | static_cast<std::uint64_t>(y + kFar),
-            true};
-  };
-  QPointF from = line.front();
-  Place at = place(from);
-  for (qsizetype i = 1; i < line.size(); ++i) {
-    const Place next = place(line[i]);
-    if (at.near && next.near) {
-      if (at.key == next.key) continue;
-      const std::uint64_t part = std::max(at.key, next.key) << 32 | std::min(at.key, next.key);
-      if (is_new(part)) out.append({from, line[i]});
-    } else {
-      out.append({from, line[i]});
-    }
-    from = line[i];
-    at = next;
-  }
-  return out;
-}
-
 namespace {
 
-/// Stroking takes hundreds of bytes for each point: an orbit of a million in one go took 260 MB.
+/// Stroking takes hundreds of bytes for each point: a way of a million in one go took 260 MB.
 void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
   constexpr qsizetype kPiece = 4000;
   if (line.size() <= kPiece || pen.style() != Qt::SolidLine) {
     painter.drawPolyline(line);
-    return;
-  }
-  if (painter.paintEngine() != nullptr && painter.paintEngine()->type() == QPaintEngine::Raster) {
-    painter.drawLines(distinct_parts(line, painter.deviceTransform().m11()));
     return;
   }
   for (qsizetype first = 0; first + 1 < line.size(); first += kPiece)
@@ -139,6 +89,19 @@ void draw_strokes(QPainter& painter, const std::vector<QPolygonF>& lines, const 
                     strokes.image, strokes.image.rect());
 }
 
+void draw_stamps(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
+                 const QPen& pen) {
+  const QTransform& placed = painter.deviceTransform();
+  std::vector<QPolygonF> on_device;
+  on_device.reserve(lines.size());
+  for (const QPolygonF& line : lines) on_device.push_back(placed.map(line));
+  const StampImage stamps = stamp_image(on_device, pen.widthF() * placed.m11(), pen.color(),
+                                        placed.mapRect(area).toAlignedRect());
+  if (stamps.image.isNull()) return;
+  painter.drawImage(placed.inverted().mapRect(QRectF(stamps.place, stamps.image.size())),
+                    stamps.image, stamps.image.rect());
+}
+
 }  // namespace
 
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
@@ -149,13 +112,18 @@ void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QR
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   const bool as_strokes = paints_pixels(painter) && pen.style() == Qt::SolidLine;
-  std::vector<QPolygonF> strokes;
+  constexpr qsizetype kMany = 4000;  // points of ways to and fro
+  std::vector<QPolygonF> strokes, ways;
+  qsizetype points = 0;
   for (const QPolygonF& line : lines) {
-    if (as_strokes && goes_right(line))
-      strokes.push_back(line);
-    else
-      draw_in_pieces(painter, line, pen);
+    const bool right = as_strokes && goes_right(line);
+    (right ? strokes : ways).push_back(line);
+    points += right ? 0 : line.size();
   }
+  if (as_strokes && points > kMany)
+    draw_stamps(painter, ways, area, pen);
+  else
+    for (const QPolygonF& line : ways) draw_in_pieces(painter, line, pen);
   if (!strokes.empty()) draw_strokes(painter, strokes, area, pen);
   painter.restore();
 }

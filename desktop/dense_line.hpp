@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QLineF>
-#include <QList>
 #include <QPolygonF>
 #include <QRectF>
 
@@ -24,11 +22,8 @@ struct ColumnBar {
 /// `left` and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
-/// Straight parts of a long way, such as an orbit of many turns, without those that lie on another
-/// one to a quarter of a pixel; `scale` pixels to a unit.
-[[nodiscard]] QList<QLineF> distinct_parts(const QPolygonF& line, double scale);
-
-/// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp.
+/// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp, ways to
+/// and fro of many points by dense_way.hpp.
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
                 const QPen& pen);
 

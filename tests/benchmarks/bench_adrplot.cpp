@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <memory>
@@ -88,6 +89,52 @@ void pan(benchmark::State& state) {
 BENCHMARK(pan)
     ->ArgsProduct({{1'000, 2'500, 10'000, 30'000, 100'000, 1'000'000}, {1280}, {800}})
     ->ArgsProduct({{2'500, 1'000'000}, {1920}, {1080}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// An orbit of as many points, enlarged to `1 / part` of its width and moved about: turns of 500
+/// points that precess, with or without noise that fills their ring.
+void pan_orbit(benchmark::State& state) {
+  need_application();
+  desktop::ChartPage page;
+  page.title = "Orbit";
+  page.equal_axes = true;
+  page.x_title = "Y";
+  desktop::ChartCurve curve{"mass centre", {}, {}};
+  std::uint32_t seed = 1;
+  for (long i = 0; i < state.range(0); ++i) {
+    seed = seed * 1664525U + 1013904223U;
+    const double noise = static_cast<double>(state.range(2)) * 0.05 * (seed * 0x1p-32 - 0.5);
+    const double a = static_cast<double>(i) * 2.0 * 3.14159265358979 / 500.0;
+    const double r = 1.0 + 0.1 * std::sin(0.37 * a) + noise;
+    curve.x.push_back(r * std::cos(a));
+    curve.y.push_back(r * std::sin(a));
+  }
+  page.panels = {{"Z", "", {std::move(curve)}}};
+  const QSize size(1280, 800);
+  desktop::ChartScene scene;
+  scene.setPageSize(size);
+  scene.setPage(std::move(page));
+  QImage image(size, QImage::Format_RGB32);
+  const double half = 0.5 * static_cast<double>(state.range(1)) / 100.0;
+  double turn = 0.0;
+  std::vector<double> times;
+  for (auto _ : state) {
+    const double before = thread_time();
+    turn += 0.1;
+    const double x = 0.4 * std::cos(turn), y = 0.4 * std::sin(turn);
+    scene.setZoom({0.0, 1.0, {std::pair(y - half, y + half), std::pair(x - half, x + half)}});
+    QPainter painter(&image);
+    scene.paintPage(painter, QRectF(QPointF(0, 0), QSizeF(size)));
+    times.push_back(thread_time() - before);
+  }
+  const auto at =
+      times.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(times.size()));
+  std::nth_element(times.begin(), at, times.end());
+  state.counters["p95_ms"] = *at;
+}
+BENCHMARK(pan_orbit)
+    ->ArgsProduct({{1'000'000}, {200, 100, 10}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 

@@ -65,30 +65,6 @@ TEST_CASE("dense_line: bars reach every point of the line and no further", "[uni
   }
 }
 
-TEST_CASE("dense_line: an orbit of many turns is drawn once, and every way of it",
-          "[unit][desktop]") {
-  QPolygonF turn;
-  constexpr int kPoints = 500;
-  for (int i = 0; i < kPoints; ++i) {
-    const double a = 2.0 * std::numbers::pi * i / kPoints;
-    turn.append({200.0 + 150.0 * std::cos(a), 200.0 + 100.0 * std::sin(a)});
-  }
-  QPolygonF turns;
-  for (int k = 0; k < 200; ++k) turns += turn;
-  const auto once = distinct_parts(turn, 1.0).size();
-  CHECK(once == kPoints - 1);
-  CHECK(distinct_parts(turns, 1.0).size() == once + 1);  // and the way back to the start
-  // One excursion in the middle is there and back.
-  turns[50'250] = {390.0, 10.0};
-  const auto parts = distinct_parts(turns, 1.0);
-  CHECK(parts.size() == once + 3);
-  CHECK(std::count_if(parts.begin(), parts.end(), [](const QLineF& part) {
-          return part.p1() == QPointF(390.0, 10.0) || part.p2() == QPointF(390.0, 10.0);
-        }) == 2);
-  // Places beyond any screen are kept as they are.
-  CHECK(distinct_parts(QPolygonF({{0, 0}, {1e5, 0}, {0, 0}, {1e5, 0}}), 1.0).size() == 3);
-}
-
 TEST_CASE("dense_line: the only spike of a thousand points is seen, and stays where it is",
           "[gui]") {
   adore::test::use_qt();

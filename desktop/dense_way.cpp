@@ -1,0 +1,195 @@
+#include "desktop/dense_way.hpp"
+
+#include <QColor>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace adore::desktop {
+namespace {
+
+constexpr double kCells = 2.0;   ///< to a pixel
+constexpr double kMargin = 4.0;  ///< strokes beside the picture reach into it [px]
+
+/// Half pixels of a picture that were passed.
+class Cells {
+ public:
+  explicit Cells(const QRectF& area)
+      : left_(area.left()),
+        top_(area.top()),
+        columns_(static_cast<int>(std::ceil(area.width() * kCells)) + 1),
+        rows_(static_cast<int>(std::ceil(area.height() * kCells)) + 1),
+        passed_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+  [[nodiscard]] int at(const QPointF& p) const { return row(p.y()) * columns_ + column(p.x()); }
+  [[nodiscard]] bool is_new(int cell) const { return passed_[static_cast<std::size_t>(cell)] == 0; }
+  void pass(int cell) { passed_[static_cast<std::size_t>(cell)] = 1; }
+  /// Passes all cells of a stroke but the first one, both of whose ends are inside. Was one of them
+  /// new?
+  bool pass_to(const QPointF& p, const QPointF& q) {
+    int c = column(p.x()), r = row(p.y());
+    const int last_c = column(q.x()), last_r = row(q.y());
+    const int way_c = last_c > c ? 1 : -1, way_r = last_r > r ? 1 : -1;
+    const double dx = (q.x() - p.x()) * kCells, dy = (q.y() - p.y()) * kCells;
+    const auto next = [](int cell, int way, double from, double length) {  // edge, in parts
+      return length == 0.0 ? 2.0 : (cell + (way > 0 ? 1 : 0) - from) / length;
+    };
+    const double from_c = (p.x() - left_) * kCells, from_r = (p.y() - top_) * kCells;
+    bool any = false;
+    while (c != last_c || r != last_r) {
+      if (r == last_r || (c != last_c && next(c, way_c, from_c, dx) < next(r, way_r, from_r, dy)))
+        c += way_c;
+      else
+        r += way_r;
+      const int cell = r * columns_ + c;
+      any = any || is_new(cell);
+      pass(cell);
+    }
+    return any;
+  }
+
+ private:
+  [[nodiscard]] int column(double x) const {
+    return std::clamp(static_cast<int>((x - left_) * kCells), 0, columns_ - 1);
+  }
+  [[nodiscard]] int row(double y) const {
+    return std::clamp(static_cast<int>((y - top_) * kCells), 0, rows_ - 1);
+  }
+  double left_, top_;
+  int columns_, rows_;
+  std::vector<std::uint8_t> passed_;
+};
+
+/// Cuts a stroke at the edges of `area`. False: nothing of it is inside.
+bool cut(QPointF& p, QPointF& q, const QRectF& area) {
+  double from = 0.0, to = 1.0;
+  const QPointF a = p, way = q - p;
+  const auto keep = [&](double start, double length, double low, double high) {
+    if (length == 0.0) return start >= low && start <= high;
+    const double one = (low - start) / length, other = (high - start) / length;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+    return from <= to;
+  };
+  if (!keep(a.x(), way.x(), area.left(), area.right()) ||
+      !keep(a.y(), way.y(), area.top(), area.bottom()))
+    return false;
+  p = a + from * way;
+  q = a + to * way;
+  return true;
+}
+
+}  // namespace
+
+std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
+                                const PlaneScale& scale, const QRectF& area) {
+  const QRectF around = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  Cells cells(around);
+  std::vector<QPolygonF> out;
+  QPointF end;  // of what was drawn last
+  const auto draw = [&](const QPointF& p, const QPointF& q) {
+    if (out.empty() || end != p) out.push_back({p});
+    out.back().append(q);
+    end = q;
+  };
+  bool known = false, fresh = false;  // is the cell of the point before new on this visit?
+  QPointF p;
+  int cell = -1;  // none: outside
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    const QPointF q = scale.place(x[i], y[i]);
+    if (!std::isfinite(q.x()) || !std::isfinite(q.y())) {
+      known = false;
+      continue;
+    }
+    const bool inside = around.contains(q);
+    if (!known) {
+      cell = inside ? cells.at(q) : -1;
+      fresh = inside && cells.is_new(cell);
+      if (fresh) cells.pass(cell);
+    } else if (inside && cell >= 0) {
+      const int next = cells.at(q);
+      if (next == cell) {
+        if (fresh) draw(p, q);
+      } else {
+        const bool seen = cells.pass_to(p, q);
+        if (seen || fresh) draw(p, q);
+        fresh = seen;
+        cell = next;
+      }
+    } else {  // one end or both are outside
+      QPointF from = p, to = q;
+      const bool passes = cut(from, to, around);
+      if (passes) {
+        const int first = cells.at(from);
+        const bool begins = cells.is_new(first);
+        cells.pass(first);
+        const bool seen = cells.pass_to(from, to) || begins;
+        if (seen || fresh) draw(from, to);
+        fresh = seen;
+      }
+      cell = inside ? cells.at(q) : -1;
+      fresh = fresh && inside;
+    }
+    p = q;
+    known = true;
+  }
+  return out;
+}
+
+StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const QColor& colour,
+                       const QRect& within) {
+  StampImage out;
+  if (within.isEmpty()) return out;
+  const int columns = within.width(), rows = within.height();
+  std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
+                                  static_cast<std::size_t>(rows));
+  const double reach = 0.5 * width + 0.5;  // where the cover of a pixel ends, from its middle
+  bool any = false;
+  for (const QPolygonF& line : lines)
+    for (qsizetype i = 1; i < line.size(); ++i) {
+      const double px = line[i - 1].x() - within.left(), py = line[i - 1].y() - within.top(),
+                   dx = line[i].x() - line[i - 1].x(), dy = line[i].y() - line[i - 1].y();
+      const double square = dx * dx + dy * dy, per = square > 0.0 ? 1.0 / square : 0.0;
+      const int top = std::max(0, static_cast<int>(std::floor(py + std::min(0.0, dy) - reach))),
+                bottom = std::min(rows - 1, static_cast<int>(py + std::max(0.0, dy) + reach));
+      for (int r = top; r <= bottom; ++r) {
+        // The part of the stroke that is near this row.
+        double low = px + std::min(0.0, dx), high = px + std::max(0.0, dx);
+        if (std::abs(dy) > 2.0 * reach) {
+          const double one = (r + 0.5 - reach - py) / dy, other = (r + 0.5 + reach - py) / dy;
+          const double from = std::clamp(std::min(one, other), 0.0, 1.0),
+                       to = std::clamp(std::max(one, other), 0.0, 1.0);
+          low = px + std::min(from * dx, to * dx);
+          high = px + std::max(from * dx, to * dx);
+        }
+        const int left = std::max(0, static_cast<int>(std::floor(low - reach))),
+                  right = std::min(columns - 1, static_cast<int>(high + reach));
+        std::uint8_t* const row = cover.data() + static_cast<std::ptrdiff_t>(r) * columns;
+        for (int c = left; c <= right; ++c) {
+          if (row[c] == 255) continue;
+          const double x = c + 0.5 - px, y = r + 0.5 - py;
+          const double part = std::clamp((x * dx + y * dy) * per, 0.0, 1.0);
+          const double ex = x - part * dx, ey = y - part * dy, away = ex * ex + ey * ey;
+          if (away >= reach * reach) continue;
+          const double here = std::min(1.0, reach - std::sqrt(away));
+          row[c] = std::max(row[c], static_cast<std::uint8_t>(std::lround(255.0 * here)));
+          any = true;
+        }
+      }
+    }
+  if (!any) return out;
+  QRgb inks[256];
+  for (int c = 0; c < 256; ++c)
+    inks[c] = qPremultiply(
+        qRgba(colour.red(), colour.green(), colour.blue(), (c * colour.alpha() + 127) / 255));
+  out.image = QImage(columns, rows, QImage::Format_ARGB32_Premultiplied);
+  for (int r = 0; r < rows; ++r) {
+    auto* const pixels = reinterpret_cast<QRgb*>(out.image.scanLine(r));
+    const std::uint8_t* const row = cover.data() + static_cast<std::ptrdiff_t>(r) * columns;
+    for (int c = 0; c < columns; ++c) pixels[c] = inks[row[c]];
+  }
+  out.place = within.topLeft();
+  return out;
+}
+
+}  // namespace adore::desktop
