@@ -27,21 +27,32 @@ class Cells {
   /// Passes all cells of a stroke but the first one, both of whose ends are inside. Was one of them
   /// new?
   bool pass_to(const QPointF& p, const QPointF& q) {
-    int c = column(p.x()), r = row(p.y());
-    const int last_c = column(q.x()), last_r = row(q.y());
-    const int way_c = last_c > c ? 1 : -1, way_r = last_r > r ? 1 : -1;
-    const double dx = (q.x() - p.x()) * kCells, dy = (q.y() - p.y()) * kCells;
-    const auto next = [](int cell, int way, double from, double length) {  // edge, in parts
-      return length == 0.0 ? 2.0 : (cell + (way > 0 ? 1 : 0) - from) / length;
+    const int c = column(p.x()), r = row(p.y());
+    int across = column(q.x()) - c, along = row(q.y()) - r;  // cells to go
+    const int step_c = across > 0 ? 1 : -1, step_r = along > 0 ? columns_ : -columns_;
+    // Parts of the stroke to the next edge, and from one to the next.
+    const auto edge = [](double from, int cell, double length) {
+      return std::abs(length) < 1e-12 ? 2.0 : (cell + (length > 0.0 ? 1 : 0) - from) / length;
     };
-    const double from_c = (p.x() - left_) * kCells, from_r = (p.y() - top_) * kCells;
+    const auto apart = [](double length) { return 1.0 / std::max(std::abs(length), 1e-12); };
+    const double dx = (q.x() - p.x()) * kCells, dy = (q.y() - p.y()) * kCells;
+    double next_c = edge((p.x() - left_) * kCells, c, dx),
+           next_r = edge((p.y() - top_) * kCells, r, dy);
+    const double per_c = apart(dx), per_r = apart(dy);
+    across = std::abs(across);
+    along = std::abs(along);
     bool any = false;
-    while (c != last_c || r != last_r) {
-      if (r == last_r || (c != last_c && next(c, way_c, from_c, dx) < next(r, way_r, from_r, dy)))
-        c += way_c;
-      else
-        r += way_r;
-      const int cell = r * columns_ + c;
+    int cell = r * columns_ + c;
+    while (across + along > 0) {
+      if (along == 0 || (across > 0 && next_c < next_r)) {
+        cell += step_c;
+        next_c += per_c;
+        --across;
+      } else {
+        cell += step_r;
+        next_r += per_r;
+        --along;
+      }
       any = any || is_new(cell);
       pass(cell);
     }
