@@ -6,6 +6,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/results_folder.hpp"
 #include "facade/run_ending.hpp"
+#include "facade/sweep_mark.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
@@ -35,10 +36,6 @@ template <class T>
 bool parse(std::string_view text, T& out) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc() && end == text.data() + text.size();
-}
-
-bool looks_like_range(const std::string& value) {
-  return std::count(value.begin(), value.end(), ':') > 0;
 }
 
 Range parse_range(const std::string& name, const std::string& value) {
@@ -160,14 +157,14 @@ std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
 
 bool is_sweep(const RunRequest& request) {
   return std::any_of(request.sets.begin(), request.sets.end(),
-                     [](const auto& set) { return looks_like_range(set.second); });
+                     [](const auto& set) { return is_range(set.second); });
 }
 
 SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress,
                        std::stop_token stop) {
   std::size_t swept = request.sets.size();
   for (std::size_t i = 0; i < request.sets.size(); ++i) {
-    if (!looks_like_range(request.sets[i].second)) continue;
+    if (!is_range(request.sets[i].second)) continue;
     if (swept != request.sets.size())
       throw InputError("a sweep varies one variable; give only one --set with a range");
     swept = i;
@@ -194,11 +191,15 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     return one;
   };
   const bool keep = !request.overwrite && !request.go_on;
-  check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);
+  check_room({folder, {"SWEEP.csv", SweepMark::kName}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
   for (std::size_t k = 0; keep && k < count; ++k)
     if (const auto place = *one_request(k).out; std::filesystem::exists(place))
       check_room({place, {"PRINT.txt", "RUN.json"}, {}}, false);
+
+  SweepMark mark{deck_path(request).filename().string(),
+                 variable + "=" + request.sets[swept].second, sweep_digest(request), "running"};
+  write_sweep_mark(mark, folder);
 
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
@@ -274,6 +275,11 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   out.warnings = warnings_once(rows);
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
+  // Runs whose files found no room have no result of their own yet.
+  const bool unwritten =
+      std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
+  mark.status = out.exit_code == 130 || unwritten ? "interrupted" : "done";
+  write_sweep_mark(mark, folder);
   return out;
 }
 
