@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 
 namespace adore::listing {
@@ -56,6 +57,31 @@ PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::stri
   stream.read(tail.data(), static_cast<std::streamsize>(size));
   tail.resize(static_cast<std::size_t>(stream.gcount()));
   out.report_.resume(tail);
+  return out;
+}
+
+std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
+                                              std::uintmax_t bytes) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size <= bytes) return {};
+  // Of a long rest its end: a step of a thousand elements has less.
+  constexpr std::uintmax_t kMost = 1 << 22;
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(size - std::min(size - bytes, kMost)));
+  std::pair<long, double> out;
+  long step = 0;
+  std::string_view line;
+  for (LineReader lines(stream); lines.next(line);) {
+    // As Report::item() puts them: label from the third column, value in 16 behind the 62 of it.
+    if (line.size() < 81) continue;
+    const auto value = [&] {
+      return std::strtod(std::string(line.substr(65, 16)).c_str(), nullptr);
+    };
+    if (line.starts_with("  Step  ")) step = static_cast<long>(value());
+    if (line.starts_with("  Time  ")) out = {step, std::max(out.second, value())};
+    if (line.starts_with("  Its end  ")) out.second = std::max(out.second, value());
+  }
   return out;
 }
 
