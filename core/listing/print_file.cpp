@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 
 namespace adore::listing {
@@ -76,7 +76,11 @@ std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
     // As Report::item() puts them: label from the third column, value in 16 behind the 62 of it.
     if (line.size() < 81) continue;
     const auto value = [&] {
-      return std::strtod(std::string(line.substr(65, 16)).c_str(), nullptr);
+      std::string_view text = line.substr(65, 16);
+      text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+      double number = 0.0;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
     };
     if (line.starts_with("  Step  ")) step = static_cast<long>(value());
     if (line.starts_with("  Time  ")) out = {step, std::max(out.second, value())};
