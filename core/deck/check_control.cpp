@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/check.hpp"
 
 #include <fmt/format.h>
@@ -186,9 +187,10 @@ void check_monitored_bodies(Checker& c) {
   }
   if (bodies > 0 && last > bodies)
     c.error("kPltElemInd",
-            fmt::format("there is no body {}: with {} elements and {} cage segments the last one, "
+            fmt::format("there is no body {}: with {} and {} the last one, "
                         "the inner race, is {}",
-                        last, *elements, *segments, bodies),
+                        last, counted(*elements, "element"), counted(*segments, "cage segment"),
+                        bodies),
             fmt::format("give numbers from 1 to {}", bodies));
 }
 
