@@ -224,7 +224,7 @@ void RunPanel::show(const facade::Progress& progress) {
   if (progress.runs > 0) {
     headline_ =
         from(fmt::format("{} of {} done.", progress.step, counted(progress.runs, progress.piece)));
-    if (progress.step > 0)
+    if (progress.remaining > 0.0)
       headline_ += from(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
     return showNote();
   }

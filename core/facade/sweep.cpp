@@ -55,6 +55,7 @@ Range parse_range(const std::string& name, const std::string& value) {
 /// One run of the sweep and how it ended.
 struct Row : RunEnding {
   std::string value;
+  bool known = false;  ///< taken over from an earlier sweep
 };
 
 /// The variable with its unit, then key results by id, in SI whatever the deck's units.
@@ -81,7 +82,7 @@ std::string sweep_csv(const std::string& variable, const std::string& unit,
 }
 
 Row run_one(const RunRequest& request, std::string value, const std::stop_token& stop) {
-  return {end_of_run(request, stop), std::move(value)};
+  return {end_of_run(request, stop), std::move(value), false};
 }
 
 /// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
@@ -92,6 +93,7 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
   if (mark.status != "done" || mark.request != digest) return {};
   Row row;
   row.value = value;
+  row.known = true;
   try {
     std::ifstream stream(file, std::ios::binary);
     const auto json = parse_json<nlohmann::ordered_json>(
@@ -203,7 +205,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
 
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
-  std::size_t done = 0;
+  std::size_t done = 0, computed = 0;
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::time_point since) {
     return std::chrono::duration<double>(Clock::now() - since).count();
@@ -226,8 +228,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     p.step = static_cast<long>(done);
     p.runs = static_cast<long>(count);
     p.elapsed = seconds(begin);
-    if (done > 0)
-      p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
+    // What was known took no time, and tells nothing of the rest.
+    if (computed > 0)
+      p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(computed);
     progress(p);
   };
   double rest = 0.0;
@@ -242,6 +245,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
         const std::scoped_lock guard(mutex);
         rows[k] = std::move(row);
         ++done;
+        computed += rows[k].known ? 0 : 1;
         if (const auto at = Clock::now(); seconds(written) >= rest) {
           write_table();
           written = Clock::now();

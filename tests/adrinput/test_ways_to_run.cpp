@@ -229,6 +229,14 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     REQUIRE(bench.window.runPanel().busy());
     bench.wait();
     CHECK(bench.note() == "The sweep is done.");
+    // What is taken over takes no time: of the rest nothing is told by it.
+    facade::RunRequest again = request("7000:7600:4");
+    again.out = sweep;
+    again.go_on = true;
+    int told = 0;
+    (void)facade::run_sweep(
+        again, 1, [&](const facade::Progress& now) { told += now.remaining > 0.0 ? 1 : 0; });
+    CHECK(told == 0);
     for (int number = 1; number <= 4; ++number) CHECK(done(number));
     CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
     CHECK(bench.entry().text() == "&Continue the run");
