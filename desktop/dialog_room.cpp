@@ -40,10 +40,15 @@ bool DialogRoom::eventFilter(QObject* object, QEvent* event) {
           box, [box] { letTextScroll(*box); }, Qt::QueuedConnection);
   } else if (event->type() == QEvent::Show) {
     bound(*dialog);
-  } else if (dialog->isVisible() && dialog->height() > room_for(*dialog).height()) {
-    // One that was unfolded and cannot be lower, as that of printers: its buttons stay in sight.
+  } else if (dialog->isVisible()) {
+    // One that was unfolded, as that of printers can be: its buttons stay in sight.
     QMetaObject::invokeMethod(
-        dialog, [dialog] { dialog->move(dialog->x(), foot_of(*dialog)); }, Qt::QueuedConnection);
+        dialog,
+        [dialog] {
+          if (dialog->frameGeometry().bottom() > dialog->screen()->availableGeometry().bottom())
+            dialog->move(dialog->x(), foot_of(*dialog));
+        },
+        Qt::QueuedConnection);
   }
   return false;
 }

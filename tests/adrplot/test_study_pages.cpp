@@ -102,11 +102,13 @@ TEST_CASE("a map of values over decades shows each decade in another colour, and
     QPainter painter(&image);
     desktop::paint_study({"map", map}, painter, size, desktop::current_theme());
     painter.end();
+    // Cells along a line above the numbers: wide stretches of one colour.
     std::vector<QColor> out;
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor here = image.pixelColor(x, 150);  // above the numbers
-      if (here.saturation() > 40 && x > 130 && x < 1080 && (out.empty() || out.back() != here))
-        out.push_back(here);
+    constexpr int kRow = 150, kWide = 100;
+    for (int x = 1, since = 0; x < image.width(); ++x) {
+      if (image.pixel(x, kRow) != image.pixel(x - 1, kRow)) since = x;
+      const QColor here = image.pixelColor(x, kRow);
+      if (x - since == kWide && here.saturation() > 40) out.push_back(here);
     }
     return out;
   };

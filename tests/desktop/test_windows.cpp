@@ -145,6 +145,12 @@ TEST_CASE("a message that is higher than the screen scrolls, and no dialog opens
   large.show();
   CHECK(large.width() < screen.width());
   CHECK(large.height() < screen.height());
+  // One that is unfolded where it stands keeps its lower edge in sight.
+  large.resize(300, 100);
+  large.move(20, screen.height() - 150);
+  QCoreApplication::processEvents();
+  large.resize(300, 400);
+  CHECK(QTest::qWaitFor([&] { return large.frameGeometry().bottom() <= screen.height(); }, 5000));
 }
 
 TEST_CASE("files go to the window that shows their folder, and to no other", "[gui][desktop]") {
