@@ -13,10 +13,8 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
-#include "adrinput/sweep_range.hpp"
 #include "adrinput/time_scale.hpp"
 #include "adrinput/unit_choice.hpp"
-#include "base/excerpt.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
@@ -30,7 +28,6 @@
 #include <QBoxLayout>
 #include <QDockWidget>
 #include <QFontDatabase>
-#include <QInputDialog>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -54,11 +51,9 @@ QString text_in(const std::string& bytes) {
                            : text;
 }
 
-constexpr int kDrawingWidth = 300;  // of the drawing beside the form
-constexpr int kListWidth = 144;     // of the records, at least
-constexpr int kNarrow = 1100;       // a window whose form needs the room of list and drawing
-constexpr int kFormWidth = 390;     // of a record's page, which scrolls where it needs more
-constexpr int kCheckPause = 200;    // ms without a change before the model is built
+constexpr int kListWidth = 144;   // of the records, at least
+constexpr int kFormWidth = 390;   // of a record's page, which scrolls where it needs more
+constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
 QScrollArea* scrolled(QWidget* panel) {
@@ -385,79 +380,6 @@ void DeckWindow::refresh() {
   refreshNotices();
 }
 
-void DeckWindow::refreshProblems() {
-  const desktop::Theme& theme = desktop::current_theme();
-  const int selected = problems_->currentRow();
-  problems_->clear();
-  int errors = 0;
-  for (const Problem& problem : document_.problems()) {
-    const Issue& issue = problem.issue;
-    const bool error = issue.severity == Severity::Error;
-    errors += error || problem.refused ? 1 : 0;
-    QString text = error                                 ? tr("Error")
-                   : problem.refused                     ? tr("Refused")
-                   : issue.severity == Severity::Warning ? tr("Warning")
-                                                         : tr("Note");
-    if (!issue.record.empty())
-      text += (issue.record == kOptionsPage ? QString(", %1") : tr(", record %1"))
-                  .arg(QString::fromStdString(issue.record));
-    if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
-    if (!issue.value.empty()) text += " = " + QString::fromStdString(excerpt(issue.value));
-    text += ": " + QString::fromStdString(issue.message);
-    if (!issue.remedy.empty()) text += "; " + QString::fromStdString(issue.remedy);
-    auto* item =
-        new QListWidgetItem(state_icon(error ? RecordState::Wrong
-                                       : problem.refused || issue.severity == Severity::Warning
-                                           ? RecordState::Doubtful
-                                           : RecordState::Untouched),
-                            text, problems_);
-    item->setForeground(error ? theme.red : theme.text);
-  }
-  if (problems_->count() == 0) {
-    const bool ready = document_.deck_state() == DeckState::Ready;
-    auto* item = new QListWidgetItem(
-        state_icon(ready ? RecordState::Complete : RecordState::Untouched),
-        ready ? tr("The deck is complete and has no problem.")
-              : tr("The deck has no error; whether a run begins is being found out …"),
-        problems_);
-    item->setFlags(Qt::ItemIsEnabled);
-  }
-  problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
-  const auto total = static_cast<int>(document_.problems().size());
-  QString title = tr("Problems");
-  if (errors > 0 && errors == total)
-    title += tr(" (%1 to mend)").arg(errors);
-  else if (total > 0)
-    title += tr(" (%1 to mend, %2 to note)").arg(errors).arg(total - errors);
-  tabs_->setTabText(0, title);
-}
-
-void DeckWindow::goToProblem(int row) {
-  if (row < 0 || row >= static_cast<int>(document_.problems().size())) return;
-  const Problem problem = document_.problems()[static_cast<std::size_t>(row)];
-  visited_problem_ = problem.issue.text();
-  if (problem.page.empty()) return;
-  showRecord(problem.page);
-  if (problem.cell) page_->focusCell(*problem.cell);
-}
-
-void DeckWindow::stepProblem(int by) {
-  const auto count = static_cast<int>(document_.problems().size());
-  tabs_->setCurrentWidget(problems_);
-  if (count == 0) return;
-  const int here = problems_->currentRow();
-  // One that is mended has left the list, and the next stands in its row.
-  const bool mended =
-      by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
-      document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;
-  const int row = mended ? here : (std::max(here, by > 0 ? -1 : 0) + by + count) % count;
-  problems_->setCurrentRow(row);
-  goToProblem(row);
-}
-
-void DeckWindow::nextProblem() { stepProblem(1); }
-void DeckWindow::previousProblem() { stepProblem(-1); }
-
 void DeckWindow::checkNow() {
   check_->stop();
   document_.check_model();
@@ -508,123 +430,6 @@ void DeckWindow::redo() {
   const std::vector<std::string> pages = document_.pages();
   if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
   page_->sync(true);
-}
-
-bool DeckWindow::readyToCompute() {
-  document_.end_step();  // what is being typed counts
-  if (!document_.has_errors()) return true;
-  desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  return false;
-}
-
-void DeckWindow::showPanel(const QWidget* panel) {
-  for (int i = 0; i < tabs_->count(); ++i)
-    if (tabs_->widget(i)->isAncestorOf(panel)) tabs_->setCurrentIndex(i);
-}
-
-void DeckWindow::showPlan() {
-  tabs_->setCurrentWidget(plan_);
-  if (!readyToCompute()) return;
-  plan_->start(document_.deck(), document_.path(), document_.options());
-}
-
-void DeckWindow::runQuasiStatic() {
-  tabs_->setCurrentWidget(statics_);
-  if (!readyToCompute()) return;
-  statics_->start(document_.deck(), document_.path(), document_.options());
-}
-
-void DeckWindow::showCharts() {
-  if (statics_->tables() == nullptr) return;
-  charts_->setSolution(*statics_->tables());
-  charts_->setStale(statics_->stale());
-  if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
-    const bool as_made = std::abs(drawing_dock_->width() - kDrawingWidth) < kDrawingWidth / 10;
-    charts_dock_->show();
-    charts_dock_->raise();
-    // Keys of curves need more room than the drawing; a width that somebody chose stays.
-    if (as_made && width() > kNarrow) resizeDocks({charts_dock_}, {width() / 3}, Qt::Horizontal);
-  }
-}
-
-void DeckWindow::hideEmptyPanels() {
-  if (statics_->tables() != nullptr || charts_dock_->isHidden()) return;
-  charts_dock_->hide();
-  if (!drawing_dock_->isHidden()) drawing_dock_->raise();
-}
-
-void DeckWindow::studyAccuracy() {
-  showPanel(accuracy_);
-  if (accuracy_->busy() || !readyToCompute()) return;
-  accuracy_->start(document_.deck(), document_.options());
-}
-
-void DeckWindow::applyAccuracy() {
-  try {
-    document_.change(accuracy_->recommended());
-    page_->sync(true);
-  } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
-  }
-}
-
-void DeckWindow::runDeck() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck([this] { run_->start(document_.path(), document_.deck(), document_.options()); });
-}
-
-void DeckWindow::withSavedDeck(std::function<void()> then) {
-  if (document_.path().empty()) return askForName(std::move(then));
-  if (document_.modified()) return saveTo(document_.path(), std::move(then));
-  then();
-}
-
-void DeckWindow::runInNewFolder() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck(
-      [this] { run_->startInNewFolder(document_.path(), document_.deck(), document_.options()); });
-}
-
-void DeckWindow::continueRun() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  withSavedDeck(
-      [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
-}
-
-void DeckWindow::askForSweep() {
-  showPanel(run_);
-  if (run_->busy() || !readyToCompute()) return;
-  auto* dialog = new QInputDialog(this);
-  dialog->setObjectName("sweep");
-  desktop::delete_when_done(*dialog);
-  dialog->setWindowTitle(tr("Sweep"));
-  const auto tell = [this, dialog](const QString& typed) {
-    QString told = tr("such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
-    try {
-      if (!typed.trimmed().isEmpty())
-        told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
-    } catch (const InputError&) {
-      const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
-      if (!unit.isEmpty()) told = tr("a number without a unit is in %1").arg(unit);
-    }
-    dialog->setLabelText(tr("Variable, first and last value and number of runs:\n%1").arg(told));
-  };
-  tell({});
-  connect(dialog, &QInputDialog::textValueChanged, this, tell);
-  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& typed) {
-    try {
-      const QString range = QString::fromStdString(read_sweep(document_, typed.toStdString()).set);
-      withSavedDeck([this, range] {
-        run_->sweep(document_.path(), document_.deck(), document_.options(), range);
-      });
-    } catch (const InputError& error) {
-      desktop::show_message(this, QString::fromUtf8(error.what()), true);
-    }
-  });
-  dialog->open();
 }
 
 void DeckWindow::switchTheme() {

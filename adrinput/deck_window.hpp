@@ -158,6 +158,9 @@ class DeckWindow : public QMainWindow {
   void remember(const std::filesystem::path& path);
   void forgetResults(bool reread = false);
 
+  static constexpr int kDrawingWidth = 300;  ///< of the drawing beside the form
+  /// Of a window whose form needs the room of list and drawing.
+  static constexpr int kNarrow = 1100;
   Document document_;
   std::string visited_problem_;  ///< its text
   std::string current_;

@@ -1,6 +1,7 @@
 #include "adrinput/run_panel.hpp"
 
 #include "adrinput/window_words.hpp"
+#include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
@@ -55,9 +56,10 @@ QString report(const facade::RunOutcome& outcome) {
 QString headline_of(const facade::RunOutcome& outcome) {
   const std::string done =
       outcome.steps > 0
-          ? fmt::format("{} steps, {:.4g} revolutions, {:.6g} s simulated, computed in {}.",
-                        outcome.steps, outcome.revolutions, outcome.time,
-                        duration_text(outcome.seconds))
+          ? fmt::format("{}, {}, {:.6g} s simulated, computed in {}.",
+                        counted(outcome.steps, "step"),
+                        counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
+                        outcome.time, duration_text(outcome.seconds))
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
   const std::string message = in_window_words(outcome.message);
   switch (outcome.status) {
@@ -221,8 +223,8 @@ void RunPanel::show(const facade::Progress& progress) {
   bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
   if (progress.runs > 0) {
     headline_ =
-        from(fmt::format("{} of {} {}s done.", progress.step, progress.runs, progress.piece));
-    if (progress.step > 0)
+        from(fmt::format("{} of {} done.", progress.step, counted(progress.runs, progress.piece)));
+    if (progress.remaining > 0.0)
       headline_ += from(fmt::format(" Remaining: {}.", duration_text(progress.remaining)));
     return showNote();
   }

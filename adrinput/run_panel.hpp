@@ -102,7 +102,7 @@ class RunPanel : public QWidget {
   void goOn(const Way& way, const std::filesystem::path& file, const deck::Deck& deck,
             const RunOptionValues& options);
   void continueSweep(const std::filesystem::path& folder, const deck::Deck& deck,
-                     const RunOptionValues& options);
+                     const RunOptionValues& options, const std::filesystem::path& file);
   void noteMade(bool whole);
   [[nodiscard]] bool madeHere() const;
   [[nodiscard]] bool mayReplace() const;
@@ -138,19 +138,12 @@ class RunPanel : public QWidget {
   };
   std::map<std::filesystem::path, Made> made_;
   bool replace_unasked_ = false;
-  /// A sweep that was cancelled, or that goes on.
-  struct Sweep {
-    std::filesystem::path file, folder;
-    QString range;
-    deck::Deck deck;
-    RunOptionValues options;
-  };
-  std::vector<Sweep> sweeps_;
   deck::Deck computed_;
   RunOptionValues computed_options_;
   bool stale_ = false, another_ = false;
-  bool stored_ = false;  ///< the run has done a step
-  SolverRun run_;        ///< last: ends before the widgets that it reports to
+  bool tells_sweep_ = false;  ///< what is told of is one
+  bool stored_ = false;       ///< the run has done a step
+  SolverRun run_;             ///< last: ends before the widgets that it reports to
 };
 
 }  // namespace adore::adrinput

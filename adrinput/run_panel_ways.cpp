@@ -3,6 +3,7 @@
 #include "adrinput/unfinished_runs.hpp"
 #include "adrinput/window_words.hpp"
 #include "desktop/dialogs.hpp"
+#include "facade/sweep_mark.hpp"
 
 #include <QAction>
 #include <QCheckBox>
@@ -31,6 +32,17 @@ fs::path free_folder(const fs::path& beside, const std::string& stem) {
     const auto folder = beside / fmt::format("{}-{:03d}", stem, number);
     if (!fs::exists(folder, ignored)) return folder;
   }
+}
+
+facade::RunRequest sweep_request(const fs::path& file, const fs::path& folder,
+                                 const std::string& range) {
+  facade::RunRequest request;
+  request.deck = file;
+  request.out = folder;
+  const QString text = QString::fromStdString(range);
+  request.sets.emplace_back(text.section('=', 0, 0).trimmed().toStdString(),
+                            text.section('=', 1).trimmed().toStdString());
+  return request;
 }
 
 QString place_of(const fs::path& folder, const fs::path& file) {
@@ -80,35 +92,26 @@ void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOpti
   if (busy()) return;
   begin(file, deck, options);
   out_ = free_folder(file.parent_path(), "sweep");
-  sweeps_.push_back({file_, out_, range, deck, options});
-  facade::RunRequest request;
-  request.deck = file_;
-  request.out = out_;
-  request.sets.emplace_back(range.section('=', 0, 0).trimmed().toStdString(),
-                            range.section('=', 1).trimmed().toStdString());
-  launchRequest(std::move(request));
+  launchRequest(sweep_request(file_, out_, range.toStdString()));
 }
 
-/// What one run of it has is kept, whatever the deck is by now: another deck would be computed anew
-/// in its place.
+/// What one run of it has is kept: of a deck or program that is another one by now, all of them
+/// would be computed anew in its place.
 void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
-                             const RunOptionValues& options) {
-  const auto found = std::find_if(sweeps_.begin(), sweeps_.end(),
-                                  [&](const Sweep& one) { return one.folder == folder; });
-  if (found == sweeps_.end()) return;
-  if (!(found->deck == deck) || found->options != options)
+                             const RunOptionValues& options, const fs::path& file) {
+  const auto mark = facade::read_sweep_mark(folder);
+  if (!mark) return;  // gone a moment ago
+  facade::RunRequest request = sweep_request(file, folder, mark->range);
+  if (mark->request != facade::sweep_digest(request))
     return desktop::show_message(
-        this, tr("The sweep in %1 is of the deck as it was before the last change. Take the change "
-                 "back (Ctrl+Z) to continue it, or start a new sweep.")
-                  .arg(from(folder.filename())));
-  begin(found->file, deck, options);
-  out_ = folder;
-  facade::RunRequest request;
-  request.deck = file_;
-  request.out = out_;
+        this, tr("The sweep %1 is of the deck as it was before the last change, or was made "
+                 "with other values, run options or another release: its finished runs would be "
+                 "computed again. Take the change back (Ctrl+Z) to continue it, or start a new "
+                 "sweep.")
+                  .arg(place_of(folder, file)));
+  begin(file, deck, options);
+  if (folder != file.parent_path()) out_ = folder;
   request.go_on = true;
-  request.sets.emplace_back(found->range.section('=', 0, 0).trimmed().toStdString(),
-                            found->range.section('=', 1).trimmed().toStdString());
   launchRequest(std::move(request));
 }
 
@@ -116,33 +119,27 @@ std::vector<RunPanel::Way> RunPanel::waysToGoOn(const fs::path& file,
                                                 const deck::Deck& deck) const {
   std::vector<Way> out;
   if (file.empty()) return out;
-  const std::vector<UnfinishedRun> unfinished = unfinished_runs(file, deck);
   const bool told = !computed_.records.empty() && file == file_;
   const fs::path last = told ? resultFolder() : fs::path();
   std::error_code ignored;
-  const auto add = [&](const fs::path& folder, const QString& state, bool sweep) {
-    if (std::none_of(out.begin(), out.end(), [&](const Way& way) { return way.folder == folder; }))
-      out.push_back({folder, state, sweep});
+  const auto add = [&](const fs::path& folder, const std::string& state, bool sweep) {
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const Way& way) { return way.folder == folder && way.sweep == sweep; }))
+      out.push_back({folder, QString::fromStdString(state), sweep});
   };
-  const auto sweep_in = [&](const fs::path& folder) {
-    return std::any_of(sweeps_.begin(), sweeps_.end(),
-                       [&](const Sweep& one) { return one.folder == folder; });
-  };
-  if (sweep_in(last))
-    add(last, tr("the sweep of this window that was told of last"), true);
-  else if (told && fs::exists(last / "RUN.json", ignored))
-    add(last, tr("the run that was told of last"), false);
-  for (const Sweep& one : sweeps_)
-    if (one.file == file && fs::exists(one.folder, ignored))
-      add(one.folder, tr("a sweep that was cancelled"), true);
-  for (const UnfinishedRun& one : unfinished)
-    add(one.folder, QString::fromStdString(one.state), false);
+  const std::vector<UnfinishedSweep> sweeps = unfinished_sweeps(file);
+  if (told && !tells_sweep_ && fs::exists(last / "RUN.json", ignored))
+    add(last, "the run that was told of last", false);
+  for (const UnfinishedSweep& one : sweeps)
+    if (told && tells_sweep_ && one.folder == last) add(last, one.state, true);
+  for (const UnfinishedSweep& one : sweeps) add(one.folder, one.state, true);
+  for (const UnfinishedRun& one : unfinished_runs(file, deck)) add(one.folder, one.state, false);
   return out;
 }
 
 void RunPanel::goOn(const Way& way, const fs::path& file, const deck::Deck& deck,
                     const RunOptionValues& options) {
-  if (way.sweep) return continueSweep(way.folder, deck, options);
+  if (way.sweep) return continueSweep(way.folder, deck, options, file);
   continueRun(file, deck, options, way.folder);
 }
 
@@ -209,7 +206,9 @@ void RunPanel::launchRequest(facade::RunRequest request) {
   view_->hide();
   view_->clear();
   bar_->setValue(0);
-  headline_ = !request.go_on ? tr("Finding the equilibrium that the run starts from …")
+  tells_sweep_ = facade::is_sweep(request);
+  headline_ = tells_sweep_     ? tr("The runs of the sweep begin …")
+              : !request.go_on ? tr("Finding the equilibrium that the run starts from …")
               : out_.empty()
                   ? tr("Reading the state that the run goes on from …")
                   : tr("Reading the state in %1 to go on from …").arg(from(out_.filename()));
@@ -289,21 +288,15 @@ void RunPanel::askToReplace() {
 void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
   constexpr int kCancelled = 130;
   const bool cancelled = sweep.exit_code == kCancelled;
-  const auto found = std::find_if(sweeps_.begin(), sweeps_.end(),
-                                  [&](const Sweep& one) { return one.folder == out_; });
   QString text = tr("Table: %1\n").arg(from(sweep.table));
   if (!cancelled) {
     bar_->setValue(bar_->maximum());
     headline_ = sweep.exit_code == 0 ? tr("The sweep is done.")
                                      : tr("The sweep is over; some of its runs have no result.");
-    if (found != sweeps_.end()) sweeps_.erase(found);
   } else {
     headline_ = tr("The sweep was cancelled; the table holds what is done. Run > Continue the "
-                   "sweep in %1 goes on with it while this window is open.")
-                    .arg(from(out_.filename()));
-    if (found != sweeps_.end())
-      text += tr("Later, in a terminal: `adore run '%1' --set %2 --out '%3' --continue`\n")
-                  .arg(from(file_), found->range, from(out_));
+                   "sweep %1 goes on with it, later, too.")
+                    .arg(place_of(resultFolder(), file_));
   }
   for (const Issue& issue : sweep.warnings)
     text += QString::fromStdString(in_window_words(issue.text())) + "\n";

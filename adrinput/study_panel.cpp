@@ -2,6 +2,7 @@
 
 #include "adrinput/wheel_guard.hpp"
 #include "adrinput/window_words.hpp"
+#include "base/counted.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
@@ -137,9 +138,9 @@ void StudyPanel::checkNow() {
   state_->setPalette(colours);
   state_->setText(
       finding_.problem.empty()
-          ? tr("%1%2 runs. The study has no mistake that shows before it starts.")
+          ? tr("%1%2. The study has no mistake that shows before it starts.")
                 .arg(document_.kind() == studies::Kind::WorstCase ? tr("At most ") : QString())
-                .arg(finding_.runs)
+                .arg(from(counted(finding_.runs, "run")))
           : from(in_window_words(finding_.problem)));
   enableButtons();
   emit checked();

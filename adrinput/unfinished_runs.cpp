@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "facade/sweep_mark.hpp"
 #include "results/growing_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -35,6 +36,22 @@ Report report_in(const fs::path& folder) {
   return {text("deck"), text("status")};
 }
 
+/// The folder of the deck, and those in it whose names begin so.
+std::vector<fs::path> folders_of(const fs::path& deck_file, const char* start) {
+  std::error_code error;
+  const fs::path beside = deck_file.parent_path();
+  std::vector<fs::path> out;
+  for (fs::directory_iterator at(beside, error), end; !error && at != end; at.increment(error))
+    if (std::error_code none;
+        at->path().filename().string().rfind(start, 0) == 0 && at->is_directory(none))
+      out.push_back(at->path());
+  std::sort(out.begin(), out.end());
+  out.insert(out.begin(), beside);
+  return out;
+}
+
+constexpr const char* kCutOff = "cut off, or still going on elsewhere";
+
 }  // namespace
 
 bool can_go_on(const fs::path& folder, const deck::Deck& deck) {
@@ -44,25 +61,27 @@ bool can_go_on(const fs::path& folder, const deck::Deck& deck) {
 }
 
 std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck::Deck& deck) {
-  std::error_code error;
-  const fs::path beside = deck_file.parent_path();
-  std::vector<fs::path> folders;
-  for (fs::directory_iterator at(beside, error), end; !error && at != end; at.increment(error))
-    if (std::error_code none;
-        at->path().filename().string().rfind("run-", 0) == 0 && at->is_directory(none))
-      folders.push_back(at->path());
-  std::sort(folders.begin(), folders.end());
-  folders.insert(folders.begin(), beside);
   std::vector<UnfinishedRun> out;
-  for (const fs::path& folder : folders) {
+  for (const fs::path& folder : folders_of(deck_file, "run-")) {
     if (!can_go_on(folder, deck)) continue;
     const auto& [of, status] = report_in(folder);
     if (status == "done" || status == "untrusted") continue;  // came to its end
     if (!of.empty() && of != deck_file.filename().string()) continue;
     out.push_back({folder, status == "interrupted" ? "cancelled"
-                           : status == "running"   ? "cut off, or still going on elsewhere"
+                           : status == "running"   ? kCutOff
                            : status.empty()        ? "without a report of its end"
                                                    : status});
+  }
+  return out;
+}
+
+std::vector<UnfinishedSweep> unfinished_sweeps(const fs::path& deck_file) {
+  std::vector<UnfinishedSweep> out;
+  for (const fs::path& folder : folders_of(deck_file, "sweep-")) {
+    const auto mark = facade::read_sweep_mark(folder);
+    if (!mark || mark->status == "done" || mark->deck != deck_file.filename().string()) continue;
+    out.push_back({folder, "sweep of " + mark->range + ", " +
+                               (mark->status == "interrupted" ? "cancelled" : kCutOff)});
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "adrinput/unit_choice.hpp"
 
 #include "adrinput/typed.hpp"
+#include "base/counted.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
 
@@ -123,7 +124,8 @@ QString run_time(const Document& document, const Cell& cell) {
   const double seconds = *value * scales->time;
   std::string text = fmt::format("{:.4g} s", seconds);
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
-    text += fmt::format(" = {:.4g} revolutions", seconds * scales->turns_per_second);
+    text +=
+        " = " + counted(fmt::format("{:.4g}", seconds * scales->turns_per_second), "revolution");
   return QString::fromStdString(text);
 }
 

@@ -3,6 +3,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
+#include "desktop/menu_keys.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QAction>
@@ -71,6 +72,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   tree_->installEventFilter(this);
   makeButtons();
   makeMenus();
+  new desktop::MenuKeys(*this);
   growth_ = new QTimer(this);
   growth_->setInterval(1000);
   connect(growth_, &QTimer::timeout, this, &PlotWindow::lookForGrowth);

@@ -5,6 +5,7 @@
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
+#include "desktop/menu_keys.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
@@ -45,6 +46,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   row->setSpacing(0);
   row->addWidget(canvas_, 1);
   makeMenus();
+  new desktop::MenuKeys(*this);
   row->addWidget(makeButtons());
   setCentralWidget(centre);
   timer_.setInterval(kTick);

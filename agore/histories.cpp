@@ -1,4 +1,5 @@
 #include "agore/animation.hpp"
+#include "base/counted.hpp"
 #include "results/channels.hpp"
 #include "results/run_folder.hpp"
 
@@ -189,8 +190,9 @@ History by_differences(const Animation& animation, const std::vector<double>& an
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown = fmt::format(
-        "Not to be known from SOL8 alone: about {:.2g} turns from one frame to the next.", turn);
+    out.unknown =
+        fmt::format("Not to be known from SOL8 alone: about {} from one frame to the next.",
+                    counted(fmt::format("{:.2g}", turn), "turn"));
     return out;
   }
   const double shaft = shaft_speed(animation);

@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
@@ -64,8 +65,8 @@ void AgoreWindow::reload() {
   if (!openFile(path, most_frames_)) return;
   options_.span_from = from, options_.span_to = to;
   setFrame(picture_->frameAt(moment));
-  desktop::tell_in_foot(this, tr("Read again: %1 frames to %2.")
-                                  .arg(frameCount())
+  desktop::tell_in_foot(this, tr("Read again: %1 to %2.")
+                                  .arg(QString::fromStdString(counted(frameCount(), "frame")))
                                   .arg(QString::fromStdString(desktop::pretty_quantity(
                                       picture_->animation().time.back(), "s", 5))));
 }

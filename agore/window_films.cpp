@@ -1,6 +1,7 @@
 #include "agore/agore_window.hpp"
 #include "agore/film_dialog.hpp"
 #include "agore/render.hpp"
+#include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/mp4_writer.hpp"
@@ -96,8 +97,8 @@ void AgoreWindow::saveFilm() {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{
-          tr("%1 pictures, %2 a second: a film of %3. Writing takes roughly %4.")
-                  .arg(pictures)
+          tr("%1, %2 a second: a film of %3. Writing takes roughly %4.")
+                  .arg(QString::fromStdString(counted(pictures, "picture")))
                   .arg(filmRate())
                   .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
               (filmEvery() > 1 ? tr(" It has one of every %1 frames; numbered pictures have all.")
@@ -167,16 +168,21 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
     render_movie(*picture_, every, filmRate(), path.toStdString(), render);
     const bool folder = QFileInfo(path).isDir();
     if (stopped)
-      desktop::tell_in_foot(this,
-                            folder ? tr("Stopped: %1 pictures are in %2.").arg(pictures).arg(path)
-                                   : tr("Stopped: no film was saved."));
+      desktop::tell_in_foot(
+          this,
+          folder ? tr("Stopped: %1 in %2.")
+                       .arg(QString::fromStdString(counted(pictures, "picture is", "pictures are")))
+                       .arg(path)
+                 : tr("Stopped: no film was saved."));
     else
       desktop::tell_in_foot(
           this, folder
-                    ? tr("Saved %1 numbered pictures in %2.").arg(pictures).arg(path)
-                    : tr("Saved %1: %2 pictures%3.")
+                    ? tr("Saved %1 in %2.")
+                          .arg(QString::fromStdString(counted(pictures, "numbered picture")))
                           .arg(path)
-                          .arg(pictures)
+                    : tr("Saved %1: %2%3.")
+                          .arg(path)
+                          .arg(QString::fromStdString(counted(pictures, "picture")))
                           .arg(every > 1 ? tr(", one of every %1 frames").arg(every) : QString()));
     return true;
   } catch (const std::exception& error) {

@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "calculators/calculator_inputs.hpp"
@@ -73,7 +74,8 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   const reference::ValidateReport report = reference::validate_files(
       paths,
       [](const reference::FileResult& file) {
-        tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(), file.seconds));
+        tell(fmt::format("{}: {} in {:.1f} s\n", file.file, counted(file.cases.size(), "case"),
+                         file.seconds));
       },
       piped > 0 ? read_standard_input(kMostInput) : std::string());
   if (json)

@@ -53,8 +53,9 @@ nlohmann::ordered_json json_of(const facade::Progress& p) {
 std::string progress_line(const facade::Progress& p, std::size_t width) {
   const std::string share = fmt::format("{:3.0f}%", 100.0 * p.fraction);
   const std::string left = duration_text(p.remaining);
-  if (p.runs > 0 && p.step == 0)
-    return fitting({fmt::format("{}  {} 0 of {}", share, p.piece, p.runs), share}, width);
+  // Nothing is known of the rest before one of them was computed.
+  if (p.runs > 0 && p.step < p.runs && !(p.remaining > 0.0))
+    return fitting({fmt::format("{}  {} {} of {}", share, p.piece, p.step, p.runs), share}, width);
   if (p.runs > 0)
     return fitting({fmt::format("{}  {} {} of {}  ETA {}", share, p.piece, p.step, p.runs, left),
                     fmt::format("{}  {}/{}", share, p.step, p.runs), share},

@@ -1,5 +1,6 @@
 #include "cli/run_report.hpp"
 
+#include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/own_files.hpp"
 #include "cli/picture_program.hpp"
@@ -79,9 +80,9 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
   if (!outcome.results.empty())
     text += fmt::format("quasi-static solution computed in {}\n", duration_text(outcome.seconds));
   else
-    text +=
-        fmt::format("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
-                    outcome.revolutions, outcome.time, duration_text(outcome.seconds));
+    text += fmt::format("{}, {}, t = {:.6g} s, computed in {}\n", counted(outcome.steps, "step"),
+                        counted(fmt::format("{:.4g}", outcome.revolutions), "revolution"),
+                        outcome.time, duration_text(outcome.seconds));
   if (outcome.missed_end > 0.0)
     text += fmt::format("ended by maxStps, before fTime ({:.6g} s)\n", outcome.missed_end);
   if (outcome.energy_scale > 0.0)

@@ -1,6 +1,7 @@
 #include "desktop/bootstrap.hpp"
 
 #include "base/errors.hpp"
+#include "desktop/dialog_room.hpp"
 #include "desktop/theme.hpp"
 
 #include <QFontDatabase>
@@ -29,6 +30,7 @@ void set_up(const QString& name) {
     demand(QFontDatabase::addApplicationFont(QString(":/adore/fonts/") + file) >= 0,
            "a shipped font does not load");
   apply_theme(preferred_theme());
+  qApp->installEventFilter(new DialogRoom(qApp));
 }
 
 /// Pictures made without a session need no session folder and no window manager, so Qt's remarks

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QMainWindow>
 
@@ -27,6 +28,14 @@ bool is_stray_letter(const QKeyEvent& key) {
   return held == Qt::AltModifier && !key.text().isEmpty() && key.text().front().isPrint();
 }
 
+/// Menus, which take a letter with Alt themselves, are windows of their own but no dialogs.
+bool in_dialog_of(const QWidget& widget, const QWidget& window) {
+  const QWidget* top = widget.window();
+  if (qobject_cast<const QDialog*>(top) == nullptr) return false;
+  while (top != nullptr && top != &window) top = top->parentWidget();
+  return top != nullptr;
+}
+
 }  // namespace
 
 MenuKeys::MenuKeys(QMainWindow& window) : QObject(&window), window_(window) {
@@ -36,9 +45,12 @@ MenuKeys::MenuKeys(QMainWindow& window) : QObject(&window), window_(window) {
 bool MenuKeys::eventFilter(QObject* object, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
   const auto* widget = qobject_cast<QWidget*>(object);
-  if (widget == nullptr || widget->window() != &window_) return false;
+  if (widget == nullptr) return false;
+  const bool own = widget->window() == &window_;
   const auto& key = *static_cast<QKeyEvent*>(event);
-  if (event->type() == QEvent::KeyPress) return is_stray_letter(key);
+  if (event->type() == QEvent::KeyPress)
+    return (own || in_dialog_of(*widget, window_)) && is_stray_letter(key);
+  if (!own) return false;
   if (!key.modifiers().testFlag(Qt::ControlModifier) || is_editing(key)) return false;
   const QKeySequence pressed(key.keyCombination());
   for (const QAction* action : window_.findChildren<QAction*>())

@@ -295,6 +295,7 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
         inner != nullptr && !inner->values.empty() && inner->values.front() != inner->values.back();
     set_abscissa(out, all, *table, inner_turns ? "inner speed" : "outer speed",
                  inner_turns ? "Inner race speed" : "Outer race speed");
+    out.points = true;  // one solution each; lines only join them
     return out;
   };
   const auto entry = [&](const std::string& name) {
@@ -365,8 +366,10 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.x = sweep.values;
       page.points = true;  // what was computed; lines only join it
       std::string names;
+      // Shifts and tilts are both "Displacement", with another unit.
       for (std::size_t k = i; k < std::min(i + kPanelsPerPage, panels.size()); ++k)
-        names += (names.empty() ? "" : ", ") + panels[k].title;
+        if (k == i || panels[k].title != panels[k - 1].title)
+          names += (names.empty() ? "" : ", ") + panels[k].title;
       page.title = names + " over " + sweep.variable;
     }
     if (panels[i].title.starts_with("Life"))

@@ -89,8 +89,13 @@ struct Extent {
     high = std::max(high, value);
   }
   [[nodiscard]] bool any() const { return low <= high; }
-  [[nodiscard]] double share(double value) const {
-    return high > low ? (value - low) / (high - low) : 0.5;
+  /// Values over two decades and more, none of them 0 or negative: in one colour but the largest
+  /// few on an even scale.
+  [[nodiscard]] bool wide() const { return low > 0.0 && high >= 100.0 * low; }
+  [[nodiscard]] double share(double value, bool logarithmic = false) const {
+    if (!(high > low)) return 0.5;
+    return logarithmic ? std::log(value / low) / std::log(high / low)
+                       : (value - low) / (high - low);
   }
 };
 
@@ -138,15 +143,16 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
     for (const double value : row) extent.add(value);
   Sheet sheet(place.page, painter, theme, map.title);
   // Numbers in cells are those of the scale beside them: in its unit.
-  const AxisScale axis = tight_axis(extent.low, extent.high, map.unit, 6);
+  const bool wide = extent.wide();
+  const AxisScale axis = wide ? log_axis(extent.low, extent.high, map.unit, true)
+                              : tight_axis(extent.low, extent.high, map.unit, 6);
   const double line = QFontMetricsF(painter.font()).lineSpacing();
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
       const QRectF cell = place.cell(i, j);
       const double value = map.values[j][i];
       const bool known = is_drawable(value);
-      const double share =
-          extent.high > extent.low ? (value - extent.low) / (extent.high - extent.low) : 0.0;
+      const double share = extent.high > extent.low ? extent.share(value, wide) : 0.0;
       painter.fillRect(cell, known ? heat_colour(share) : theme.grid);
       painter.setPen(QPen(theme.surface, 1.0));
       painter.setBrush(Qt::NoBrush);
@@ -181,12 +187,12 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
     painter.fillRect(QRectF(scale.left(), scale.bottom() - k - 1, scale.width(), 1.5),
                      heat_colour(k / scale.height()));
   for (const AxisTick& tick : axis_ticks(axis)) {
-    const double y = scale.bottom() - extent.share(axis.value(tick.at)) * scale.height();
+    const double y = scale.bottom() - extent.share(axis.value(tick.at), wide) * scale.height();
     sheet.label({scale.right() + 6 * u, y - 11 * u, 120 * u, 22 * u},
                 Qt::AlignLeft | Qt::AlignVCenter, tick.text);
   }
   sheet.label({size.width() - 520 * u, 44 * u, 512 * u, 26 * u}, Qt::AlignRight | Qt::AlignVCenter,
-              with_unit(map.legend, axis.unit) +
+              with_unit(map.legend, axis.unit) + (wide ? ", logarithmic" : "") +
                   (axis.offset_text.empty() ? "" : " − " + axis.offset_text));
 }
 

@@ -2,6 +2,7 @@
 
 #include "adrplot/plot_document.hpp"
 #include "agore/render.hpp"
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "cli/progress.hpp"
 #include "deck/templates.hpp"
@@ -202,7 +203,7 @@ void draw_gallery(const GalleryRequest& request) {
     for (const auto& [file, title] : gallery.list())
       index += fmt::format("![{}]({}/{})\n", title, name, file);
     if (progress) progress(++done, static_cast<long>(runs.size()));
-    fmt::print("{}: {} pictures\n", (out / name).string(), gallery.list().size());
+    fmt::print("{}: {}\n", (out / name).string(), counted(gallery.list().size(), "picture"));
   }
   std::ofstream file(out / "README.md");
   file << index;

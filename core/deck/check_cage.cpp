@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/check.hpp"
 
 #include <fmt/format.h>
@@ -187,7 +188,8 @@ void check_segments(Checker& c) {
   if (!elements) return;
   if (*elements % *segments != 0) {
     c.error("nCseg",
-            fmt::format("{} elements cannot be shared by {} equal segments", *elements, *segments),
+            fmt::format("{} cannot be shared by {} equal segments", counted(*elements, "element"),
+                        *segments),
             "let nCseg divide nRe");
     return;
   }
@@ -205,9 +207,9 @@ void check_segments(Checker& c) {
     const auto first = c.integer("lSeg", 1);
     if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
       c.error("lSeg",
-              fmt::format("the segments must be alike: {} elements in each, all cut the same way, "
+              fmt::format("the segments must be alike: {} in each, all cut the same way, "
                           "but segment {} starts at {}",
-                          share, i, *start),
+                          counted(share, "element"), i, *start),
               fmt::format("give {} here", *first > 0 ? last + share : -(last + share)));
       return;
     }

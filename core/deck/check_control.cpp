@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/check.hpp"
 
 #include <fmt/format.h>
@@ -140,10 +141,10 @@ void check_file_names(Checker& c) {
       "masName",   "finName",   "pltNames1", "pltNames2", "pltNames3",
       "pltNames4", "pltNames5", "pltNames6", "pltNames7", "pltNames8"};
   std::map<std::string, std::string> seen = {
-      {"DATA.TXT", "the deck"},        {"PRINT.TXT", "the listing"},
-      {"SOL9", "user routine ADRX9"},  {"RUN.JSON", "the run report"},
-      {"RESULTS.H5", "the results"},   {"ADORE.JSON", "the run options"},
-      {"SWEEP.CSV", "a sweep's table"}};
+      {"DATA.TXT", "the deck"},         {"PRINT.TXT", "the listing"},
+      {"SOL9", "user routine ADRX9"},   {"RUN.JSON", "the run report"},
+      {"RESULTS.H5", "the results"},    {"ADORE.JSON", "the run options"},
+      {"SWEEP.CSV", "a sweep's table"}, {"SWEEP.JSON", "what a sweep goes on by"}};
   const std::string& path = c.deck().file;
   if (!path.empty())
     seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");
@@ -186,9 +187,10 @@ void check_monitored_bodies(Checker& c) {
   }
   if (bodies > 0 && last > bodies)
     c.error("kPltElemInd",
-            fmt::format("there is no body {}: with {} elements and {} cage segments the last one, "
+            fmt::format("there is no body {}: with {} and {} the last one, "
                         "the inner race, is {}",
-                        last, *elements, *segments, bodies),
+                        last, counted(*elements, "element"), counted(*segments, "cage segment"),
+                        bodies),
             fmt::format("give numbers from 1 to {}", bodies));
 }
 

@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/check.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
                   "less than the diameter of "
                   "{}",
                   *count, c.length(pitch), c.length(element_diameter)),
-      fmt::format("give at most {} elements", static_cast<long long>(fitting * (1.0 + kRounding))));
+      "give at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
 }
 
 void check_pitch_circle(Checker& c, double pitch_diameter, double element_diameter) {

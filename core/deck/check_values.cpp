@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/check.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
@@ -51,7 +52,8 @@ class ValueCheck {
     const auto expected = static_cast<std::size_t>(array_length(checker_.deck(), variable_));
     if (elements.size() != expected) {
       report(Severity::Error, 0, {},
-             fmt::format("has {} elements, but {} are due", elements.size(), expected),
+             fmt::format("has {}, but {} due", counted(elements.size(), "element"),
+                         counted(expected, "is", "are")),
              "give as many as the count says");
       return;
     }
@@ -197,10 +199,11 @@ void check_values(Checker& checker) {
     const RecordSpec* spec = find_record(data.id);
     if (spec == nullptr) continue;
     if (data.values.size() != spec->variables.size()) {
-      checker.add(record_issue(checker.deck(), data.id, data.line,
-                               fmt::format("has {} variables, but {} are due", data.values.size(),
-                                           spec->variables.size()),
-                               "give them all"));
+      checker.add(
+          record_issue(checker.deck(), data.id, data.line,
+                       fmt::format("has {}, but {} are due",
+                                   counted(data.values.size(), "variable"), spec->variables.size()),
+                       "give them all"));
       continue;
     }
     for (std::size_t i = 0; i < spec->variables.size(); ++i)

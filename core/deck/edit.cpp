@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "deck/deck.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
@@ -227,8 +228,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (target.indices.size() > used) {
     const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
     if (target.indices[used] > length)
-      fail(name, value,
-           is_array ? fmt::format("it has {} elements", length) : "it is a single value",
+      fail(name, value, is_array ? "it has " + counted(length, "element") : "it is a single value",
            is_array ? "give an index up to that, or raise the count first" : "leave out the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {
@@ -328,9 +328,9 @@ void Deck::set(std::string_view name, std::string_view value) {
       fail(name, value, "this deck has none of them",
            fmt::format("their number is {}; raise that first", spec.length));
     if (parts.size() != elements.size())
-      fail(
-          name, value, fmt::format("it has {} elements", elements.size()),
-          fmt::format("give {} values with commas, or one as {}[1]", elements.size(), target.name));
+      fail(name, value, "it has " + counted(elements.size(), "element"),
+           fmt::format("give {} with commas, or one as {}[1]", counted(elements.size(), "value"),
+                       target.name));
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }
   records = std::move(changed.records);

@@ -1,5 +1,6 @@
 #include "deck/reader.hpp"
 
+#include "base/counted.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
 #include "deck/record_reader.hpp"
@@ -61,7 +62,8 @@ ReadResult Reader::read() {
     Issue more;
     more.severity = Severity::Note;
     more.file = state_.deck().file;
-    more.message = fmt::format("{} more problems are not listed", state_.issues_dropped);
+    more.message =
+        counted(state_.issues_dropped, "more problem is", "more problems are") + " not listed";
     more.remedy = "mend the ones above first";
     issues.push_back(std::move(more));
   }
@@ -259,8 +261,9 @@ void Reader::keep_user_lines() {
       state_.deck().records.empty() ? "" : std::string_view(state_.deck().records.back().id);
   state_.report(
       Severity::Warning, static_cast<int>(first) + 1, "", "",
-      fmt::format("{} line(s) after the last required record{} are kept as input of user routines",
-                  kept.size(), last.empty() ? "" : fmt::format(" ({})", last)),
+      fmt::format("{} after the last required record{} {} kept as input of user routines",
+                  counted(kept.size(), "line"), last.empty() ? "" : fmt::format(" ({})", last),
+                  kept.size() == 1 ? "is" : "are"),
       "remove them when no user routine reads them");
 }
 

@@ -1,5 +1,6 @@
 #include "deck/record_reader.hpp"
 
+#include "base/counted.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
 
@@ -241,7 +242,8 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
       end ? fmt::format("the deck ends inside this record; no value for {}", names)
           : fmt::format("the record is short: no value for {} before the next record '{}'", names,
                         token.text),
-      fmt::format("give all {} values of record {}", state_.expected_values(spec) + 1, spec.id));
+      fmt::format("give {} for record {}", counted(state_.expected_values(spec) + 1, "value"),
+                  spec.id));
 }
 
 /// A deck that was cut in its last number reads like a whole one; a missing line end gives it away.
@@ -304,8 +306,8 @@ void RecordReader::warn_about_rest() {
   if (word.empty() || parse_real(word, number)) return;
   state_.report(Severity::Warning, static_cast<int>(state_.scanner.position().line) + 1, "",
                 std::string(word),
-                fmt::format("the record takes {} values; what follows is ignored",
-                            state_.expected_values(*state_.spec) + 1),
+                fmt::format("the record takes {}; what follows is ignored",
+                            counted(state_.expected_values(*state_.spec) + 1, "value")),
                 "remove the surplus values, or write a decimal comma as a point");
 }
 

@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/json_text.hpp"
 #include "facade/accuracy_judgement.hpp"
@@ -272,8 +273,9 @@ std::string accuracy_table(const AccuracyStudy& study) {
         "What a millionth of the loads changes was not measured (no loads, no time left, or a run "
         "that failed): only the references tell how regular the motion is.\n";
   if (study.untried > 0)
-    out += fmt::format("{} more settings or models were not run: the budget left no time.\n",
-                       study.untried);
+    out += fmt::format(
+        "{} not run: the budget left no time.\n",
+        counted(study.untried, "more setting or model was", "more settings or models were"));
   if (!study.models.empty())
     out += fmt::format(
         "\nOther models with the deck's own settings, {}; here the figures are what they "

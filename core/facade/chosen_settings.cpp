@@ -1,5 +1,6 @@
 #include "facade/chosen_settings.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
 #include "facade/accuracy_judgement.hpp"
@@ -123,10 +124,10 @@ class Choice {
     seconds_per_turn_ = best.seconds / best.turns;
     const std::string longest =
         out_.sets.empty() ? "" : fmt::format(", stpMax {}", out_.sets.front().second);
-    out_.text = fmt::format(
-        "settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {:.3g} turns: {})",
-        100.0 * target_, out_.integrator, out_.tolerance, longest, best.turns,
-        errors_text(best.errors));
+    out_.text =
+        fmt::format("settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {}: {})",
+                    100.0 * target_, out_.integrator, out_.tolerance, longest,
+                    counted(fmt::format("{:.3g}", best.turns), "turn"), errors_text(best.errors));
   }
 
   [[nodiscard]] RunRequest run_of(const ResolutionRow& row) const {
@@ -198,8 +199,8 @@ class Choice {
       before = keeps ? here : -1;
     }
     if (out_.resolution < 0) out_.resolution = before;
-    const std::string against =
-        fmt::format("against {} over {:.3g} turns", out_.finest, out_.turns);
+    const std::string against = fmt::format("against {} over {}", out_.finest,
+                                            counted(fmt::format("{:.3g}", out_.turns), "turn"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
       out_.text += fmt::format(". {}: nothing coarser keeps within {:.2g} % of it", out_.finest,

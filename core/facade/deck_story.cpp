@@ -1,5 +1,6 @@
 #include "facade/deck_story.hpp"
 
+#include "base/counted.hpp"
 #include "deck/schema.hpp"
 #include "facade/check.hpp"
 #include "setup/run_control.hpp"
@@ -26,9 +27,9 @@ std::string bearing_line(const deck::Deck& deck) {
   static constexpr const char* kTypes[] = {"ball", "cylindrical roller", "spherical roller",
                                            "tapered roller", "spherical tapered roller"};
   const auto type = static_cast<std::size_t>(deck.integer("kBrg"));
-  std::string line = fmt::format("bearing:    {} bearing with {} elements of {}",
-                                 type >= 1 && type <= 5 ? kTypes[type - 1] : "rolling",
-                                 deck.integer("nRe"), with_unit(deck, "bReDia"));
+  std::string line = fmt::format(
+      "bearing:    {} bearing with {} of {}", type >= 1 && type <= 5 ? kTypes[type - 1] : "rolling",
+      counted(deck.integer("nRe"), "element"), with_unit(deck, "bReDia"));
   // Cones have no pitch diameter in the deck: it follows from their angles (N38).
   if (deck.has("pitchDia")) line += " on a pitch circle of " + with_unit(deck, "pitchDia");
   const long long segments = deck.integer("nCseg");
@@ -67,11 +68,11 @@ std::string run_line(const deck::Deck& deck) {
     std::string line =
         "run:        the quasi-static solution alone: loads, displacements, stiffness, life";
     if (deck.integer("kStif") > 0)
-      line += fmt::format("; stiffness at {} speeds", deck.integer("kStif"));
+      line += "; stiffness at " + counted(deck.integer("kStif"), "speed");
     return line;
   }
   std::string line =
-      fmt::format("run:        motion over time, at most {} steps", deck.integer("maxStps"));
+      "run:        motion over time, at most " + counted(deck.integer("maxStps"), "step");
   const long long inner = deck.integer("nStps");
   if (inner > 1) line += fmt::format(" of {} each", inner);
   line += fmt::format(", to a time of {:g} (over the time scale)", deck.real("fTime"));
@@ -82,7 +83,7 @@ std::string output_line(const deck::Deck& deck) {
   if (deck.integer("mode") < 0) return "writes:     PRINT.txt, RUN.json";
   std::string line = "writes:     PRINT.txt, FINAL, MASTER, RUN.json, RESULTS.h5, SOL7";
   const long long bodies = deck.integer("kNumPltElem");
-  if (bodies > 0) line += fmt::format(", plots of {} bodies (SOL1 on)", bodies);
+  if (bodies > 0) line += ", plots of " + counted(bodies, "body", "bodies") + " (SOL1 on)";
   if (deck.integer("kAGraf") > 0) line += ", the animation SOL8";
   return line;
 }

@@ -1,5 +1,6 @@
 #include "facade/deck_summary.hpp"
 
+#include "base/counted.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/user_session.hpp"
@@ -37,8 +38,8 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
   if (prepared.user) {
     std::string routines;
     for (const user::Use& use : prepared.user->uses())
-      routines += fmt::format("{}{} ({} calls)", routines.empty() ? "" : ", ",
-                              user::hook_name(use.hook), use.calls);
+      routines += fmt::format("{}{} ({})", routines.empty() ? "" : ", ", user::hook_name(use.hook),
+                              counted(use.calls, "call"));
     out.options.emplace_back("--user", prepared.user->source());
     out.options.emplace_back("user version", program_version(prepared.user.get()));
     out.options.emplace_back("user routines", routines.empty() ? "none is active" : routines);

@@ -1,5 +1,6 @@
 #include "facade/disk_use.hpp"
 
+#include "base/counted.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/run_files.hpp"
 #include "facade/thermal_run.hpp"
@@ -111,8 +112,9 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
 
 std::string disk_use_text(const DiskUse& use) {
   if (use.files.empty()) return {};
-  std::string text = fmt::format("\ndisk\n  about {} for {:.4g} steps, {:.4g} of them stored\n",
-                                 size_text(use.total()), use.steps, use.stored);
+  std::string text =
+      fmt::format("\ndisk\n  about {} for {}, {:.4g} of them stored\n", size_text(use.total()),
+                  counted(fmt::format("{:.4g}", use.steps), "step"), use.stored);
   for (const auto& [name, bytes] : use.files)
     text += fmt::format("  {:<24} {}\n", name, size_text(bytes));
   return text;

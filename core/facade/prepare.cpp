@@ -1,5 +1,6 @@
 #include "facade/prepare.hpp"
 
+#include "base/counted.hpp"
 #include "base/interrupted.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
@@ -525,9 +526,9 @@ std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double by_steps = static_cast<double>(prepared.control.max_steps) *
                           prepared.control.substeps / plan.steps_per_revolution;
   if (by_steps < by_time)
-    return fmt::format("about {:.3g} revolutions, by maxStps; fTime would be {:.4g}", by_steps,
-                       by_time);
-  return fmt::format("{:.4g} revolutions, by fTime", by_time);
+    return fmt::format("about {}, by maxStps; fTime would be {:.4g}",
+                       counted(fmt::format("{:.3g}", by_steps), "revolution"), by_time);
+  return counted(fmt::format("{:.4g}", by_time), "revolution") + ", by fTime";
 }
 
 std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {

@@ -72,10 +72,15 @@ void RunFiles::check() const {
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
-std::pair<long, double> RunFiles::stored_end() const {
-  const std::pair<long, double> plotted = results::stored_end(sol_path(7));
-  // RESULTS.h5 has the steps of both.
-  return writes_animation() ? std::max(plotted, results::stored_end(sol_path(8))) : plotted;
+std::pair<long, double> RunFiles::stored_end(std::uintmax_t print_bytes) const {
+  // RESULTS.h5 has the steps of SOL7 and SOL8.
+  std::pair<long, double> out = results::stored_end(sol_path(7));
+  const auto take = [&out](const std::pair<long, double>& other) {
+    out = {std::max(out.first, other.first), std::max(out.second, other.second)};
+  };
+  if (writes_animation()) take(results::stored_end(sol_path(8)));
+  take(listing::PrintFile::stored_end(path("PRINT.txt"), print_bytes));
+  return out;
 }
 
 bool RunFiles::writes_sol9() const { return prepared_.user && prepared_.user->active(9); }

@@ -33,10 +33,11 @@ class RunFiles {
   [[nodiscard]] Outputs outputs() const;
   /// Refuses to continue files of another run or layout, before any of them is touched (N3).
   void check() const;
-  /// Step and time [s], to SOL's digits, of the last whole record in SOL7 or SOL8; zeros when
-  /// there is none.
+  /// Step and time [s], to the digits of the files, of the last whole record in SOL7 or SOL8 or of
+  /// the last step that the listing has behind its first `print_bytes`, whichever is later; zeros
+  /// when there is none.
   /// @pre check()
-  [[nodiscard]] std::pair<long, double> stored_end() const;
+  [[nodiscard]] std::pair<long, double> stored_end(std::uintmax_t print_bytes) const;
   /// The listing alone: of a quasi-static deck.
   void open_listing();
   /// All of them; continued ones behind `steps` and the listing's `print_bytes`. @return why there

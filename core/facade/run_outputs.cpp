@@ -388,7 +388,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (out.continued) {
     check_names(s.files.outputs());
     s.files.check();
-    std::tie(out.stored_step, out.stored_time) = s.files.stored_end();
+    std::tie(out.stored_step, out.stored_time) = s.files.stored_end(s.print_bytes);
   } else {
     check_room(s.files.outputs(), s.overwrite);
   }

@@ -43,9 +43,10 @@ struct StartPoint {
   Resume resume;          ///< of the run that is continued; memory empty: its stepper starts anew
   long segment = 0;       ///< step from which maxStps counts
   bool complete = false;  ///< the run that is continued has its last page
-  /// Of the last record in SOL7 or SOL8, which is behind the checkpoint when the run was killed.
+  /// Of the last step in SOL7, SOL8 or PRINT.txt, which is behind the checkpoint when the run was
+  /// killed.
   long stored_step = 0;
-  double stored_time = 0.0;    ///< of that record, to SOL's digits [s]
+  double stored_time = 0.0;    ///< of that record, to the digits of the files [s]
   double turned_before = 0.0;  ///< shaft rotation beyond speed times time: of earlier speeds [rad]
 };
 

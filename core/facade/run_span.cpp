@@ -1,5 +1,6 @@
 #include "facade/run_span.hpp"
 
+#include "base/counted.hpp"
 #include "facade/user_session.hpp"
 
 #include <fmt/format.h>
@@ -80,9 +81,12 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
   };
   if (span.end < start.time * (1.0 - 1e-12)) {
     const auto text = [&](double time) {
-      return turns_per_second != 0.0 ? fmt::format("{:.6g} s ({:.6g} turns)", time,
-                                                   turned + turns_per_second * (time - start.time))
-                                     : fmt::format("{:.6g} s", time);
+      return turns_per_second != 0.0
+                 ? fmt::format("{:.6g} s ({})", time,
+                               counted(fmt::format("{:.6g}",
+                                                   turned + turns_per_second * (time - start.time)),
+                                       "turn"))
+                 : fmt::format("{:.6g} s", time);
     };
     refuse(text(span.end), text(start.time));
   }

@@ -1,5 +1,6 @@
 #include "facade/static_plan.hpp"
 
+#include "base/counted.hpp"
 #include "setup/no_part.hpp"
 
 #include <fmt/format.h>
@@ -107,12 +108,13 @@ void results(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const auto& stiffness = p.control.stiffness;
   out.add("stiffness over speed", stiffness.has_value(),
-          stiffness ? fmt::format("kStif = {}: {} speeds{}", stiffness->points, stiffness->points,
-                                  stiffness->share > 0.0
-                                      ? fmt::format(", by difference too (pctDisp = {:g} %)",
-                                                    100.0 * stiffness->share)
-                                      : std::string())
-                    : given(deck, "kStif"));
+          stiffness
+              ? fmt::format(
+                    "kStif = {}: {}{}", stiffness->points, counted(stiffness->points, "speed"),
+                    stiffness->share > 0.0 ? fmt::format(", by difference too (pctDisp = {:g} %)",
+                                                         100.0 * stiffness->share)
+                                           : std::string())
+              : given(deck, "kStif"));
   out.add("fatigue life", true,
           fmt::format("{}: original and updated Lundberg-Palmgren, Gupta-Zaretsky, "
                       "Ioannides-Harris, each with STLE and Tallian factors; ISO 281 and 16281",
@@ -166,11 +168,13 @@ scene::ScenePlan static_plan(const Prepared& prepared) {
 
 std::string static_cost_text(const Prepared& prepared) {
   const statics::RaceResult& solution = prepared.race_result();
-  std::string out = fmt::format("\ncost\n  equilibrium              {:.3g} ms, {} iterations\n",
-                                1e3 * prepared.solve_seconds, solution.iterations);
+  std::string out =
+      fmt::format("\ncost\n  equilibrium              {:.3g} ms, {}\n",
+                  1e3 * prepared.solve_seconds, counted(solution.iterations, "iteration"));
   if (!prepared.stiffness.empty())
-    out += fmt::format("  stiffness over speed     {:.3g} ms for {} speeds\n",
-                       1e3 * prepared.stiffness_seconds, prepared.stiffness.size());
+    out +=
+        fmt::format("  stiffness over speed     {:.3g} ms for {}\n",
+                    1e3 * prepared.stiffness_seconds, counted(prepared.stiffness.size(), "speed"));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/results_folder.hpp"
 #include "facade/run_ending.hpp"
+#include "facade/sweep_mark.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
@@ -37,10 +38,6 @@ bool parse(std::string_view text, T& out) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-bool looks_like_range(const std::string& value) {
-  return std::count(value.begin(), value.end(), ':') > 0;
-}
-
 Range parse_range(const std::string& name, const std::string& value) {
   const std::size_t a = value.find(':'), b = value.rfind(':');
   Range out;
@@ -58,6 +55,7 @@ Range parse_range(const std::string& name, const std::string& value) {
 /// One run of the sweep and how it ended.
 struct Row : RunEnding {
   std::string value;
+  bool known = false;  ///< taken over from an earlier sweep
 };
 
 /// The variable with its unit, then key results by id, in SI whatever the deck's units.
@@ -84,7 +82,7 @@ std::string sweep_csv(const std::string& variable, const std::string& unit,
 }
 
 Row run_one(const RunRequest& request, std::string value, const std::stop_token& stop) {
-  return {end_of_run(request, stop), std::move(value)};
+  return {end_of_run(request, stop), std::move(value), false};
 }
 
 /// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
@@ -95,6 +93,7 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
   if (mark.status != "done" || mark.request != digest) return {};
   Row row;
   row.value = value;
+  row.known = true;
   try {
     std::ifstream stream(file, std::ios::binary);
     const auto json = parse_json<nlohmann::ordered_json>(
@@ -160,14 +159,14 @@ std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
 
 bool is_sweep(const RunRequest& request) {
   return std::any_of(request.sets.begin(), request.sets.end(),
-                     [](const auto& set) { return looks_like_range(set.second); });
+                     [](const auto& set) { return is_range(set.second); });
 }
 
 SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress,
                        std::stop_token stop) {
   std::size_t swept = request.sets.size();
   for (std::size_t i = 0; i < request.sets.size(); ++i) {
-    if (!looks_like_range(request.sets[i].second)) continue;
+    if (!is_range(request.sets[i].second)) continue;
     if (swept != request.sets.size())
       throw InputError("a sweep varies one variable; give only one --set with a range");
     swept = i;
@@ -194,15 +193,19 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     return one;
   };
   const bool keep = !request.overwrite && !request.go_on;
-  check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);
+  check_room({folder, {"SWEEP.csv", SweepMark::kName}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
   for (std::size_t k = 0; keep && k < count; ++k)
     if (const auto place = *one_request(k).out; std::filesystem::exists(place))
       check_room({place, {"PRINT.txt", "RUN.json"}, {}}, false);
 
+  SweepMark mark{deck_path(request).filename().string(),
+                 variable + "=" + request.sets[swept].second, sweep_digest(request), "running"};
+  write_sweep_mark(mark, folder);
+
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
-  std::size_t done = 0;
+  std::size_t done = 0, computed = 0;
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::time_point since) {
     return std::chrono::duration<double>(Clock::now() - since).count();
@@ -225,8 +228,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     p.step = static_cast<long>(done);
     p.runs = static_cast<long>(count);
     p.elapsed = seconds(begin);
-    if (done > 0)
-      p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
+    // What was known took no time, and tells nothing of the rest.
+    if (computed > 0)
+      p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(computed);
     progress(p);
   };
   double rest = 0.0;
@@ -241,6 +245,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
         const std::scoped_lock guard(mutex);
         rows[k] = std::move(row);
         ++done;
+        computed += rows[k].known ? 0 : 1;
         if (const auto at = Clock::now(); seconds(written) >= rest) {
           write_table();
           written = Clock::now();
@@ -274,6 +279,11 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   out.warnings = warnings_once(rows);
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
+  // Runs whose files found no room have no result of their own yet.
+  const bool unwritten =
+      std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
+  mark.status = out.exit_code == 130 || unwritten ? "interrupted" : "done";
+  write_sweep_mark(mark, folder);
   return out;
 }
 

@@ -18,8 +18,9 @@ struct SweepOutcome {
 };
 
 /// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the
-/// output folder. The table is written as the runs end. With RunRequest::go_on only what an
-/// earlier, broken-off sweep is missing runs.
+/// output folder. The table is written as the runs end; SWEEP.json (sweep_mark.hpp) says which
+/// sweep it is and whether it came to its end. With RunRequest::go_on only what an earlier,
+/// broken-off sweep is missing runs.
 /// @throws InputError for a malformed range, or more than one of them; ResultsExist as run().
 SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress = {},
                        std::stop_token stop = {});

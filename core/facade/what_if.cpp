@@ -1,5 +1,6 @@
 #include "facade/what_if.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "facade/prepare.hpp"
 #include "setup/scene_plan.hpp"
@@ -173,16 +174,16 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
 std::string what_if_text(const WhatIf& result) {
   const auto of = [&](std::string_view id) { return value_of(result.base, id); };
   std::string out = fmt::format(
-      "\nwhat if: each effect left out for {:.4g} turns, {:.3g} s of processor time with all of "
+      "\nwhat if: each effect left out for {}, {:.3g} s of processor time with all of "
       "them\n"
       "with all: cage speed {:.5g} of the shaft's, largest load {:.4g} N, heat {:.4g} W, life "
       "{:.4g} h\n"
       "Changes in percent of these; what a millionth of load changes is no effect; cost is the "
       "share of the time\nthat goes with it, certain to {:.2g} %.\n\n"
       "  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
-      result.turns, result.seconds, of("mean_cage_ratio"), of("mean_largest_load_N"),
-      of("mean_power_loss_W"), of("run_life_hours"), 100.0 * result.time_spread, "effect", "cost %",
-      "speed %", "load %", "heat %", "life %");
+      counted(fmt::format("{:.4g}", result.turns), "turn"), result.seconds, of("mean_cage_ratio"),
+      of("mean_largest_load_N"), of("mean_power_loss_W"), of("run_life_hours"),
+      100.0 * result.time_spread, "effect", "cost %", "speed %", "load %", "heat %", "life %");
   const auto line = [&](const std::string& name, const std::string& cost,
                         const WhatIfChange& change, const std::string& without) {
     out += fmt::format("  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n", name, cost,

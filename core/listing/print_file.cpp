@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <fstream>
 
@@ -56,6 +57,35 @@ PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::stri
   stream.read(tail.data(), static_cast<std::streamsize>(size));
   tail.resize(static_cast<std::size_t>(stream.gcount()));
   out.report_.resume(tail);
+  return out;
+}
+
+std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
+                                              std::uintmax_t bytes) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size <= bytes) return {};
+  // Of a long rest its end: a step of a thousand elements has less.
+  constexpr std::uintmax_t kMost = 1 << 22;
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(size - std::min(size - bytes, kMost)));
+  std::pair<long, double> out;
+  long step = 0;
+  std::string_view line;
+  for (LineReader lines(stream); lines.next(line);) {
+    // As Report::item() puts them: label from the third column, value in 16 behind the 62 of it.
+    if (line.size() < 81) continue;
+    const auto value = [&] {
+      std::string_view text = line.substr(65, 16);
+      text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+      double number = 0.0;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
+    };
+    if (line.starts_with("  Step  ")) step = static_cast<long>(value());
+    if (line.starts_with("  Time  ")) out = {step, std::max(out.second, value())};
+    if (line.starts_with("  Its end  ")) out.second = std::max(out.second, value());
+  }
   return out;
 }
 

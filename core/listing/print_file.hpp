@@ -65,6 +65,11 @@ class PrintFile {
   /// The check of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const std::string& run_id);
 
+  /// Step and time [s] of the last whole step that stands behind the first `bytes` of a file, or
+  /// the end of a thermal step that is later; zeros when there is none.
+  [[nodiscard]] static std::pair<long, double> stored_end(const std::filesystem::path& path,
+                                                          std::uintmax_t bytes);
+
   /// On the headings of pages from now on, in the place of the program's version; cut at its
   /// column.
   void show_version(std::string version) { version_ = std::move(version); }

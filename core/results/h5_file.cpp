@@ -1,5 +1,6 @@
 #include "results/h5_file.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "results/h5_layout.hpp"
 
@@ -79,7 +80,8 @@ bool holds_doubles(const Handle& dataset) {
 std::vector<hsize_t> extent(const Handle& dataset, const std::string& path) {
   const Handle space(H5Dget_space(dataset));
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 1 || rank > kMostDimensions) damaged(fmt::format("{} has {} dimensions", path, rank));
+  if (rank < 1 || rank > kMostDimensions)
+    damaged(fmt::format("{} has {}", path, counted(rank, "dimension")));
   std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
   if (H5Sget_simple_extent_dims(space, dims.data(), nullptr) != rank) damaged(last_error());
   return dims;
@@ -142,8 +144,8 @@ File::File(const std::filesystem::path& path) {
     std::uint64_t width = sizeof(double) * dataset.width;
     if (dataset.compressed) width = width / kLargestCompression + 1;
     if (content_.steps > (size - taken) / width)
-      damaged(
-          fmt::format("it says that it holds {} steps, for which it is too short", content_.steps));
+      damaged(fmt::format("it says that it holds {}, for which it is too short",
+                          counted(content_.steps, "step")));
     taken += content_.steps * width;
   }
 

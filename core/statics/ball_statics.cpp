@@ -122,12 +122,13 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
   return result;
 }
 
+/// "ball 3", "balls 3, 4"
 std::string ball_numbers(const std::vector<std::size_t>& indices) {
   std::string text;
   for (std::size_t k : indices) {
     text += fmt::format("{}{}", text.empty() ? "" : ", ", k + 1);
   }
-  return text;
+  return (indices.size() == 1 ? "ball " : "balls ") + text;
 }
 
 /// Race control rule: every ball is controlled by the race with the larger Q a E, the outer one
@@ -163,7 +164,7 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
       m.own_speed_share = 1.0;
       state = before;
       notes.push_back(
-          fmt::format("race control: the inner race would control the spin of ball(s) {}, but then "
+          fmt::format("race control: the inner race would control the spin of {}, but then "
                       "there is no equilibrium; "
                       "outer race control is used",
                       ball_numbers(changed)));
@@ -180,7 +181,7 @@ void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, Ra
   }
   if (!undecided.empty()) {
     notes.push_back(fmt::format(
-        "race control: either race may control the spin of ball(s) {}; outer race control is used",
+        "race control: either race may control the spin of {}; outer race control is used",
         ball_numbers(undecided)));
   }
 }

@@ -1,5 +1,6 @@
 #include "statics/race_text.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
@@ -37,8 +38,8 @@ std::string load_text(const RaceTask& task) {
 std::string how_far(const RaceSolve& solve) {
   return solve.iterations == 0
              ? "could not begin"
-             : fmt::format("stopped with a residual of {:.2g} of the load after {} steps",
-                           solve.residual, solve.iterations);
+             : fmt::format("stopped with a residual of {:.2g} of the load after {}", solve.residual,
+                           counted(solve.iterations, "step"));
 }
 
 std::vector<std::string> held_notes(const std::vector<int>& held,

@@ -1,6 +1,7 @@
 #include "studies/campaign.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
@@ -146,9 +147,10 @@ Plan plan_of(const CampaignRequest& request, const Study& study, const fs::path&
     out.over_budget += (out.over_budget.empty() ? "" : "; ") + text;
   };
   if (study.budget.runs && static_cast<double>(runs) > *study.budget.runs)
-    exceeds(fmt::format("{} runs, and the budget has {:g}", runs, *study.budget.runs));
+    exceeds(fmt::format("{}, and the budget has {:g}", counted(runs, "run"), *study.budget.runs));
   if (study.budget.hours && out.hours > *study.budget.hours)
-    exceeds(fmt::format("{:.3g} hours, and the budget has {:g}", out.hours, *study.budget.hours));
+    exceeds(fmt::format("{}, and the budget has {:g}",
+                        counted(fmt::format("{:.3g}", out.hours), "hour"), *study.budget.hours));
   if (study.budget.disk_megabytes && out.disk_megabytes > *study.budget.disk_megabytes)
     exceeds(fmt::format("{:.3g} MB on disk, and the budget has {:g}", out.disk_megabytes,
                         *study.budget.disk_megabytes));
@@ -322,8 +324,8 @@ class Campaign {
     }
     out_.note = search.best().empty()
                     ? "no run gave the objective a value"
-                    : fmt::format("{} rounds, the last step was {:.3g} % of each range",
-                                  search.rounds(), 100.0 * search.step());
+                    : fmt::format("{}, the last step was {:.3g} % of each range",
+                                  counted(search.rounds(), "round"), 100.0 * search.step());
   }
 
   void finish() {
@@ -414,10 +416,10 @@ std::string progress_text(const StudyProgress& p) {
 }
 
 std::string outcome_text(const CampaignOutcome& outcome) {
-  return fmt::format(
-      "{} runs: {} done, {} of them failed; {} computed now in {}, {} known before{}{}",
-      outcome.runs, outcome.done, outcome.failed, outcome.computed, duration_text(outcome.seconds),
-      outcome.known, outcome.note.empty() ? "" : "; ", outcome.note);
+  return fmt::format("{}: {} done, {} of them failed; {} computed now in {}, {} known before{}{}",
+                     counted(outcome.runs, "run"), outcome.done, outcome.failed, outcome.computed,
+                     duration_text(outcome.seconds), outcome.known,
+                     outcome.note.empty() ? "" : "; ", outcome.note);
 }
 
 CampaignOutcome run_campaign(const CampaignRequest& request, const StudySink& progress,

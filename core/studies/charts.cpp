@@ -23,13 +23,7 @@ Chart grid(const std::vector<std::vector<double>>& values) {
   return out;
 }
 
-/// The words for a key result: the unit in its column's name would stand beside another one that
-/// its numbers have on an axis ("…_Pa [GPa]").
-std::string words_of(const TableColumn& column) {
-  const results::KeyResultSpec spec = results::find_key_result(column.name);
-  if (spec.id.empty()) return column.name;
-  return spec.part.empty() ? std::string(spec.label) : fmt::format("{}, {}", spec.label, spec.part);
-}
+std::string words_of(const TableColumn& column) { return studies::words_of(column.name); }
 
 std::string heading(const TableColumn& column) {
   return column.unit.empty() || column.unit == "-"
@@ -40,6 +34,12 @@ std::string heading(const TableColumn& column) {
 std::string unit(const TableColumn& column) { return column.unit == "-" ? "" : column.unit; }
 
 }  // namespace
+
+std::string words_of(const std::string& column) {
+  const results::KeyResultSpec spec = results::find_key_result(column);
+  if (spec.id.empty()) return column;
+  return spec.part.empty() ? std::string(spec.label) : fmt::format("{}, {}", spec.label, spec.part);
+}
 
 Chart curves_chart(const std::string& name, const TableColumn& x, const TableColumn& y,
                    const std::vector<ChartLine>& lines) {

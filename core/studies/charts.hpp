@@ -12,6 +12,10 @@ namespace adore::studies {
 
 using Chart = nlohmann::ordered_json;
 
+/// The words for a column that is a key result: the unit in its name would stand beside another one
+/// that its numbers have on an axis ("…_Pa [GPa]"). Other columns keep their names.
+[[nodiscard]] std::string words_of(const std::string& column);
+
 struct ChartLine {
   std::string name;
   std::vector<double> x, y, low, high;

@@ -1,3 +1,4 @@
+#include "base/counted.hpp"
 #include "base/write_error.hpp"
 #include "studies/engine.hpp"
 
@@ -152,10 +153,10 @@ class LocalEngine {
     }
     if (left_ > 0 && !stop.stop_requested())
       throw InputError(fmt::format(
-          "{} runs have no result: the process that computed each of them was killed from outside "
+          "{} no result: the process that computed each of them was killed from outside "
           "{} times, as somebody does, or the system when memory ends; all others are recorded, go "
           "on with `adore study resume`, if memory is short with --workers 1",
-          left_, kKills));
+          counted(left_, "run has", "runs have"), kKills));
   }
 
  private:
@@ -180,7 +181,8 @@ class LocalEngine {
       give(*workers_.back());
     }
     const bool held = !waiting_.empty() && static_cast<int>(workers_.size()) < most_;
-    std::string note = held ? fmt::format("memory allows {} processes", workers_.size()) : "";
+    std::string note =
+        held ? "memory allows " + counted(workers_.size(), "process", "processes") : "";
     if (kills_ > 0)
       note +=
           fmt::format("{}{} killed from outside and made again", note.empty() ? "" : ", ", kills_);
@@ -263,11 +265,11 @@ class LocalEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "the process that computed it ended by {}, {} times, a bug of the program; try it again "
+        "the process that computed it ended by {}, {}, a bug of the program; try it again "
         "with --retry-failed",
         signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
                     : fmt::format("exit code {}", WEXITSTATUS(status)),
-        deaths.crashes);
+        counted(deaths.crashes, "time"));
     write_record(work_.folder, record);
     done_(record);
   }

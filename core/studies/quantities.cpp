@@ -1,5 +1,6 @@
 #include "studies/quantities.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "results/reader_killed.hpp"
 #include "results/results_h5.hpp"
@@ -93,8 +94,9 @@ class Channels {
  private:
   static std::size_t place(const Quantity& quantity, const std::vector<std::size_t>& dimensions) {
     if (quantity.places.size() != dimensions.size())
-      throw InputError(fmt::format("{}: it has {} indices, and \"at\" gives {}", quantity.channel,
-                                   dimensions.size(), quantity.places.size()));
+      throw InputError(fmt::format("{}: it has {}, and \"at\" gives {}", quantity.channel,
+                                   counted(dimensions.size(), "index", "indices"),
+                                   quantity.places.size()));
     std::size_t at = 0;
     for (std::size_t k = 0; k < dimensions.size(); ++k) {
       if (quantity.places[k] > dimensions[k])

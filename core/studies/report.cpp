@@ -1,6 +1,7 @@
 #include "studies/report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/counted.hpp"
 #include "facade/prepare.hpp"
 #include "studies/cage_whirl.hpp"
 #include "studies/charts.hpp"
@@ -79,10 +80,10 @@ class Reporter {
     const auto count = [&](auto&& test) {
       return std::count_if(table_.exit.begin(), table_.exit.end(), test);
     };
-    text_ += fmt::format("{}: {}, {} runs, {} done, {} failed, {} open\n\n",
-                         study_.file.filename().string(), kind_name(study_.kind), table_.rows(),
-                         count([](long e) { return e == 0; }), count([](long e) { return e > 0; }),
-                         count([](long e) { return e < 0; }));
+    text_ += fmt::format("{}: {}, {}, {} done, {} failed, {} open\n\n",
+                         study_.file.filename().string(), kind_name(study_.kind),
+                         counted(table_.rows(), "run"), count([](long e) { return e == 0; }),
+                         count([](long e) { return e > 0; }), count([](long e) { return e < 0; }));
   }
 
   /// What varies and acts on nothing.
@@ -284,7 +285,8 @@ class Reporter {
       text_ += bars.empty() ? "  too few results\n" : "\n";
       if (bars.empty()) continue;
       charts_.push_back(tornado("influence-" + file_name(quantity.name),
-                                "what scatters " + quantity.name, "rank correlation", bars));
+                                "what scatters: " + words_of(quantity.name), "rank correlation",
+                                bars));
     }
     text_ += "\n";
   }
@@ -411,10 +413,10 @@ class Reporter {
         bars.push_back({study_.variables[v].name + (bases[v].value != 0.0 ? "" : " (per step)"),
                         value * scale, std::isnan(known) ? std::abs(by.doubt * scale) : 0.0});
       }
-      charts_.push_back(
-          tornado(fmt::format("tornado-{}{}", file_name(quantity.name),
-                              study_.decks.size() > 1 ? fmt::format("-{}", deck + 1) : ""),
-                  "sensitivity of " + quantity.name, "percent of change for one percent", bars));
+      charts_.push_back(tornado(
+          fmt::format("tornado-{}{}", file_name(quantity.name),
+                      study_.decks.size() > 1 ? fmt::format("-{}", deck + 1) : ""),
+          "sensitivity: " + words_of(quantity.name), "percent of change for one percent", bars));
     }
     text_ += "\n";
   }

@@ -1,4 +1,5 @@
 #include "base/atomic_file.hpp"
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "base/write_error.hpp"
@@ -96,9 +97,9 @@ class SlurmEngine {
       cancel();
     else if (given_up_ > 0)
       throw InputError(fmt::format(
-          "{} runs have no result: the process that computed each of them was killed from outside "
+          "{} no result: the process that computed each of them was killed from outside "
           "{} times; all others are recorded, go on with `adore study resume --engine slurm`",
-          given_up_, kKills));
+          counted(given_up_, "run has", "runs have"), kKills));
   }
 
  private:
@@ -202,7 +203,8 @@ class SlurmEngine {
         int running = 0, waiting = 0;
         for (const auto& [state, count] : *queue)
           (state == "RUNNING" || state == "COMPLETING" ? running : waiting) += count;
-        news_(running, waiting > 0 ? fmt::format("job {}, {} pieces wait", job_, waiting)
+        news_(running, waiting > 0 ? fmt::format("job {}, {}", job_,
+                                                 counted(waiting, "piece waits", "pieces wait"))
                                    : fmt::format("job {}", job_));
       }
       const double looked = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -302,10 +304,10 @@ class SlurmEngine {
                          std::numeric_limits<double>::quiet_NaN());
     constexpr std::size_t kTail = 200;
     record.message = fmt::format(
-        "the process that computed it ended with {} (exit code {}, signal {}), {} times; {}; try "
+        "the process that computed it ended with {} (exit code {}, signal {}), {}; {}; try "
         "it again "
         "with --retry-failed",
-        end.state, end.exit_code, end.signal, deaths_[task.key],
+        end.state, end.exit_code, end.signal, counted(deaths_[task.key], "time"),
         text.empty() ? "it said nothing" : text.substr(text.size() - std::min(kTail, text.size())));
     write_record(work_.folder, record);
     done_(record);

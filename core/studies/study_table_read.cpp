@@ -1,5 +1,6 @@
 #include "studies/study_table_read.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/plain_file.hpp"
 #include "deck/schema.hpp"
@@ -107,8 +108,8 @@ StudyTable read_csv(const fs::path& file) {
       continue;
     }
     if (fields.size() != head.size())
-      no_table(file, fmt::format("line {} has {} fields, and the first {}", out.rows() + 2,
-                                 fields.size(), head.size()));
+      no_table(file, fmt::format("line {} has {}, and the first {}", out.rows() + 2,
+                                 counted(fields.size(), "field"), head.size()));
     for (std::size_t k = 0; k < head.size(); ++k) {
       if (places[k] != nullptr)
         places[k]->values.push_back(number_of(fields[k]));

@@ -1,5 +1,6 @@
 #include "user/formulas.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "user/table.hpp"
@@ -142,9 +143,9 @@ class Preamble {
       std::vector<double> values(read_.size());
       const auto wanted = static_cast<std::int32_t>(values.size());
       if (wanted > 0 && call.services->read_numbers(call.host, values.data(), wanted) != wanted)
-        throw std::runtime_error(
-            fmt::format("it reads {} numbers ({}), and records 12.x do not have them", wanted,
-                        fmt::join(read_, ", ")));
+        throw std::runtime_error(fmt::format("it reads {} ({}), and records 12.x do not have {}",
+                                             counted(wanted, "number"), fmt::join(read_, ", "),
+                                             wanted == 1 ? "it" : "them"));
       for (std::size_t k = 0; k < read_.size(); ++k) (*names_)[read_[k]] = values[k];
       for (int pass = 0; pass < 2; ++pass)  // a constant may need another one
         for (const auto& [to, formula] : constants_) *to = formula();

@@ -2,6 +2,7 @@
 #include "adrinput/driver.hpp"
 #include "adrinput/record_page.hpp"
 #include "deck/templates.hpp"
+#include "support/elsewhere.hpp"
 #include "support/qt_app.hpp"
 
 #include <QFileDialog>
@@ -142,11 +143,7 @@ TEST_CASE("a deck that was opened by a relative name is proposed where it is, al
           "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
-  const struct Elsewhere {
-    explicit Elsewhere(const fs::path& folder) { fs::current_path(folder); }
-    ~Elsewhere() { fs::current_path(before); }
-    fs::path before = fs::current_path();
-  } elsewhere(folder.path().toStdString());
+  const test::Elsewhere elsewhere(folder.path().toStdString());
   fs::create_directory("deck");
   std::ofstream("deck/DATA.txt") << deck::template_text("ball");
   for (const char* name : {"deck/DATA.txt", "deck"}) {

@@ -100,3 +100,19 @@ TEST_CASE("adrinput: a letter with Alt chooses one thing in the window of studie
   }
   CHECK(one(test::clashing_letters(window)) == "");
 }
+
+TEST_CASE("adrinput: a letter with Alt that chooses nothing now is not typed", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  std::ofstream(folder.filePath("DATA.txt").toStdString()) << deck::template_text("ball");
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(folder.filePath("DATA.txt").toStdString()));
+  window.showRecord("3.1");
+  CHECK(one(test::letters_typed_by_alt(window)) == "");
+  StudyWindow studies;
+  studies.show();
+  studies.newStudy(folder.filePath("sweep.json").toStdString(), "sweep",
+                   folder.filePath("DATA.txt").toStdString());
+  CHECK(one(test::letters_typed_by_alt(studies)) == "");
+}

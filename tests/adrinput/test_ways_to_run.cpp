@@ -3,6 +3,8 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/sweep_range.hpp"
 #include "adrinput/unit_choice.hpp"
+#include "facade/sweep.hpp"
+#include "facade/sweep_mark.hpp"
 #include "results/run_json.hpp"
 #include "support/qt_app.hpp"
 
@@ -158,7 +160,6 @@ TEST_CASE("a sweep that was cancelled goes on, and says why not after a change o
   bench.wait();
   REQUIRE_FALSE(done(6));
   CHECK(bench.note().contains("cancelled"));
-  CHECK(panel.text().contains("--continue"));
   CHECK(bench.entry().text() == "&Continue the sweep in sweep-001");
   const fs::path first = bench.path(done(1) ? "sweep-001/rpm2-1" : "sweep-001/rpm2-2");
   const std::string kept = bytes_of(first / "RUN.json");
@@ -176,6 +177,94 @@ TEST_CASE("a sweep that was cancelled goes on, and says why not after a change o
   for (int number = 1; number <= 6; ++number) CHECK(done(number));
   CHECK(bytes_of(first / "RUN.json") == kept);  // not computed again
   CHECK(bench.entry().text() == "&Continue the run");
+}
+
+TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is done stays",
+          "[gui][adrinput][continue]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path deck = folder.filePath("DATA.txt").toStdString();
+  const auto request = [&](const char* range) {
+    facade::RunRequest out;
+    out.deck = deck;
+    out.sets = {{"rpm2", range}};
+    return out;
+  };
+  // Broken off after the second of four runs, as by a kill: its report says "running".
+  const auto broken_off = [&](facade::RunRequest sweep, const fs::path& place) {
+    sweep.out = place;
+    std::stop_source stop;
+    facade::run_sweep(
+        sweep, 1,
+        [&](const facade::Progress& now) { now.step >= 2 ? void(stop.request_stop()) : void(); },
+        stop.get_token());
+    auto mark = facade::read_sweep_mark(place);
+    REQUIRE(mark);
+    CHECK(mark->status == "interrupted");
+    mark->status = "running";
+    facade::write_sweep_mark(*mark, place);
+  };
+  {
+    Document document;
+    document.change({{"mode", "-1"}});
+    document.save(deck);
+  }
+  const fs::path sweep = deck.parent_path() / "sweep-001";
+  broken_off(request("7000:7600:4"), sweep);
+  const auto done = [&](int number) {
+    const fs::path report = sweep / ("rpm2-" + std::to_string(number)) / "RUN.json";
+    return results::read_run_mark(report).status == "done";
+  };
+  REQUIRE((done(2) && !done(3)));
+  const std::string kept = bytes_of(sweep / "rpm2-2/RUN.json");
+  const auto opened = [&](Bench& bench) -> QAction& {
+    REQUIRE(bench.window.openFile(deck));
+    return bench.entry();
+  };
+  {
+    Bench bench("1");
+    QAction& entry = opened(bench);
+    CHECK(entry.text() == "&Continue the sweep in sweep-001");
+    entry.trigger();
+    REQUIRE(bench.window.runPanel().busy());
+    bench.wait();
+    CHECK(bench.note() == "The sweep is done.");
+    // What is taken over takes no time: of the rest nothing is told by it.
+    facade::RunRequest again = request("7000:7600:4");
+    again.out = sweep;
+    again.go_on = true;
+    int told = 0;
+    (void)facade::run_sweep(
+        again, 1, [&](const facade::Progress& now) { told += now.remaining > 0.0 ? 1 : 0; });
+    CHECK(told == 0);
+    for (int number = 1; number <= 4; ++number) CHECK(done(number));
+    CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
+    CHECK(bench.entry().text() == "&Continue the run");
+  }
+  {
+    // Of a deck of another name in the folder.
+    auto mark = *facade::read_sweep_mark(sweep);
+    mark.status = "interrupted";
+    mark.deck = "OTHER.txt";
+    facade::write_sweep_mark(mark, sweep);
+    Bench bench("1");
+    CHECK(opened(bench).text() == "&Continue the run");
+    fs::remove_all(sweep);
+  }
+  {
+    // The command line's, beside the deck; and one with a value that the deck does not have.
+    auto other = request("7000:7600:4");
+    other.sets.emplace_back("appLoadX", "900.0");
+    broken_off(other, deck.parent_path());
+    Bench bench("1");
+    QAction& entry = opened(bench);
+    CHECK(entry.text() == "&Continue the sweep beside the deck");
+    const std::string before = bytes_of(deck.parent_path() / "rpm2-1/RUN.json");
+    entry.trigger();
+    CHECK_FALSE(bench.window.runPanel().busy());
+    CHECK(take_message(bench.window).contains("other values"));
+    CHECK(bytes_of(deck.parent_path() / "rpm2-1/RUN.json") == before);
+  }
 }
 
 TEST_CASE("results of another deck are replaced after a question, which can be spared",

@@ -35,3 +35,11 @@ TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too
   CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
   CHECK(dialogs >= 1);
 }
+
+TEST_CASE("plot_window: a letter with Alt that chooses nothing now is not typed", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.show();
+  CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
+}

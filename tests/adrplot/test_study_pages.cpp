@@ -7,6 +7,7 @@
 #include "desktop/chart_view.hpp"
 #include "desktop/page_export.hpp"
 #include "desktop/study_chart.hpp"
+#include "desktop/theme.hpp"
 #include "studies/campaign.hpp"
 #include "studies/report.hpp"
 #include "studies/study_table_read.hpp"
@@ -16,6 +17,7 @@
 
 #include <QDialog>
 #include <QImage>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTest>
@@ -83,6 +85,46 @@ TEST_CASE("a study's folder opens as the pictures of its report", "[gui][adrplot
   }
   CHECK((curves && map && lines && bars));
   CHECK_THROWS_AS(document.build(99, {}), InputError);
+}
+
+TEST_CASE("a map of values over decades shows each decade in another colour, and says so",
+          "[gui][adrplot][studies]") {
+  test::use_qt();
+  const auto colours = [](std::vector<double> values) {
+    desktop::HeatMap map;
+    map.title = map.legend = "life";
+    map.x = {1, 2, 3, 4};
+    map.y = {1};
+    map.values = {std::move(values)};
+    const QSize size(1280, 800);
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    desktop::paint_study({"map", map}, painter, size, desktop::current_theme());
+    painter.end();
+    // Cells along a line above the numbers: wide stretches of one colour.
+    std::vector<QColor> out;
+    constexpr int kRow = 150, kWide = 100;
+    for (int x = 1, since = 0; x < image.width(); ++x) {
+      if (image.pixel(x, kRow) != image.pixel(x - 1, kRow)) since = x;
+      const QColor here = image.pixelColor(x, kRow);
+      if (x - since == kWide && here.saturation() > 40) out.push_back(here);
+    }
+    return out;
+  };
+  const auto apart = [](const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+           std::abs(a.blue() - b.blue());
+  };
+  const std::vector<QColor> decades = colours({1e3, 1e4, 1e5, 1e6});
+  REQUIRE(decades.size() == 4);
+  for (std::size_t k = 1; k < 4; ++k) CHECK(apart(decades[k - 1], decades[k]) > 60);
+  // Of a narrow range, and of one with 0, equal steps are equal steps.
+  for (const std::vector<double>& even : {std::vector{1.0, 2.0, 3.0, 4.0}, {0.0, 1e3, 2e3, 3e3}}) {
+    const std::vector<QColor> steps = colours(even);
+    REQUIRE(steps.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(apart(steps[k], decades[k]) <= 6);
+  }
 }
 
 TEST_CASE("pages of a study are drawn headless, in every size and theme, as the command line does",

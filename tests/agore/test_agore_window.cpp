@@ -1,6 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "agore/film_dialog.hpp"
-#include "agore/short_run.hpp"
+#include "agore/shown_window.hpp"
 #include "support/drops.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -382,12 +382,7 @@ TEST_CASE("agore_window: a click on the curve goes to that moment, the wheel zoo
           "[gui]") {
   test::use_qt();
   AgoreWindow window;
-  window.setAnimation(prepare(test::synthetic_sol8(short_run(61))));
-  window.resize(1100, 700);
-  window.show();
-  QCoreApplication::processEvents();
-  auto* canvas = window.findChild<PictureWidget*>();
-  canvas->grab();  // painted once: the curves have their place
+  auto* canvas = test::show_painted(window);
   const QRectF data = MotionPicture::dataArea(canvas->rect());
   QTest::mouseClick(canvas, Qt::LeftButton, {},
                     QPointF(data.center().x(), data.center().y()).toPoint());

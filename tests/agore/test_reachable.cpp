@@ -36,3 +36,11 @@ TEST_CASE("agore_window: a letter with Alt chooses one thing, in its dialogs, to
   CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
   CHECK(dialogs >= 1);
 }
+
+TEST_CASE("agore_window: a letter with Alt that chooses nothing now is not typed", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8()));
+  window.show();
+  CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
+}

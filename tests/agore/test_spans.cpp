@@ -1,6 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "agore/film_dialog.hpp"
-#include "agore/short_run.hpp"
+#include "agore/shown_window.hpp"
 #include "support/qt_app.hpp"
 
 #include <QAction>
@@ -83,12 +83,7 @@ TEST_CASE("agore_window: Shift and a drag over the time bar or a curve mark what
           "[gui][span]") {
   test::use_qt();
   AgoreWindow window;
-  window.setAnimation(prepare(test::synthetic_sol8(short_run(61))));
-  window.resize(1100, 700);
-  window.show();
-  QCoreApplication::processEvents();
-  auto* canvas = window.findChild<PictureWidget*>();
-  canvas->grab();  // painted once: the curves have their place
+  auto* canvas = test::show_painted(window);
   const QRectF bar = MotionPicture::timeBar(canvas->rect()),
                data = MotionPicture::dataArea(canvas->rect());
   const auto& time = window.picture()->animation().time;

@@ -235,3 +235,18 @@ TEST_CASE("no dialog is deleted as it closes, before its answer has been used",
     CHECK(line.find("window->setAttribute") != std::string::npos);
   }
 }
+
+TEST_CASE("every window keeps letters with Alt from its fields", "[unit][architecture]") {
+  int windows = 0;
+  for (const char* app : {"adrinput", "adrplot", "agore"})
+    for (const fs::path& header : sources(adore::test::source_dir() / app)) {
+      if (header.extension() != ".hpp" ||
+          text_of(header).find(": public QMainWindow") == std::string::npos)
+        continue;
+      ++windows;
+      INFO(header);
+      const fs::path source = fs::path(header).replace_extension(".cpp");
+      CHECK(text_of(source).find("desktop::MenuKeys(*this)") != std::string::npos);
+    }
+  CHECK(windows == 4);
+}

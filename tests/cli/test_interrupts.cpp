@@ -223,6 +223,36 @@ TEST_CASE("what a killed run has stored after its checkpoint is not dropped by a
   }
 }
 
+TEST_CASE("pages of a listing that is denser than the plots are not dropped by an earlier end",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::vector<std::string> dense{"--set", "kPrtFreq=1", "--set", "kPltFreq=1000000",
+                                       "--set", "kAGraf=0",   "--set", "kPrtOpt=-2"};
+  EndlessRun run(folder, dense, "1e9rev", "1000");
+  const fs::path print = folder / "PRINT.txt";
+  wait_for([&] { return master_step(folder) == 0 && contains(read(print), "STEP 40\n"); });
+  run.send(SIGKILL);
+  CHECK(run.end() == 128 + SIGKILL);
+  REQUIRE(stored(folder / "SOL7").steps.back().step == 0);
+  const std::string before = read(print);
+  long last = 40;
+  while (contains(before, fmt::format("STEP {}\n", last + 1))) ++last;
+  std::string command = "run " + folder.path().string() + " --quiet --continue";
+  for (const std::string& word : dense) command += " " + word;
+  const Result refused =
+      run_adore(command + fmt::format(" --set fTime=1e12 --set maxStps={}", last - 5));
+  INFO(refused.out);
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.out, "has stored results up to step"));
+  CHECK((read(print) == before));
+  const Result more =
+      run_adore(command + fmt::format(" --set fTime=1e12 --set maxStps={}", last + 3));
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  CHECK(contains(read(print), fmt::format("STEP {}\n", last + 3)));
+}
+
 TEST_CASE("a run killed at any call that changes a file joins to the bytes of an unbroken one",
           "[cli][slow]") {
   // Three steps a counted step, a checkpoint after each: the same calls on every machine.

@@ -82,6 +82,9 @@ TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs
                                                        std::to_string(calls * 7 / 10));
   CHECK(killed.code == 128 + SIGKILL);
   REQUIRE(fs::exists(folder / "broken" / "SWEEP.csv"));
+  const auto mark = [&] { return json::parse(read(folder / "broken" / "SWEEP.json")); };
+  CHECK(mark()["sweep"] == "appLoadX=500.0:900.0:5");
+  CHECK(mark()["status"] == "running");
   const auto first = fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json");
 
   const Result refused = run_as_given(run + broken + " < /dev/null");
@@ -90,6 +93,7 @@ TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs
   const Result more = run_as_given(run + broken + " --continue");
   INFO(more.out);
   REQUIRE(more.code == 0);
+  CHECK(mark()["status"] == "done");
   CHECK(read(folder / "broken" / "SWEEP.csv") == whole);
   CHECK(fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json") == first);
 

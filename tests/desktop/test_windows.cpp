@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
 #include <QFile>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -14,6 +15,10 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPalette>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <catch2/catch.hpp>
@@ -104,6 +109,48 @@ TEST_CASE("messages that come together stand in one box, which one key closes", 
   CHECK(window.findChildren<QMessageBox*>("message").isEmpty());
   desktop::show_message(&window, "another");
   CHECK(window.findChild<QMessageBox*>("message")->text() == "another");
+}
+
+TEST_CASE("a message that is higher than the screen scrolls, and no dialog opens larger than it",
+          "[gui][desktop]") {
+  test::use_qt();
+  QMainWindow window;
+  window.show();
+  const QSize screen = window.screen()->availableSize();
+  QStringList lines;
+  for (int i = 1; i <= 200; ++i) lines << QString("line %1").arg(i);
+  desktop::show_message(&window, lines.join("\n"));
+  auto* box = window.findChild<QMessageBox*>("message");
+  REQUIRE(box != nullptr);
+  const auto area = [&] { return box->findChild<QScrollArea*>("message-text"); };
+  REQUIRE(QTest::qWaitFor([&] { return area() != nullptr; }, 5000));
+  CHECK(QTest::qWaitFor([&] { return box->height() <= screen.height(); }, 5000));
+  CHECK(area()->verticalScrollBar()->maximum() > 0);
+  CHECK(area()->widget()->height() > screen.height());
+  CHECK(box->rect().contains(box->button(QMessageBox::Ok)->geometry()));
+  // What joins it later scrolls, too.
+  const int before = area()->verticalScrollBar()->maximum();
+  desktop::show_message(&window, lines.join(" "), true);
+  CHECK(QTest::qWaitFor([&] { return area()->verticalScrollBar()->maximum() > before; }, 5000));
+  CHECK(box->height() <= screen.height());
+  delete box;
+  desktop::show_message(&window, "short");
+  box = window.findChild<QMessageBox*>("message");
+  QCoreApplication::processEvents();
+  CHECK(area() == nullptr);
+  delete box;
+
+  QDialog large(&window);
+  large.resize(2000, 1500);
+  large.show();
+  CHECK(large.width() < screen.width());
+  CHECK(large.height() < screen.height());
+  // One that is unfolded where it stands keeps its lower edge in sight.
+  large.resize(300, 100);
+  large.move(20, screen.height() - 150);
+  QCoreApplication::processEvents();
+  large.resize(300, 400);
+  CHECK(QTest::qWaitFor([&] { return large.frameGeometry().bottom() <= screen.height(); }, 5000));
 }
 
 TEST_CASE("files go to the window that shows their folder, and to no other", "[gui][desktop]") {

@@ -256,7 +256,7 @@ TEST_CASE("a run that is always killed from outside stays unfinished, without a 
   for (const char* signal : {"KILL", "TERM"}) {
     StandIn engine("always-killed",
                    kCount + "case $key in a*) kill -" + signal + " $$;; esac\n" + kAnswer);
-    CHECK_THROWS_WITH(engine.run(), Catch::Contains("1 runs have no result") &&
+    CHECK_THROWS_WITH(engine.run(), Catch::Contains("1 run has no result") &&
                                         Catch::Contains("killed from outside 20 times"));
     REQUIRE(engine.done.size() == 1);
     CHECK(engine.done[0].key == engine.work.tasks[1].key);

@@ -1,0 +1,137 @@
+#include "adrinput/accuracy_panel.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/evaluation.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/run_panel.hpp"
+#include "adrinput/solution_charts.hpp"
+#include "adrinput/sweep_range.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QTabWidget>
+
+#include <cmath>
+#include <exception>
+
+/// What the window has computed: plan, equilibrium with its charts, accuracy, runs and sweeps.
+namespace adore::adrinput {
+
+bool DeckWindow::readyToCompute() {
+  document_.end_step();  // what is being typed counts
+  if (!document_.has_errors()) return true;
+  desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  return false;
+}
+
+void DeckWindow::showPanel(const QWidget* panel) {
+  for (int i = 0; i < tabs_->count(); ++i)
+    if (tabs_->widget(i)->isAncestorOf(panel)) tabs_->setCurrentIndex(i);
+}
+
+void DeckWindow::showPlan() {
+  tabs_->setCurrentWidget(plan_);
+  if (!readyToCompute()) return;
+  plan_->start(document_.deck(), document_.path(), document_.options());
+}
+
+void DeckWindow::runQuasiStatic() {
+  tabs_->setCurrentWidget(statics_);
+  if (!readyToCompute()) return;
+  statics_->start(document_.deck(), document_.path(), document_.options());
+}
+
+void DeckWindow::showCharts() {
+  if (statics_->tables() == nullptr) return;
+  charts_->setSolution(*statics_->tables());
+  charts_->setStale(statics_->stale());
+  if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
+    const bool as_made = std::abs(drawing_dock_->width() - kDrawingWidth) < kDrawingWidth / 10;
+    charts_dock_->show();
+    charts_dock_->raise();
+    // Keys of curves need more room than the drawing; a width that somebody chose stays.
+    if (as_made && width() > kNarrow) resizeDocks({charts_dock_}, {width() / 3}, Qt::Horizontal);
+  }
+}
+
+void DeckWindow::hideEmptyPanels() {
+  if (statics_->tables() != nullptr || charts_dock_->isHidden()) return;
+  charts_dock_->hide();
+  if (!drawing_dock_->isHidden()) drawing_dock_->raise();
+}
+
+void DeckWindow::studyAccuracy() {
+  showPanel(accuracy_);
+  if (accuracy_->busy() || !readyToCompute()) return;
+  accuracy_->start(document_.deck(), document_.options());
+}
+
+void DeckWindow::applyAccuracy() {
+  try {
+    document_.change(accuracy_->recommended());
+    page_->sync(true);
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
+void DeckWindow::runDeck() {
+  showPanel(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck([this] { run_->start(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::withSavedDeck(std::function<void()> then) {
+  if (document_.path().empty()) return askForName(std::move(then));
+  if (document_.modified()) return saveTo(document_.path(), std::move(then));
+  then();
+}
+
+void DeckWindow::runInNewFolder() {
+  showPanel(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck(
+      [this] { run_->startInNewFolder(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::continueRun() {
+  showPanel(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck(
+      [this] { run_->continueAny(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::askForSweep() {
+  showPanel(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName("sweep");
+  desktop::delete_when_done(*dialog);
+  dialog->setWindowTitle(tr("Sweep"));
+  const auto tell = [this, dialog](const QString& typed) {
+    QString told = tr("such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
+    try {
+      if (!typed.trimmed().isEmpty())
+        told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
+    } catch (const InputError&) {
+      const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
+      if (!unit.isEmpty()) told = tr("a number without a unit is in %1").arg(unit);
+    }
+    dialog->setLabelText(tr("Variable, first and last value and number of runs:\n%1").arg(told));
+  };
+  tell({});
+  connect(dialog, &QInputDialog::textValueChanged, this, tell);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& typed) {
+    try {
+      const QString range = QString::fromStdString(read_sweep(document_, typed.toStdString()).set);
+      withSavedDeck([this, range] {
+        run_->sweep(document_.path(), document_.deck(), document_.options(), range);
+      });
+    } catch (const InputError& error) {
+      desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    }
+  });
+  dialog->open();
+}
+
+}  // namespace adore::adrinput

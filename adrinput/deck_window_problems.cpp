@@ -1,0 +1,89 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/options_page.hpp"
+#include "adrinput/record_list.hpp"
+#include "adrinput/record_page.hpp"
+#include "base/excerpt.hpp"
+#include "desktop/theme.hpp"
+
+#include <QListWidget>
+#include <QTabWidget>
+
+#include <algorithm>
+
+/// The panel of problems, and the way from one to the next.
+namespace adore::adrinput {
+
+void DeckWindow::refreshProblems() {
+  const desktop::Theme& theme = desktop::current_theme();
+  const int selected = problems_->currentRow();
+  problems_->clear();
+  int errors = 0;
+  for (const Problem& problem : document_.problems()) {
+    const Issue& issue = problem.issue;
+    const bool error = issue.severity == Severity::Error;
+    errors += error || problem.refused ? 1 : 0;
+    QString text = error                                 ? tr("Error")
+                   : problem.refused                     ? tr("Refused")
+                   : issue.severity == Severity::Warning ? tr("Warning")
+                                                         : tr("Note");
+    if (!issue.record.empty())
+      text += (issue.record == kOptionsPage ? QString(", %1") : tr(", record %1"))
+                  .arg(QString::fromStdString(issue.record));
+    if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
+    if (!issue.value.empty()) text += " = " + QString::fromStdString(excerpt(issue.value));
+    text += ": " + QString::fromStdString(issue.message);
+    if (!issue.remedy.empty()) text += "; " + QString::fromStdString(issue.remedy);
+    auto* item =
+        new QListWidgetItem(state_icon(error ? RecordState::Wrong
+                                       : problem.refused || issue.severity == Severity::Warning
+                                           ? RecordState::Doubtful
+                                           : RecordState::Untouched),
+                            text, problems_);
+    item->setForeground(error ? theme.red : theme.text);
+  }
+  if (problems_->count() == 0) {
+    const bool ready = document_.deck_state() == DeckState::Ready;
+    auto* item = new QListWidgetItem(
+        state_icon(ready ? RecordState::Complete : RecordState::Untouched),
+        ready ? tr("The deck is complete and has no problem.")
+              : tr("The deck has no error; whether a run begins is being found out …"),
+        problems_);
+    item->setFlags(Qt::ItemIsEnabled);
+  }
+  problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
+  const auto total = static_cast<int>(document_.problems().size());
+  QString title = tr("Problems");
+  if (errors > 0 && errors == total)
+    title += tr(" (%1 to mend)").arg(errors);
+  else if (total > 0)
+    title += tr(" (%1 to mend, %2 to note)").arg(errors).arg(total - errors);
+  tabs_->setTabText(0, title);
+}
+
+void DeckWindow::goToProblem(int row) {
+  if (row < 0 || row >= static_cast<int>(document_.problems().size())) return;
+  const Problem problem = document_.problems()[static_cast<std::size_t>(row)];
+  visited_problem_ = problem.issue.text();
+  if (problem.page.empty()) return;
+  showRecord(problem.page);
+  if (problem.cell) page_->focusCell(*problem.cell);
+}
+
+void DeckWindow::stepProblem(int by) {
+  const auto count = static_cast<int>(document_.problems().size());
+  tabs_->setCurrentWidget(problems_);
+  if (count == 0) return;
+  const int here = problems_->currentRow();
+  // One that is mended has left the list, and the next stands in its row.
+  const bool mended =
+      by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
+      document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;
+  const int row = mended ? here : (std::max(here, by > 0 ? -1 : 0) + by + count) % count;
+  problems_->setCurrentRow(row);
+  goToProblem(row);
+}
+
+void DeckWindow::nextProblem() { stepProblem(1); }
+void DeckWindow::previousProblem() { stepProblem(-1); }
+
+}  // namespace adore::adrinput

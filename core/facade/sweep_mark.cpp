@@ -1,0 +1,60 @@
+#include "facade/sweep_mark.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "base/own_files.hpp"
+#include "base/version.hpp"
+#include "results/growing_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace adore::facade {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+bool is_range(const std::string& value) { return value.find(':') != std::string::npos; }
+
+std::string sweep_digest(const RunRequest& request) {
+  RunRequest shared = request;
+  std::erase_if(shared.sets, [](const auto& set) { return is_range(set.second); });
+  try {
+    return request_digest(shared, load_deck(shared));
+  } catch (const InputError&) {
+    return {};  // the runs say what is wrong
+  }
+}
+
+void write_sweep_mark(const SweepMark& mark, const fs::path& folder) {
+  Json json;
+  json["program"] = kProgramVersion;
+  json["format"] = 1;
+  json["deck"] = mark.deck;
+  json["sweep"] = mark.range;
+  json["request"] = mark.request;
+  json["status"] = mark.status;
+  write_file_atomically(folder / SweepMark::kName,
+                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
+  const fs::path file = folder / SweepMark::kName;
+  if (!is_own_file(file)) return {};
+  Json json;
+  try {
+    json = parse_json<Json>(results::read_text_file(file), file.string());
+  } catch (const InputError&) {
+    return {};
+  }
+  if (!json.is_object()) return {};
+  const auto text = [&](const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  SweepMark out{text("deck"), text("sweep"), text("request"), text("status")};
+  if (out.range.find('=') == std::string::npos || !is_range(out.range)) return {};
+  return out;
+}
+
+}  // namespace adore::facade

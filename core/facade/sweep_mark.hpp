@@ -1,0 +1,33 @@
+#pragma once
+
+#include "facade/run.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+/// SWEEP.json: which sweep a folder holds, so that whoever finds it later can go on with it.
+namespace adore::facade {
+
+struct SweepMark {
+  std::string deck;     ///< file name without folders
+  std::string range;    ///< as --set takes it: "appLoadZ=500:1500:5"
+  std::string request;  ///< sweep_digest()
+  std::string status;   ///< "running", "interrupted", "done"
+
+  static constexpr const char* kName = "SWEEP.json";
+};
+
+/// Says what all runs of a sweep share, in a few digits: request_digest() without the range. Empty
+/// where the deck cannot be read.
+[[nodiscard]] std::string sweep_digest(const RunRequest& request);
+
+/// Replaces the file atomically. @throws WriteError
+void write_sweep_mark(const SweepMark& mark, const std::filesystem::path& folder);
+/// Nothing where there is none of this program, or a damaged one.
+[[nodiscard]] std::optional<SweepMark> read_sweep_mark(const std::filesystem::path& folder);
+
+/// Does a value of --set stand for a range, first:last:count?
+[[nodiscard]] bool is_range(const std::string& value);
+
+}  // namespace adore::facade

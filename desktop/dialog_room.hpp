@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QObject>
+
+class QDialog;
+class QMessageBox;
+
+namespace adore::desktop {
+
+/// Dialogs of a program have room on its screen, however small that is: none opens larger, and the
+/// text of a message that is higher scrolls. One for the application.
+class DialogRoom : public QObject {
+ public:
+  explicit DialogRoom(QObject* parent) : QObject(parent) {}
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  static void bound(QDialog& dialog);
+  static void letTextScroll(QMessageBox& box);
+};
+
+}  // namespace adore::desktop
