@@ -47,8 +47,8 @@ void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Them
 /// Words in lines that fit, broken between words; a number and what it counts are one.
 [[nodiscard]] QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics);
 
-/// Columns in which a key of so many entries stands in a picture of a size: two in a small one, of
-/// which one would take half.
+/// Columns in which a key of so many entries stands in a picture of a size: two of many, and in a
+/// small one, of which one would take half.
 [[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
 
 /// The key in a picture's lower left corner. Setting its lines takes longer than all else of a
