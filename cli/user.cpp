@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -76,6 +77,35 @@ std::string makefile(const std::string& name, const std::string& lang) {
       cpp ? "$(CXX)" : "$(CC)", cpp ? "cpp" : "c");
 }
 
+/// What the deck of an example needs beside the routine: options, and lines that it reads.
+struct NeededByDeck {
+  std::string_view options, lines;
+};
+NeededByDeck needed_by(int hook) {
+  constexpr std::array<NeededByDeck, 10> kNeeded{
+      {{"--set kReMat=2, or another part's material", ""},
+       {"", "0.0, 1.0e-3, 10000.0, 12000.0\n1.0e-6, 500.0"},
+       {"", "1.0e-6"},
+       {"", "1.0e-6"},
+       {"", "1.0e-6"},
+       {"", "2.0e-3, 0.5"},
+       {"--set kRaceGeoImp2=3", "1.0e-6, 7.0, 0.0"},
+       {"--set kTrac=-1", "0.0, 0.05, 3.0, 0.0"},
+       {"--set kReGeoImp=3", "1.0e-6"},
+       {"", ""}}};
+  return kNeeded[static_cast<std::size_t>(hook)];
+}
+
+void tell_what_the_deck_needs(int hook, bool python) {
+  const NeededByDeck needed = needed_by(hook);
+  if (!needed.options.empty())
+    tell(fmt::format("it is asked where the deck says so: {}\n", needed.options));
+  if (!needed.lines.empty() && !python)
+    tell(fmt::format(
+        "at the end of DATA.txt (record 12) it reads what its first lines explain, as\n{}\n",
+        needed.lines));
+}
+
 void new_routine(const UserOptions& options) {
   const int hook = hook_number(options.hook);
   const std::string name = fmt::format("adrx{}", hook);
@@ -111,16 +141,21 @@ void new_routine(const UserOptions& options) {
                       (folder / file).string()));
   std::error_code error;
   fs::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("{}: the folder cannot be made ({}); give another one with --out",
+                                 folder.string(), error.message()));
   for (const auto& [file, text] : files) {
     const std::string path = (folder / file).string();
     (void)write_text(path, path, text);
     tell(fmt::format("wrote {}\n", path));
   }
   if (python)
-    return tell(fmt::format("run it with\n  python3 {} DATA.txt OUT\n",
-                            (folder / (name + ".py")).string()));
-  tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
-                   (folder / fmt::format("lib{}.so", name)).string()));
+    tell(fmt::format("run it with\n  python3 {} DATA.txt OUT\n",
+                     (folder / (name + ".py")).string()));
+  else
+    tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
+                     (folder / fmt::format("lib{}.so", name)).string()));
+  tell_what_the_deck_needs(hook, python);
 }
 
 }  // namespace

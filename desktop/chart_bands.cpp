@@ -22,7 +22,9 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
   const auto flush = [&] {
     if (pieces.empty()) return;
     const auto height = [&](double value) {
-      const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
+      const double shown = y_axis.shown(value);
+      if (!(shown > y_axis.min)) return area.bottom();  // of 0 and less on a logarithmic axis, too
+      const double at = (shown - y_axis.min) / (y_axis.max - y_axis.min);
       return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
     };
     QPolygonF outline;

@@ -58,6 +58,7 @@ struct RollerRaceSums {
   Triple<T> force{T(0.0), T(0.0), T(0.0)};   ///< on the roller
   Triple<T> moment{T(0.0), T(0.0), T(0.0)};  ///< about C
   T load = 0.0, energy = 0.0, heat = 0.0, load_slip = 0.0;
+  T fastest = 0.0;  ///< largest slip of slices that press, squared [m²/s²]; 0 without traction
   T turning = 0.0;  ///< ∂U/∂ψ of a race with errors [J/rad]
 };
 
@@ -170,6 +171,7 @@ template <class T, class Traction, class Slope = std::nullptr_t>
         sum.heat += per_slip * square;
       }
       sum.load_slip += Q * M::root(square);
+      sum.fastest = M::max(sum.fastest, M::pick(Q > 0.0, square, T(0.0)));
     }
     if constexpr (!kKeeps) {
       sum.force = sum.force + f;

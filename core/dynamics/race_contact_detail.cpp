@@ -162,7 +162,7 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
         tribology::EllipseTraction out;
         out.heat = known.heat;
         out.load_slip = known.load_slip;
-        out.max_slip = tribology::largest_slip(model.law, at.ellipse, at.motion, model.rule);
+        out.max_slip = tribology::largest_slip(at.ellipse, at.motion);
         return out;
       });
 }

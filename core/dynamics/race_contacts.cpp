@@ -4,7 +4,7 @@
 #include "contact/make_angle_law.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/hertz_limit.hpp"
-#include "dynamics/race_kernel.hpp"
+#include "dynamics/slip_kernel.hpp"
 #include "dynamics/user_points.hpp"
 
 #include <Eigen/Geometry>
@@ -65,6 +65,15 @@ RaceKernel rolling_kernel_of(InstructionSet set) noexcept {
 #endif
   (void)set;
   return race_rolling_baseline;
+}
+
+RaceSlipKernel slip_kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_slip_avx512;
+  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_slip_avx2;
+#endif
+  (void)set;
+  return race_slip_baseline;
 }
 
 /// Q^(1/3) = K^(1/3) √δ: times a_hat and b_hat the half axes over √δ.
@@ -295,6 +304,15 @@ RaceSums evaluate_race_rolling(InstructionSet set, const RaceContactModel& model
                                const ElementViews& balls, const RaceMotion& race,
                                const ElementForces& out) noexcept {
   return evaluate_with(rolling_kernel_of(set), model, balls, race, out, &rolling);
+}
+
+void largest_slips(InstructionSet set, const RaceContactModel& model, const ElementViews& balls,
+                   const RaceMotion& race, double* scratch, double* slip) noexcept {
+  const ElementForces out{scratch, scratch, scratch, scratch, scratch,
+                          scratch, slip,    scratch, nullptr};
+  RaceKernelInput in = input_of(model, balls, race, out);
+  in.traction = true;  // for the ellipse
+  slip_kernel_of(set)(in);
 }
 
 bool instruction_set_available(InstructionSet set) noexcept {

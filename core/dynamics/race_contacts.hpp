@@ -121,6 +121,8 @@ std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2
                                             const std::array<RaceMotion, 2>& races,
                                             const std::array<ElementForces, 2>& out) noexcept;
 
+enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
+
 /// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
 /// race's own meridional plane; both positive when the inner race pushes the ball towards +x.
@@ -141,6 +143,12 @@ struct ContactSums {
 RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
                                         std::size_t index, const RaceMotion& race,
                                         const ContactSums& known);
+
+/// Largest slip speed of every contact [m/s], 0 where it is open: max_slip of race_contact_detail,
+/// to rounding, vectorised over the balls. No allocation.
+/// @param scratch,slip n values each; what is in scratch is not told
+void largest_slips(InstructionSet set, const RaceContactModel& model, const ElementViews& balls,
+                   const RaceMotion& race, double* scratch, double* slip) noexcept;
 
 /// Geometry and kinematics of one contact in its own axes; what race_contact_detail integrates.
 struct RaceContactState {
@@ -170,7 +178,6 @@ struct RuleError {
 RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
                              const RaceMotion& race);
 
-enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 [[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;
 [[nodiscard]] const char* instruction_set_name(InstructionSet set) noexcept;
 

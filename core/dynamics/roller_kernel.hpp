@@ -13,6 +13,7 @@ namespace adore::dynamics {
 struct RollerKernelAction {
   double force[3], moment[3];
   double load, energy, heat, load_slip;
+  double fastest;  ///< largest slip of slices that press, squared [m²/s²]; 0 without traction
   double turning;  ///< with slopes: ∂U/∂ψ [J/rad]
 };
 

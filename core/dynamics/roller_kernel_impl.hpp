@@ -47,6 +47,7 @@ inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out)
   out.load = Lanes::sum(sums.load);
   out.energy = Lanes::sum(sums.energy);
   out.load_slip = Lanes::sum(sums.load_slip);
+  out.fastest = stdx::hmax(sums.fastest);
 }
 
 template <class Traction>

@@ -108,8 +108,6 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
       request.go_on ? setup::StartState::Continue : prepared.control.start;
   const double elastic = static_elastic(prepared);  // as the first run had it, before thermal steps
   if (prepared.bearing.thermal) thermal.emplace(prepared);
-  thermal_goes_on =
-      thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   system.emplace(make_system(prepared));
   state_in(prepared.plan, *system);
   ode.emplace(*system, elastic);
@@ -131,6 +129,11 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
         master.string()));
   outputs.emplace(prepared, folder, request_digest(request, prepared.input), request.overwrite);
   if (thermal) outputs->show_thermal(*thermal);
+  // Times, limits and estimates above are those of the bearing of the deck, as they were when the
+  // run began: a run that was killed goes on in the same steps.
+  thermal_goes_on =
+      thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
+  if (thermal_goes_on) system.emplace(make_system(prepared));
   start = outputs->find_start(*system, how);
 }
 

@@ -110,6 +110,7 @@ struct RunOutputs::Impl {
   results::RunAverages averages;
   results::StepBand band;  ///< since the step stored last
   scene::Look look;
+  bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
   LifeObserver life;
   MotionWatch watch;
   RunFiles files;
@@ -137,6 +138,7 @@ struct RunOutputs::Impl {
         plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units, results::ChannelTable(dynamics::energy_terms())),
+        may_jump(p.bearing.thermal || p.plan.has(scene::Effect::LightLoadBalance)),
         life(p.bearing, p.life.parameters,
              {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
@@ -480,11 +482,19 @@ void RunOutputs::follow(const RunPoint& point) {
 
 void RunOutputs::follow_step(const dynamics::System& system, double time, bool stored) {
   Impl& s = *impl_;
-  if (s.files.all && !stored) {
+  if (s.files.all && (!stored || s.may_jump)) {
     system.look(s.look);
-    s.band.look(s.look);
+    if (!stored) s.band.look(s.look);
   }
   s.averages.add_loads(time, system.contact_loads(0), system.contact_loads(1));
+}
+
+void RunOutputs::follow_jump(const dynamics::System& system, bool stored) {
+  Impl& s = *impl_;
+  if (!s.files.all) return;
+  // What is stored is the side behind the jump.
+  if (!stored) system.look(s.look);
+  s.band.look(s.look);
 }
 
 bool RunOutputs::saves(long step, bool last) const { return impl_->files.will_save(step, last); }

@@ -93,6 +93,9 @@ class RunOutputs {
   /// integration step, which ended at that time [s].
   /// @param stored RESULTS.h5 will have this state: it is looked at as it is stored
   void follow_step(const dynamics::System& system, double time, bool stored);
+  /// After a counted step that was followed, its state or its bearing has jumped (elements held or
+  /// released, a thermal step): extremes between stored steps know both sides.
+  void follow_jump(const dynamics::System& system, bool stored);
   /// Will RESULTS.h5 have this step? @param last of the run: all files do
   [[nodiscard]] bool saves(long step, bool last) const;
   /// Has the checkpoint interval of computing time passed?

@@ -78,11 +78,12 @@ void TimeRun::start_anew(std::span<const double> y) {
   parts_.stepper.start(parts_.ode, parts_.stepper.time(), y, again);
 }
 
-void TimeRun::update_held() {
+bool TimeRun::update_held() {
   std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
-  if (!system().between_steps(parts_.stepper.time(), y)) return;
+  if (!system().between_steps(parts_.stepper.time(), y)) return false;
   ++held_changes_;
   start_anew(y);
+  return true;
 }
 
 void TimeRun::thermal_step() {
@@ -161,11 +162,19 @@ void TimeRun::after_counted_step() {
   watch_.look(parts_.stepper);
   // The last step has all that a run tells at its end (kLifeFreq 0), where files store it anyway.
   const bool last = t >= span_.end || step_ >= last_;
-  outputs.follow_step(system(), t, outputs.saves(step_, last));
+  const bool stored = outputs.saves(step_, last);
+  outputs.follow_step(system(), t, stored);
   race_watch_.look(t, system().balanced_race());
-  if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
-  if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
+  bool jumped = parts_.prepared.plan.has(scene::Effect::LightLoadBalance) && update_held();
+  if (parts_.thermal != nullptr && parts_.thermal->due(t)) {
+    output([&] { thermal_step(); });
+    jumped = true;
+  }
   const RunPoint now = point();
+  if (jumped) {
+    system().check_state(now.time, now.y.data());
+    outputs.follow_jump(system(), stored);
+  }
   if (outputs.wants(step_)) output([&] { outputs.store(system(), now, last); });
   outputs.follow(now);
   if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });

@@ -59,8 +59,8 @@ class TimeRun {
   void after_counted_step();
   void checkpoint();
   /// Light-load balance: after a finished step elements may be held or released; the stepper then
-  /// starts anew from the changed state with its last step size.
-  void update_held();
+  /// starts anew from the changed state with its last step size. @returns whether any was
+  bool update_held();
   /// Thermal analysis: the window is full; the state goes on in the new geometry, and the stepper
   /// starts anew.
   void thermal_step();

@@ -19,7 +19,9 @@ struct Band {
 };
 constexpr std::array kBands{Band{scene::Looked::ContactLoad, "contact load"},
                             Band{scene::Looked::ContactHeat, "contact heat"},
+                            Band{scene::Looked::ContactSlip, "slip velocity"},
                             Band{scene::Looked::FlangeForce, "flange force"},
+                            Band{scene::Looked::FlangeSlip, "flange slip velocity"},
                             Band{scene::Looked::PocketForce, "pocket force"},
                             Band{scene::Looked::PairForce, "force between elements"},
                             Band{scene::Looked::LandForce, "guide land force"},

@@ -27,7 +27,8 @@ using namespace h5;
 
 constexpr int kFormat = 1;
 constexpr std::string_view kConventions =
-    "SI units and radians. X is the bearing axis, Z radial up; azimuths turn about +X from Z: y = "
+    "SI units and radians, lives in hours. X is the bearing axis, Z radial up; azimuths turn about "
+    "+X from Z: y = "
     "-r sin(theta), z = r cos(theta). "
     "Frames: N base, A azimuth frame of the element (x axial, z radially outward), K cage, P "
     "pocket. Quaternions are w, x, y, z, body to "
@@ -469,6 +470,12 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
     if (found != nullptr && std::equal(wanted.begin(), wanted.end(), found->dimensions.begin(),
                                        found->dimensions.end()))
       continue;
+    if (found == nullptr)
+      throw InputError(fmt::format(
+          "{}: there is no {} in it: an earlier version of Adore wrote it, or it is not whole. It "
+          "can be looked at, but not continued; start new files with kIcOpt = -1, or run the deck "
+          "in another folder",
+          path.string(), channel.id));
     throw InputError(
         fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this run, "
                     "or start new files with kIcOpt = -1",

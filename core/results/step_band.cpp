@@ -19,10 +19,11 @@ std::string key(scene::Looked what, const char* quantity, std::size_t place) {
 
 std::string_view channel_of(scene::Looked what) {
   constexpr std::array<std::string_view, scene::kLooked> kIds{
-      "contact.load",          "contact.heat",          "flange.force",
-      "pocket.force",          "neighbour.force",       "land.force",
-      "race.applied_force_x",  "race.applied_force_y",  "race.applied_force_z",
-      "race.applied_moment_x", "race.applied_moment_y", "race.applied_moment_z"};
+      "contact.load",          "contact.heat",         "contact.slip",
+      "flange.force",          "flange.slip",          "pocket.force",
+      "neighbour.force",       "land.force",           "race.applied_force_x",
+      "race.applied_force_y",  "race.applied_force_z", "race.applied_moment_x",
+      "race.applied_moment_y", "race.applied_moment_z"};
   return kIds[static_cast<std::size_t>(what)];
 }
 

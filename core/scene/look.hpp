@@ -5,14 +5,16 @@
 #include <vector>
 
 /// A look at the evaluation of the right-hand side that was made last: forces and heats that
-/// it has formed anyway, for extremes between stored steps. As Snapshot would show them, but with
-/// no evaluation, no allocation and nothing of the state, which may be gone.
+/// it has formed anyway, and slips, for extremes between stored steps. As Snapshot would show them,
+/// but with no evaluation, no allocation and nothing of the state, which may be gone.
 namespace adore::scene {
 
 enum class Looked : unsigned char {
   ContactLoad,  ///< element / race [N]
   ContactHeat,  ///< [W]
+  ContactSlip,  ///< largest in the contact [m/s]
   FlangeForce,  ///< [N]
+  FlangeSlip,   ///< [m/s]
   PocketForce,  ///< of contact, as reported [N]
   PairForce,    ///< of an element and the next one, without cage [N]
   LandForce,    ///< of cage and race [N]
@@ -23,7 +25,7 @@ enum class Looked : unsigned char {
   RaceMomentY,
   RaceMomentZ
 };
-inline constexpr std::size_t kLooked = 12;
+inline constexpr std::size_t kLooked = 14;
 
 struct Look {
   /// In the order of the places in Snapshot: element, race (contacts); element, race, side

@@ -1,7 +1,7 @@
 #include "tribology/ellipse_traction.hpp"
 
 #include "base/errors.hpp"
-#include "tribology/edge_slips.hpp"
+#include "tribology/largest_slip.hpp"
 
 #include <fmt/format.h>
 
@@ -116,38 +116,6 @@ EllipseRule film_pieces(const PieceNodes& edge, const PieceNodes& band, const Pi
   return rule;
 }
 
-/// Most edge points of a rule: those of split rules of the largest size.
-constexpr std::size_t kMostEdgePoints = kEllipsePieces * kLargestRule + 2;
-
-/// Largest slip at the edge points of the major nodes and at the two ends. Squares first; roots are
-/// taken of those only that rounding may make the largest.
-template <class Sum>
-double largest_edge_slip(const Sum& sum, const EllipseRule& rule, const EllipseGeometry& g,
-                         const EllipseKinematics& m) noexcept {
-  std::array<double, kMostEdgePoints> s, across, rolling, squares;
-  std::size_t n = 0;
-  s[n++] = -1.0;
-  s[n++] = 1.0;
-  if (rule.split) {
-    const EllipseBreaks<double> at = sum.breaks();
-    const double ends[kEllipsePieces + 1] = {-1.0, at.s1, at.s2, at.s3, at.s4, 1.0};
-    auto node = rule.s.begin();
-    for (std::size_t piece = 0; piece < kEllipsePieces; ++piece)
-      for (int i = 0; i < rule.of_piece[piece]; ++i)
-        s[n++] = ends[piece] + (ends[piece + 1] - ends[piece]) * *node++;
-  } else {
-    for (const double node : rule.s) s[n++] = node;
-  }
-  edge_slips({m.u_c, m.u_t, m.W_c, m.W_t, m.W_n, g.a, g.b, g.rho, g.h0}, static_cast<int>(n),
-             s.data(), across.data(), rolling.data(), squares.data());
-  const double surely_less =
-      (1.0 - 1e-12) * *std::max_element(squares.data(), squares.data() + n);  // [m²/s²]
-  double fastest = 0.0;                                                       // [m/s]
-  for (std::size_t i = 0; i < n; ++i)
-    if (!(squares[i] < surely_less)) fastest = std::max(fastest, std::hypot(across[i], rolling[i]));
-  return fastest;
-}
-
 }  // namespace
 
 EllipseRule make_ellipse_rule(int major, int minor) {
@@ -237,29 +205,30 @@ void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, doub
       ellipse_surface(place_of(surface), rho, ball_radius, geometry.a, approach).offset + rho;
 }
 
+namespace {
+
+EllipseContact<double> contact_of(const EllipseGeometry& geometry,
+                                  const EllipseKinematics& motion) {
+  return {geometry.Q, geometry.a, geometry.b, {geometry.h0 - geometry.rho, geometry.rho}, motion};
+}
+
+}  // namespace
+
 EllipseTraction ellipse_traction(const TractionLaw& law, const EllipseGeometry& geometry,
                                  const EllipseKinematics& motion,
                                  const EllipseRule& rule) noexcept {
-  const EllipseContact<double> contact{
-      geometry.Q, geometry.a, geometry.b, {geometry.h0 - geometry.rho, geometry.rho}, motion};
+  const EllipseContact<double> contact = contact_of(geometry, motion);
   const EllipseNodes nodes = rule.nodes();
   return law.visit([&](const auto& own) {
     EllipseSum sum(nodes, contact, own, law.slip_floor(), law.slip_scale());
     const EllipseSums<double> s = sum.run();
-    return EllipseTraction{
-        s.F_c, s.F_t,  s.M_c,       s.M_t,
-        s.M_n, s.heat, s.load_slip, largest_edge_slip(sum, rule, geometry, motion)};
+    return EllipseTraction{s.F_c, s.F_t,  s.M_c,       s.M_t,
+                           s.M_n, s.heat, s.load_slip, largest_slip(geometry, motion)};
   });
 }
 
-double largest_slip(const TractionLaw& law, const EllipseGeometry& geometry,
-                    const EllipseKinematics& motion, const EllipseRule& rule) noexcept {
-  const EllipseContact<double> contact{
-      geometry.Q, geometry.a, geometry.b, {geometry.h0 - geometry.rho, geometry.rho}, motion};
-  const EllipseNodes nodes = rule.nodes();
-  const ExponentialLaw none;  // slip is kinematics: only the scale of a law places the pieces
-  return largest_edge_slip(EllipseSum(nodes, contact, none, law.slip_floor(), law.slip_scale()),
-                           rule, geometry, motion);
+double largest_slip(const EllipseGeometry& geometry, const EllipseKinematics& motion) noexcept {
+  return std::sqrt(largest_slip_square(contact_of(geometry, motion)));
 }
 
 }  // namespace adore::tribology

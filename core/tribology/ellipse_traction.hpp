@@ -142,17 +142,15 @@ struct EllipseSize {
 inline constexpr EllipseSize kFilmNodes{12, 4}, kStripNodes{16, 2};
 [[nodiscard]] EllipseRule make_run_rule(EllipseSize size);
 
-/// The fixed rule of a run, as its kernels have it (ellipse_sum.hpp). max_slip is taken at the edge
-/// points of the major nodes and at the two ends.
+/// The fixed rule of a run, as its kernels have it (ellipse_sum.hpp). max_slip is largest_slip.
 [[nodiscard]] EllipseTraction ellipse_traction(const TractionLaw& law,
                                                const EllipseGeometry& geometry,
                                                const EllipseKinematics& motion,
                                                const EllipseRule& rule) noexcept;
 
-/// max_slip of ellipse_traction without the integrals [m/s].
-[[nodiscard]] double largest_slip(const TractionLaw& law, const EllipseGeometry& geometry,
-                                  const EllipseKinematics& motion,
-                                  const EllipseRule& rule) noexcept;
+/// By largest_slip.hpp, whatever law and rule [m/s].
+[[nodiscard]] double largest_slip(const EllipseGeometry& geometry,
+                                  const EllipseKinematics& motion) noexcept;
 
 /// The converged answer: integrals split at slip reversals and at the kink of the law; relative
 /// accuracy ~1e-10. Slip is not rounded: κ(0) ≠ 0 means no force at exactly zero slip.

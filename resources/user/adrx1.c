@@ -20,9 +20,15 @@ int32_t adrx1(adore_adrx1* a) {
   switch (a->call.mode) {
     case ADORE_READ:
       a->call.active = 1;
-      if (s->read_numbers(a->call.host, in, 4) != 4) return 2;
+      if (s->read_numbers(a->call.host, in, 4) != 4) {
+        s->fail(a->call.host, "record 12.1 must hold t1, t2, rpm1 and rpm2");
+        return 2;
+      }
       t1 = in[0], t2 = in[1], rpm1 = in[2], rpm2 = in[3];
-      if (s->read_numbers(a->call.host, in, 2) != 2) return 2;
+      if (s->read_numbers(a->call.host, in, 2) != 2) {
+        s->fail(a->call.host, "record 12.2 must hold the amplitude and frequency of the housing");
+        return 2;
+      }
       A = in[0], f = in[1];
       break;
     case ADORE_START:

@@ -13,8 +13,14 @@ contains
     select case (a%call%mode)
     case (ADORE_READ)
       a%call%active = 1
-      if (adore_numbers(a%call, race) /= 4) adrx1 = 2
-      if (adore_numbers(a%call, shake) /= 2) adrx1 = 2
+      if (adore_numbers(a%call, race) /= 4) then
+        call adore_fail(a%call, 'record 12.1 must hold t1, t2, rpm1 and rpm2')
+        adrx1 = 2
+      end if
+      if (adore_numbers(a%call, shake) /= 2) then
+        call adore_fail(a%call, 'record 12.2 must hold the amplitude and frequency of the housing')
+        adrx1 = 2
+      end if
     case (ADORE_START)
       w = 2*pi*shake(2)
       spin_up = 0

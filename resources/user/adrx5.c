@@ -14,7 +14,11 @@ int32_t adrx5(adore_surface* a) {
   int64_t k;
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
-    if (a->call.services->read_numbers(a->call.host, crown, 2) != 2) return 2;
+    if (a->call.services->read_numbers(a->call.host, crown, 2) != 2) {
+      a->call.services->fail(
+          a->call.host, "record 12 must hold the length of the straight land and the crown radius");
+      return 2;
+    }
   }
   if (a->call.mode == ADORE_COMPUTE && a->call.bearing->rollers)
     for (k = 0; k < a->n; ++k) {

@@ -12,7 +12,10 @@ contains
     adrx5 = 0
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
-      if (adore_numbers(a%call, crown) /= 2) adrx5 = 2
+      if (adore_numbers(a%call, crown) /= 2) then
+        call adore_fail(a%call, 'record 12 must hold the length of the straight land and the crown radius')
+        adrx5 = 2
+      end if
     end if
     if (a%call%mode /= ADORE_COMPUTE) return
     call c_f_pointer(a%call%bearing, bearing)

@@ -13,7 +13,11 @@ int32_t adrx6(adore_surface* a) {
   int64_t k;
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
-    if (a->call.services->read_numbers(a->call.host, wave, 3) != 3) return 2;
+    if (a->call.services->read_numbers(a->call.host, wave, 3) != 3) {
+      a->call.services->fail(a->call.host,
+                             "record 12 must hold amplitude, number and phase of the waves");
+      return 2;
+    }
   }
   if (a->call.mode == ADORE_COMPUTE && a->race == 1)
     for (k = 0; k < a->n; ++k) a->radius[k] = wave[0] * sin(wave[1] * a->azimuth[k] + wave[2]);

@@ -11,7 +11,10 @@ contains
     adrx6 = 0
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
-      if (adore_numbers(a%call, wave) /= 3) adrx6 = 2
+      if (adore_numbers(a%call, wave) /= 3) then
+        call adore_fail(a%call, 'record 12 must hold amplitude, number and phase of the waves')
+        adrx6 = 2
+      end if
     end if
     if (a%call%mode /= ADORE_COMPUTE .or. a%race /= 1) return
     call c_f_pointer(a%azimuth, azimuth, [a%n])

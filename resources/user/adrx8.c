@@ -11,7 +11,11 @@ int32_t adrx8(adore_adrx8* a) {
   int64_t i;
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
-    if (a->call.services->read_numbers(a->call.host, &larger, 1) != 1) return 2;
+    if (a->call.services->read_numbers(a->call.host, &larger, 1) != 1) {
+      a->call.services->fail(a->call.host,
+                             "record 12 must hold how much larger every second element is");
+      return 2;
+    }
   }
   if (a->call.mode == ADORE_COMPUTE)
     for (i = 1; i < a->n; i += 2) a->diameter[i] = larger;

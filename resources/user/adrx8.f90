@@ -10,7 +10,10 @@ contains
     adrx8 = 0
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
-      if (adore_numbers(a%call, larger) /= 1) adrx8 = 2
+      if (adore_numbers(a%call, larger) /= 1) then
+        call adore_fail(a%call, 'record 12 must hold how much larger every second element is')
+        adrx8 = 2
+      end if
     end if
     if (a%call%mode /= ADORE_COMPUTE) return
     call c_f_pointer(a%diameter, diameter, [a%n])

@@ -12,7 +12,10 @@ int32_t adrxN(adore_force* a) {
   int64_t i;
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;
-    if (a->call.services->read_numbers(a->call.host, &damping, 1) != 1) return 2;
+    if (a->call.services->read_numbers(a->call.host, &damping, 1) != 1) {
+      a->call.services->fail(a->call.host, "record 12 must hold the damping time of the approach");
+      return 2;
+    }
   }
   if (a->call.mode == ADORE_COMPUTE)
     for (i = 0; i < a->n; ++i) {

@@ -11,7 +11,10 @@ contains
     adrxN = 0
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
-      if (adore_numbers(a%call, damping) /= 1) adrxN = 2
+      if (adore_numbers(a%call, damping) /= 1) then
+        call adore_fail(a%call, 'record 12 must hold the damping time of the approach')
+        adrxN = 2
+      end if
     end if
     if (a%call%mode /= ADORE_COMPUTE) return
     call c_f_pointer(a%gap, gap, [a%n])

@@ -16,11 +16,12 @@ using namespace adore::results;
 void look_at_40_rollers(benchmark::State& state) {
   using adore::scene::Looked;
   adore::scene::Look look;
-  for (const Looked what : {Looked::ContactLoad, Looked::ContactHeat}) look[what].assign(80, 1.0);
-  look[Looked::FlangeForce].assign(160, 2.0);
+  for (const Looked what : {Looked::ContactLoad, Looked::ContactHeat, Looked::ContactSlip})
+    look[what].assign(80, 1.0);
+  for (const Looked what : {Looked::FlangeForce, Looked::FlangeSlip}) look[what].assign(160, 2.0);
   look[Looked::PocketForce].assign(80, 3.0);
   look[Looked::LandForce].assign(2, 4.0);
-  for (std::size_t k = 6; k < adore::scene::kLooked; ++k) look.values[k].assign(2, 5.0);
+  for (std::size_t k = 8; k < adore::scene::kLooked; ++k) look.values[k].assign(2, 5.0);
   StepBand band;
   for (auto _ : state) band.look(look);
   benchmark::DoNotOptimize(band.high(Looked::FlangeForce, 159));

@@ -109,6 +109,32 @@ TEST_CASE("adore user new writes an example of every routine in every language",
   CHECK(run_adore("user new adrx7 --lang pascal --out " + (folder / "p").string()).code == 2);
 }
 
+TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
+  for (int hook = 0; hook < 10; ++hook) {
+    const Folder folder;
+    new_ball_deck(folder);
+    const fs::path out = folder / "mine";
+    const std::string name = "adrx" + std::to_string(hook);
+    const std::string told = run_adore("user new " + name + " --out " + out.string()).out;
+    INFO(told);
+    REQUIRE(std::system(("make -s -C " + out.string() + " >/dev/null").c_str()) == 0);
+    const std::size_t set = told.find("--set "), lines = told.find("explain, as\n");
+    const std::string options =
+        set == std::string::npos ? "" : told.substr(set, told.find_first_of(",\n", set) - set);
+    const std::string run = "run " + folder.path().string() + " --set maxStps=3 " + options +
+                            " --user " + (out / ("lib" + name + ".so")).string();
+    if (lines != std::string::npos) {
+      const Result without = run_adore(run);  // says what it misses
+      CHECK(without.code == 2);
+      CHECK(contains(without.out, "must hold"));
+      std::ofstream(folder / "DATA.txt", std::ios::app) << told.substr(told.find('\n', lines) + 1);
+    }
+    const Result ran = run_adore(run);
+    INFO(ran.out);
+    CHECK(ran.code == 0);
+  }
+}
+
 TEST_CASE("what an integrator cannot do is refused before a file is touched", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

@@ -401,6 +401,35 @@ TEST_CASE("chart_scene: extremes end with the view, wherever it cuts their inter
   CHECK(bands == 1);
 }
 
+TEST_CASE("chart_scene: extremes of 0 and less begin at the lower edge of a logarithmic panel",
+          "[gui][step-band]") {
+  test::use_qt();
+  ChartPage page = lines_page();
+  page.panels.resize(1);
+  page.panels[0].curves.resize(1);
+  page.panels[0].log = true;
+  ChartCurve& curve = page.panels[0].curves[0];
+  page.x = {0.0, 4.0, 8.0, 9.0};
+  curve.y = {1.0, 1.0, 1.0, 1.0};
+  curve.low = {1.0, 0.0, -2.0, -3.0};
+  curve.high = {1.0, 20.0, 20.0, 5.0};
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(page);
+  const QRectF area = scene.plotAreas()[0];
+  int bands = 0;
+  for (const QGraphicsItem* item : scene.items()) {
+    const auto* band = qgraphicsitem_cast<const QGraphicsPolygonItem*>(item);
+    if (band == nullptr) continue;
+    ++bands;
+    const QRectF covered = band->polygon().boundingRect();
+    CHECK(area.adjusted(-1.0, -1.0, 1.0, 1.0).contains(covered));
+    CHECK(covered.bottom() == Approx(area.bottom()));
+    CHECK(covered.top() == Approx(scene.heightOf(0, 20.0)));
+  }
+  CHECK(bands == 1);
+}
+
 TEST_CASE("page_export: numbers come back from CSV as they were", "[unit]") {
   ChartPage page = lines_page();
   page.panels[0].curves[0].y[1] = 1.0 / 3.0;

@@ -5,7 +5,7 @@
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
-#include "dynamics/effects/kept_forces.hpp"
+#include "dynamics/effects/kept_values.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -67,7 +67,7 @@ template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
   PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat,
-            KeptForces& kept)
+            KeptValues& kept)
       : pairs_(pairs), law_(law), heat_(heat), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
@@ -84,7 +84,7 @@ class PairBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
 };
 
 template <bool Traction>
@@ -201,7 +201,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
 
  private:
   std::vector<PairOfBalls> pairs_;
-  KeptForces kept_;
+  KeptValues kept_;
   std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };

@@ -140,7 +140,7 @@ constexpr const LedgerTerm* kTerms[] = {&kPocketHeat};
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat, KeptForces& kept)
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat, KeptValues& kept)
       : set_(set), law_(law), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
   }
@@ -166,7 +166,7 @@ class PocketBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
 };
 
 template <bool Traction, bool Shaped>
@@ -226,7 +226,7 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, HeatByPart& heat, KeptForces& kept, double* elsewhere)
+                  UserPocketForces& forces, HeatByPart& heat, KeptValues& kept, double* elsewhere)
       : set_(set),
         friction_(friction),
         forces_(forces),
@@ -286,13 +286,13 @@ class UserPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserPocketForces& forces_;
   HeatByPart& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
   double* elsewhere_;
 };
 
 }  // namespace
 
-void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, KeptForces& kept,
+void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, KeptValues& kept,
                               std::vector<BodyId> partners) {
   const auto add = [&]<bool Traction, bool Shaped>() {
     scene.block<PocketBlock<Traction, Shaped>>(
@@ -321,7 +321,7 @@ void PocketContact::declare(SceneBuilder& scene) {
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
                        const std::vector<contact::PlacedPocket>& pockets,
-                       std::optional<UserPocketForces>& forces, KeptForces& kept) {
+                       std::optional<UserPocketForces>& forces, KeptValues& kept) {
     set.emplace(scene.bearing, pockets);
     kept.size(pockets.size(),
               static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, false)));

@@ -6,7 +6,7 @@
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/heat_by_part.hpp"
-#include "dynamics/effects/kept_forces.hpp"
+#include "dynamics/effects/kept_values.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -201,14 +201,14 @@ class PocketContact final : public SceneEffect, public ElementSupport {
     for (std::size_t k = 0; k < last_halves_->size(); ++k)
       if (last_halves_->element(k) == i) visit(*last_halves_, k);
   }
-  void add_block(SceneBuilder& scene, PocketSet& set, KeptForces& kept,
+  void add_block(SceneBuilder& scene, PocketSet& set, KeptValues& kept,
                  std::vector<BodyId> partners);
 
   std::optional<PocketSet> set_;
   std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
   std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
-  std::array<KeptForces, 2> kept_;                         ///< likewise, by pocket and surface
+  std::array<KeptValues, 2> kept_;                         ///< likewise, by pocket and surface
   HeatByPart heat_;                                        ///< now, of the pocket of each element
 };
 

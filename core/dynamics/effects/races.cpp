@@ -270,6 +270,16 @@ void Races::declare_contacts(SceneBuilder& scene) {
   const bool held =
       scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
   sums_known_ = contacts_[0].traction && wear && !held;
+  const auto count = static_cast<std::size_t>(scene.bearing.element_count());
+  if (rollers_) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      on_race_[j].emplace((*rollers_)[j], count);
+      fastest_[j].resize(count);
+    }
+  } else {
+    kept_.size(count);
+    scene.block<KeepElements>(Phase::Account, kMotionCost, {}, kept_);
+  }
   const auto& free = scene.plan.race_motions.free;
   // A race that moves is a partner of its own.
   if (!rollers_ && !held && !free[0] && !free[1] && share_vectors(contacts_))
@@ -284,9 +294,9 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip) 
   const bool rolls =
       rollers_ && scene.plan.has(Effect::RollingResistance) && (*rollers_)[j].rolls_in_film();
   if (rollers_)
-    scene.block<RollerRaceBlock>(
-        Phase::Force, rolls ? cost + ", rolling in oil" : cost, race, (*rollers_)[j],
-        static_cast<std::size_t>(scene.bearing.element_count()), load_slip, rolls, account_[j]);
+    scene.block<RollerRaceBlock>(Phase::Force, rolls ? cost + ", rolling in oil" : cost, race,
+                                 (*rollers_)[j], *on_race_[j], load_slip, rolls, account_[j],
+                                 fastest_[j]);
   else
     scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], load_slip, account_[j]);
 }
@@ -307,6 +317,8 @@ void Races::declare(SceneBuilder& scene) {
                scene.bearing.element_material};
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
+  for (auto* values : {&slip_, &scratch_})
+    values->resize(static_cast<std::size_t>(scene.bearing.element_count()));
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
   const auto& errors = scene.bearing.imperfections.race;
@@ -444,14 +456,30 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
   }
 }
 
+void Races::look_at_slips(const Evaluation& e, std::size_t j) const noexcept {
+  if (!in_contact_) return;  // stays 0
+  if (!rollers_)
+    largest_slips(chosen_instruction_set(), contacts_[j], kept_.elements(e), kept_.race(j),
+                  scratch_.data(), slip_.data());
+  else if ((*rollers_)[j].traction)
+    std::transform(fastest_[j].begin(), fastest_[j].end(), slip_.begin(),
+                   [](double square) { return std::sqrt(square); });
+  else
+    on_race_[j]->largest_slips(slip_.data());
+}
+
 void Races::look(const Evaluation& e, Look& out) const {
   using enum Looked;
-  for (const Looked what : {ContactLoad, ContactHeat}) out[what].resize(2 * e.load[0].size());
-  for (std::size_t j = 0; j < 2; ++j)
+  for (const Looked what : {ContactLoad, ContactHeat, ContactSlip})
+    out[what].resize(2 * e.load[0].size());
+  for (std::size_t j = 0; j < 2; ++j) {
+    look_at_slips(e, j);
     for (std::size_t i = 0; i < e.load[j].size(); ++i) {
       out[ContactLoad][2 * i + j] = e.load[j][i];
       out[ContactHeat][2 * i + j] = e.heat[j][i];
+      out[ContactSlip][2 * i + j] = slip_[i];
     }
+  }
   for (std::size_t k = 0; k < 3; ++k)
     for (const auto& [first, of] : {std::pair{RaceForceX, &RaceAccount::force},
                                     std::pair{RaceMomentX, &RaceAccount::moment}}) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/kept_elements.hpp"
 #include "dynamics/effects/race_account.hpp"
 #include "dynamics/effects/roller_races.hpp"
 #include "dynamics/normal_contacts.hpp"
@@ -56,6 +57,8 @@ class Races final : public SceneEffect {
   void declare_contacts(SceneBuilder& scene);
   /// @param load_slip it is wanted
   void declare_contact(SceneBuilder& scene, std::size_t j, bool load_slip);
+  /// Of race j to slip_.
+  void look_at_slips(const Evaluation& e, std::size_t j) const noexcept;
   [[nodiscard]] RaceContactSnapshot detail(const Evaluation& e, std::size_t j, std::size_t i) const;
 
   /// Whose numbers wavy grooves read; null: no routine ADRX6.
@@ -63,6 +66,10 @@ class Races final : public SceneEffect {
   std::array<RaceContactModel, 2> contacts_;               ///< of balls
   std::array<tribology::RollingResistance, 2> rolling_;    ///< likewise
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
+  std::array<std::optional<RollersOnRace>, 2> on_race_;    ///< of rollers, as evaluated last
+  std::array<std::vector<double>, 2> fastest_;             ///< likewise, by roller [m²/s²]
+  KeptElements kept_;                                      ///< of balls, likewise
+  mutable std::vector<double> slip_, scratch_;             ///< of look()
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
   /// Turn of prescribed races beyond speed times time: of earlier speeds [rad].

@@ -5,7 +5,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
-#include "dynamics/effects/kept_forces.hpp"
+#include "dynamics/effects/kept_values.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -108,15 +108,17 @@ class FlangeBlock final : public EffectBlock {
  public:
   FlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
               double mass_offset, const tribology::TractionLaw* friction, FlangeAccount& account,
-              KeptForces& kept)
+              KeptValues& kept, KeptValues& slip)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
         account_(account),
-        kept_(kept) {}
+        kept_(kept),
+        slip_(slip) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
+    slip_.none();
     in_passes_of(
         asked_, friction_, [&](const auto& law) { apply_with(law, e); }, static_cast<int>(race_));
   }
@@ -138,6 +140,7 @@ class FlangeBlock final : public EffectBlock {
         race.add_force(-a.force, a.point);
         e.elastic += a.energy;
         kept_.add(i, static_cast<std::size_t>(pair.side), a.load);
+        slip_.add(i, static_cast<std::size_t>(pair.side), a.slip);
         account_.heat += a.heat;
         account_.load_slip += a.load * a.slip;
         if (i == 0) account_.load_slip_element1 += a.load * a.slip;
@@ -151,7 +154,8 @@ class FlangeBlock final : public EffectBlock {
   const tribology::TractionLaw* friction_;
   GatheredTraction asked_;
   FlangeAccount& account_;
-  KeptForces& kept_;
+  KeptValues& kept_;
+  KeptValues& slip_;
 };
 
 /// A contact that ADRX2 is asked for.
@@ -167,7 +171,7 @@ class UserFlangeBlock final : public EffectBlock {
  public:
   UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
-                  UserFlangeForces& forces, FlangeAccount& account, KeptForces& kept,
+                  UserFlangeForces& forces, FlangeAccount& account, KeptValues& kept,
                   double* elsewhere)
       : pairs_(pairs),
         race_(race),
@@ -230,7 +234,7 @@ class UserFlangeBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
-  KeptForces& kept_;
+  KeptValues& kept_;
   double* elsewhere_;
 };
 
@@ -252,12 +256,13 @@ class RollerFlanges final : public SceneEffect {
     has_friction_ = traction;
     scene::UserForce* const user = scene.options.user ? scene.options.user->flange : nullptr;
     for (std::size_t j = 0; j < 2; ++j) {
-      kept_[j].size(static_cast<std::size_t>(scene.bearing.element_count()), 2);
+      for (auto* kept : {&kept_[j], &slip_[j]})
+        kept->size(static_cast<std::size_t>(scene.bearing.element_count()), 2);
       if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
       const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
-                               account_[j], kept_[j]);
+                               account_[j], kept_[j], slip_[j]);
       const OtherForce other = other_force(scene, user, "user routine ADRX2");
       if (other.routine != nullptr) {
         constexpr std::size_t kFlanges = 2;  // of a race
@@ -317,10 +322,13 @@ class RollerFlanges final : public SceneEffect {
   }
 
   void look(const Evaluation&, Look& out) const override {
-    std::vector<double>& force = out[Looked::FlangeForce];
-    force.resize(2 * kept_[0].at.size());
-    for (std::size_t k = 0; k < force.size(); ++k)  // element, race, side
-      force[k] = kept_[k / 2 % 2].at[k / 4 * 2 + k % 2];
+    for (const auto& [what, from] :
+         {std::pair{Looked::FlangeForce, &kept_}, {Looked::FlangeSlip, &slip_}}) {
+      std::vector<double>& values = out[what];
+      values.resize(2 * kept_[0].at.size());
+      for (std::size_t k = 0; k < values.size(); ++k)  // element, race, side
+        values[k] = (*from)[k / 2 % 2].at[k / 4 * 2 + k % 2];
+    }
   }
 
  private:
@@ -329,7 +337,7 @@ class RollerFlanges final : public SceneEffect {
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
   std::array<FlangeAccount, 2> account_;
-  std::array<KeptForces, 2> kept_;                                     ///< by race
+  std::array<KeptValues, 2> kept_, slip_;                              ///< forces, slips by race
   std::array<std::optional<UserFlangeForces>, 2> forces_;              ///< ADRX2 by race
   std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
 };

@@ -4,7 +4,7 @@
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
-#include "dynamics/effects/kept_forces.hpp"
+#include "dynamics/effects/kept_values.hpp"
 #include "dynamics/effects/neighbours.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -88,7 +88,7 @@ template <bool Traction>
 class RingBlock final : public EffectBlock {
  public:
   RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat,
-            KeptForces& kept)
+            KeptValues& kept)
       : model_(model), law_(law), heat_(heat), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
@@ -158,7 +158,7 @@ class RingBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
 };
 
 class RollerNeighbours final : public SceneEffect, public ElementSupport {
@@ -263,7 +263,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
   }
 
   RingModel model_;
-  KeptForces kept_;
+  KeptValues kept_;
   double heat_ = 0.0;  ///< now [W]
 };
 

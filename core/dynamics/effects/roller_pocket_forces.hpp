@@ -2,7 +2,7 @@
 
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/heat_by_part.hpp"
-#include "dynamics/effects/kept_forces.hpp"
+#include "dynamics/effects/kept_values.hpp"
 #include "dynamics/effects/roller_pocket_set.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -30,7 +30,7 @@ using RollerPocketForces = UserForces<RollerPocketTouch>;
 class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
-                        RollerPocketForces& forces, HeatByPart& heat, KeptForces& kept,
+                        RollerPocketForces& forces, HeatByPart& heat, KeptValues& kept,
                         double* elsewhere)
       : set_(set), forces_(forces), heat_(heat), kept_(kept), elsewhere_(elsewhere) {
     if (friction != nullptr) friction_ = *friction;
@@ -123,7 +123,7 @@ class UserRollerPocketBlock final : public EffectBlock {
   GatheredTraction asked_;
   RollerPocketForces& forces_;
   HeatByPart& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
   double* elsewhere_;
 };
 

@@ -26,7 +26,7 @@ template <bool Traction>
 class RollerPocketBlock final : public EffectBlock {
  public:
   RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat,
-                    KeptForces& kept)
+                    KeptValues& kept)
       : set_(set), law_(law), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.most_contacts());
   }
@@ -78,7 +78,7 @@ class RollerPocketBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   HeatByPart& heat_;
-  KeptForces& kept_;
+  KeptValues& kept_;
 };
 
 template <bool Traction>
@@ -142,7 +142,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
                          const std::vector<contact::PlacedPocket>& pockets,
-                         std::optional<RollerPocketForces>& forces, KeptForces& kept) {
+                         std::optional<RollerPocketForces>& forces, KeptValues& kept) {
       set.emplace(scene, pockets);
       kept.size(pockets.size(),
                 static_cast<std::size_t>(bearing::pocket_surfaces(*scene.bearing.cage, true)));
@@ -268,7 +268,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::array<std::optional<RollerPocketForces>, 2> forces_;  ///< ADRX3 of both sets
-  std::array<KeptForces, 2> kept_;                           ///< likewise, by pocket and surface
+  std::array<KeptValues, 2> kept_;                           ///< likewise, by pocket and surface
   std::optional<RollerPocketOil> oil_;                       ///< kPocHydro
   HeatByPart heat_, film_heat_;                              ///< now, of the pocket of each roller
 };

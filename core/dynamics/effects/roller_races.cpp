@@ -199,18 +199,30 @@ void RollersOnRace::act(Evaluation& e, std::size_t i, const double (&force_on)[3
   race.moment -= moment + (C - race.position).cross(force);
 }
 
-RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
-                                 bool rolls, RaceAccount& sums)
+void RollersOnRace::largest_slips(double* slip) const noexcept {
+  for (std::size_t i = 0; i < count(); ++i)
+    slip[i] =
+        poses_[i].open
+            ? 0.0
+            : std::sqrt(contact::roller_race_sums<double>(view(i), poses_[i], [](double, double) {
+                          return 0.0;
+                        }).fastest);
+}
+
+RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& rollers,
+                                 bool load_slip, bool rolls, RaceAccount& sums,
+                                 std::vector<double>& fastest)
     : model_(model),
       load_slip_(load_slip),
+      fastest_(fastest),
       sums_(sums),
       kernel_(kernel_of(chosen_instruction_set())),
-      rollers_(model, rollers),
-      actions_(rollers),
-      rolled_(rolls ? rollers : 0) {
+      rollers_(rollers),
+      actions_(rollers.count()),
+      rolled_(rolls ? rollers.count() : 0) {
   std::size_t slices = 0;
   for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
-  if (model.law.is_of_user()) user_.emplace(rollers, slices);
+  if (model.law.is_of_user()) user_.emplace(rollers.count(), slices);
 }
 
 /// Growing ψ is -y of the meridian frame.
@@ -232,6 +244,7 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     const RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
     e.heat[j][i] = a.heat;
+    fastest_[i] = a.fastest;
     if (load_slip_) e.load_slip[j][i] = a.load_slip;
     e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
     if (!(a.load > 0.0)) continue;

@@ -69,6 +69,9 @@ class RollersOnRace {
   [[nodiscard]] const contact::RaceSlices& view(std::size_t i) const noexcept {
     return views_[alike() ? 0 : i];
   }
+  /// Largest slip speed of each roller's slices that press, of the poses placed last [m/s]: of
+  /// kernels without traction, which do not form it.
+  void largest_slips(double* slip) const noexcept;
   /// By roller where the race has errors, else null.
   [[nodiscard]] const contact::RaceSlope* slopes() const noexcept {
     return slopes_.empty() ? nullptr : slopes_.data();
@@ -96,8 +99,9 @@ class RollerRaceBlock final : public EffectBlock {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   /// @param rolls with the rolling resistance of the oil, of the same films
-  RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip, bool rolls,
-                  RaceAccount& sums);
+  /// @param fastest RollerKernelAction::fastest of each roller, of the evaluation made last
+  RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& rollers, bool load_slip, bool rolls,
+                  RaceAccount& sums, std::vector<double>& fastest);
   void apply(Evaluation& e) noexcept override;
 
  private:
@@ -105,9 +109,10 @@ class RollerRaceBlock final : public EffectBlock {
 
   const RollerRaceModel& model_;
   bool load_slip_;
+  std::vector<double>& fastest_;
   RaceAccount& sums_;
   RollerKernel kernel_;
-  RollersOnRace rollers_;
+  RollersOnRace& rollers_;
   std::vector<RollerKernelAction> actions_;
   std::vector<RollerRaceAddition> rolled_;  ///< with rolling resistance
   std::optional<SliceScratch> user_;        ///< of a law of the user

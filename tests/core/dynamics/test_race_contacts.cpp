@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
+#include <vector>
 
 using namespace adore;
 using dynamics::ElementViews;
@@ -126,6 +127,54 @@ TEST_CASE("race contacts: every instruction set agrees with vector algebra and t
       }
     }
   }
+}
+
+TEST_CASE("race contacts: every instruction set finds the largest slip that a report tells",
+          "[unit][step-band]") {
+  for (const char* id : {kTwoSlopeCase, kExponentialCase, kFlatCase})
+    for (const InstructionSet set : kSets) {
+      if (!dynamics::instruction_set_available(set)) continue;
+      for (const std::size_t n : {1U, 3U, 8U, 18U, 41U}) {
+        const ThrustScene scene = scene_of(id, n, 1.0, n % 2 == 1);
+        for (std::size_t j = 0; j < 2; ++j) {
+          const RaceMotion race = tilted(scene.race[j]);
+          RaceContactModel smooth = scene.model[j];
+          smooth.traction = false;  // slip is there all the same
+          std::vector<double> scratch(n), slip(n, -1.0), without(n, -1.0);
+          dynamics::largest_slips(set, scene.model[j], scene.arrays(), race, scratch.data(),
+                                  slip.data());
+          dynamics::largest_slips(set, smooth, scene.arrays(), race, scratch.data(),
+                                  without.data());
+          CHECK(without == slip);
+          for (std::size_t i = 0; i < n; ++i) {
+            INFO(id << ' ' << dynamics::instruction_set_name(set) << " n = " << n << " race " << j
+                    << " ball " << i);
+            const auto told = race_contact_detail(scene.model[j], scene.arrays(), i, race);
+            CHECK(told.max_slip > 0.0);
+            CHECK(slip[i] == Approx(told.max_slip).epsilon(1e-10));
+          }
+        }
+      }
+    }
+}
+
+TEST_CASE("race contacts: an open contact has no slip, beside closed ones too",
+          "[unit][step-band]") {
+  ThrustScene scene = scene_of(kTwoSlopeCase, 5);
+  scene.ball[1][2] -= 2e-5;  // off the outer race
+  int open = 0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    std::vector<double> scratch(5), slip(5, -1.0);
+    dynamics::largest_slips(dynamics::chosen_instruction_set(), scene.model[j], scene.arrays(),
+                            scene.race[j], scratch.data(), slip.data());
+    for (std::size_t i = 0; i < 5; ++i) {
+      const auto told = race_contact_detail(scene.model[j], scene.arrays(), i, scene.race[j]);
+      CHECK(slip[i] == Approx(told.max_slip).epsilon(1e-10));
+      CHECK((slip[i] == 0.0) == !(told.load > 0.0));
+      open += told.load > 0.0 ? 0 : 1;
+    }
+  }
+  CHECK(open == 1);
 }
 
 TEST_CASE("race contacts: the instruction sets agree with each other to 1e-12 of the load",

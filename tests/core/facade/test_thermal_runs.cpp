@@ -224,6 +224,30 @@ TEST_CASE("thermal steps of every kind go on where a run was cut", "[physics][th
   }
 }
 
+TEST_CASE("a run with thermal steps that was cut goes on in the steps of an unbroken one",
+          "[physics][thermal]") {
+  // The longest step is of the time scale that the bearing had before it warmed up.
+  for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {
+    INFO(type);
+    deck::Deck whole = moving(type);
+    for (const auto& [variable, value] : {std::pair{"stpMax", "0.06"},
+                                          {"kMatPropMod", "1"},
+                                          {"aveTime", "5.0e-5"},
+                                          {"nStps", "4"},
+                                          {"maxStps", "200"}})
+      whole.set(variable, value);
+    deck::Deck part = whole;
+    part.set("maxStps", "130");
+    const fs::path one = folder(std::string("steps_") + type),
+                   two = folder(std::string("steps_cut_") + type);
+    const Ran unbroken = run_deck(whole, one);
+    REQUIRE(unbroken.outcome.status != facade::RunStatus::Failed);
+    REQUIRE(run_deck(part, two).outcome.status != facade::RunStatus::Failed);
+    REQUIRE(run_deck(whole, two, true).outcome.status == unbroken.outcome.status);
+    CHECK(read_bytes(one / "FINAL") == read_bytes(two / "FINAL"));
+  }
+}
+
 TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]") {
   deck::Deck whole = moving("ball");
   const fs::path one = folder("whole"), two = folder("parts");

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace adore::tribology;
 using adore::bearing::TractionCurve;
@@ -194,6 +195,31 @@ TEST_CASE("converged traction keeps the power balance: heat = u0·F + W·M", "[p
       CHECK(one.load_slip > 0.0);
     }
   }
+}
+
+TEST_CASE("the largest slip is that of the edge, whatever law and rule", "[physics]") {
+  std::mt19937 random(15);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> power(-2.0, 1.0);
+  double worst = 0.0, all = 0.0;
+  constexpr int kContacts = 300;
+  for (int i = 0; i < kContacts; ++i) {
+    // Rolling that all but cancels in the middle, spin and gyration of any share.
+    const double W_c = 3000.0 * normal(random), size = std::pow(10.0, power(random));
+    const EllipseKinematics motion{0.3 * size * normal(random),
+                                   W_c * kCurved.h0 + 0.3 * size * normal(random), W_c,
+                                   100.0 * normal(random), 800.0 * normal(random)};
+    const double exact = ellipse_traction_converged(kSmooth, kCurved, motion).max_slip;
+    const double found = largest_slip(kCurved, motion);
+    CHECK(found <= exact * (1.0 + 1e-9));
+    const double off = 1.0 - found / exact;
+    worst = std::max(worst, off);
+    all += off / kContacts;
+    for (const EllipseRule& rule : {make_ellipse_rule(3, 2), make_split_ellipse_rule(20, 4)})
+      CHECK(ellipse_traction(kTwoSlope, kCurved, motion, rule).max_slip == found);
+  }
+  CHECK(worst < 0.012);
+  CHECK(all < 5e-4);
 }
 
 TEST_CASE("turning the slip around turns the traction around", "[physics][symmetry]") {

@@ -9,10 +9,10 @@
 
 namespace adore::dynamics {
 
-/// Normal forces of one kind of contacts as an evaluation left them, for a look (scene/look.hpp):
-/// the state that they came from may be gone by then.
-struct KeptForces {
-  std::vector<double> at;  ///< by place [N]; sized before the first evaluation
+/// Normal forces or slips of one kind of contacts as an evaluation left them, for a look
+/// (scene/look.hpp): the state that they came from may be gone by then.
+struct KeptValues {
+  std::vector<double> at;  ///< by place [N or m/s]; sized before the first evaluation
   std::size_t row = 1;     ///< places of one pocket or element
 
   void size(std::size_t rows, std::size_t of_each) {
@@ -20,13 +20,13 @@ struct KeptForces {
     at.assign(rows * of_each, 0.0);
   }
   void none() noexcept { std::fill(at.begin(), at.end(), 0.0); }
-  void add(std::size_t i, std::size_t k, double newtons) noexcept { at[i * row + k] += newtons; }
+  void add(std::size_t i, std::size_t k, double value) noexcept { at[i * row + k] += value; }
 };
 
 /// Pockets of all elements, and the last halves of segments in the order of the segments.
 template <class Set>
-void look_at_pockets(const KeptForces& pockets, const std::optional<Set>& last_halves,
-                     const KeptForces& of_halves, scene::Look& out) {
+void look_at_pockets(const KeptValues& pockets, const std::optional<Set>& last_halves,
+                     const KeptValues& of_halves, scene::Look& out) {
   std::vector<double>& all = out[scene::Looked::PocketForce];
   const std::size_t row = pockets.row;
   all.resize(pockets.at.size() + of_halves.at.size());
