@@ -2,6 +2,7 @@
 
 #include "agore/render.hpp"
 #include "agore/view_scene.hpp"
+#include "base/errors.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
@@ -27,6 +28,7 @@ namespace adore::agore {
 namespace {
 constexpr const char* kScale = "colours/scale";
 constexpr int kTick = 16;  // [ms] between pictures: 60 a second
+constexpr std::size_t kMostBeside = 5;
 }  // namespace
 
 AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
@@ -134,11 +136,10 @@ void AgoreWindow::setBeside(View view, bool shown) {
   if (!picture_) return askForFile();
   std::erase_if(options_.beside, [view](const SideView& side) { return side.view == view; });
   if (shown) {
-    constexpr std::size_t kMost = 5;
     const std::string reason = why_not(view, picture_->animation());
     if (!reason.empty())
       desktop::show_message(this, QString::fromStdString(reason));
-    else if (options_.beside.size() >= kMost)
+    else if (options_.beside.size() >= kMostBeside)
       desktop::show_message(this, tr("Six views are the most at a time; take one away first."));
     else
       options_.beside.push_back({view});
@@ -178,6 +179,28 @@ void AgoreWindow::setView(View view, int element) {
   refresh();
 }
 
+bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
+  if (!picture_) return false;
+  ViewOptions next = asked;
+  next.dark = options_.dark;
+  next.scale = options_.scale;  // as chosen last
+  try {
+    if (next.beside.size() > kMostBeside)
+      throw InputError("Six views are the most at a time; ask for fewer beside the first.");
+    for (std::size_t i = 0; i <= next.beside.size(); ++i)
+      check_view(picture_->animation(), next.tile(i));
+  } catch (const InputError& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+  options_ = next;
+  if (asked.scale == ScaleChoice{})
+    refresh();
+  else
+    setScale(asked.scale);
+  return true;
+}
+
 void AgoreWindow::setExaggeration(double factor) {
   options_.exaggeration = factor;
   refresh();
@@ -200,7 +223,7 @@ void AgoreWindow::setTrails(bool shown) {
   refresh();
 }
 
-void AgoreWindow::askForElement(View view) {
+void AgoreWindow::askForElement(View view, std::optional<std::size_t> flange_race) {
   if (!picture_) return askForFile();
   if (const std::string reason = why_not(view, picture_->animation()); !reason.empty())
     return desktop::show_message(this, QString::fromStdString(reason));
@@ -208,7 +231,10 @@ void AgoreWindow::askForElement(View view) {
   const QString what = view == View::Pocket ? tr("Pocket") : tr("Rolling element");
   desktop::ask_number(this, QString::fromStdString(view_title(view)),
                       tr("%1 (1 to %2):").arg(what).arg(count), options_.element, 1, count,
-                      [this, view](int number) { setView(view, number); });
+                      [this, view, flange_race](int number) {
+                        if (flange_race) options_.flange_race = *flange_race;
+                        setView(view, number);
+                      });
 }
 
 ViewOptions AgoreWindow::stillOptions() const {
@@ -232,10 +258,7 @@ void AgoreWindow::showFrame() {
 }
 
 void AgoreWindow::refresh() {
-  if (picture_ && shows(View::Flange) &&
-      !has_flange(picture_->animation(), options_.flange_race, 0) &&
-      !has_flange(picture_->animation(), options_.flange_race, 1))
-    options_.flange_race = 1 - options_.flange_race;  // one of them has a flange
+  if (picture_ && shows(View::Flange)) choose_flange_race(picture_->animation(), options_);
   showFrame();
   if (auto* beside = findChild<QMenu*>("besideMenu"))
     for (QAction* action : beside->actions())

@@ -90,6 +90,9 @@ class AgoreWindow : public QMainWindow {
   [[nodiscard]] MotionPicture* picture() { return picture_.get(); }
   void setFrame(std::size_t frame);
   void setView(View view, int element = 0);  ///< element 0: the one shown last
+  /// All that the options of a command choose, as --render draws it; false, after a message with
+  /// the reason, for what this file cannot show.
+  bool showAsAsked(const ViewOptions& asked);
   void setExaggeration(double factor);
   void setColour(ColourBy colour);
   void setScale(const ScaleChoice& scale);
@@ -144,7 +147,7 @@ class AgoreWindow : public QMainWindow {
   [[nodiscard]] RenderOptions filmOptions() const;
   [[nodiscard]] int filmRate() const;
   [[nodiscard]] int filmEvery() const;  ///< every how many frames it has a picture
-  void askForElement(View view);
+  void askForElement(View view, std::optional<std::size_t> flange_race = {});
   void play(int direction);
   void advance();
   void refresh();

@@ -66,11 +66,11 @@ void draw_land_arrows(const Scene& s) {
 }
 
 /// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
-/// have is named so, in the same place.
+/// have is named so, in the same place, without a mark.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const QColor& red = s.sketch.theme().red;
   const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
-    key.push_back({red, now ? there : none, mark, now ? none : there});
+    key.push_back({red, now ? there : none, now ? mark : KeyMark::None, now ? none : there});
   };
   const auto& elements = s.frame.elements;
   entry(std::any_of(elements.begin(), elements.end(),
@@ -90,13 +90,14 @@ QString frame_name(const Scene& s) {
 }
 
 void draw_trails(const Scene& s) {
-  std::vector<WayPoint> way;
+  std::vector<std::vector<WayPoint>> ways;
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-    way.clear();
+    std::vector<WayPoint>& way = ways.emplace_back();
     for (const TrailPoint& point : element_trail(s, k))
       way.push_back({s.sketch.at(point.centre.x(), point.centre.y()), point.joined});
-    draw_way(s.sketch.painter(), s.sketch.area(), way, trail_colour(s), 2.0);
   }
+  draw_ways(s.sketch.painter(), s.sketch.area(), ways,
+            {trail_colour(s), 2.0, s.sketch.theme().surface});
 }
 
 /// Forces of both races on every element, the largest of the run as long as an element's radius
@@ -138,8 +139,17 @@ struct TurningFrame {
   QColor colour;
 };
 
+/// How far a place is from a line between two others.
+double away_from(QPointF place, QPointF from, QPointF to) {
+  const QPointF way = to - from;
+  const double size = QPointF::dotProduct(way, way);
+  const double part =
+      size > 0.0 ? std::clamp(QPointF::dotProduct(place - from, way) / size, 0.0, 1.0) : 0.0;
+  return QLineF(place, from + part * way).length();
+}
+
 /// Frames about the bearing's axis, the names of each on that side of its arms where they stand
-/// farther from those before, and from the heads of all the other arms.
+/// farther from those before, and from all the other arms.
 void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
   const auto heads_of = [&](const TurningFrame& frame) {
@@ -154,7 +164,7 @@ void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
         for (const TurningFrame& other : frames)
           if (&other != &frame)
             for (const QPointF& head : heads_of(other))
-              least = std::min(least, QLineF(name, head).length());
+              least = std::min(least, away_from(name, s.sketch.at(0, 0), head));
       }
       return least;
     };
@@ -210,21 +220,23 @@ void bearing_view(const Scene& s) {
   if (s.animation.has_cage) {
     key.push_back({t.green, frame_name(s)});
     add_cage_contacts(s, key);
-    if (guide_radius > 0.0) key.push_back({t.red, "guide land", KeyMark::Dashed});
+    if (guide_radius > 0.0) key.push_back({t.red, kGuideLands, KeyMark::Dashed});
   }
+  name_arms(s, 0.46 * bore, key);
+  name_turning_mark(s, std::nullopt, key);
   if (s.options.trails) key.push_back(trail_entry(s));
   if (s.options.contacts && s.animation.contacts_at(s.index) != nullptr) {
     const auto& largest = s.animation.contacts->largest_of_race;
     key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
     key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
   } else if (s.options.contacts) {
-    key.push_back(
-        {t.muted, QString::fromStdString("no race loads: " + s.animation.no_loads(s.index))});
+    key.push_back({t.muted,
+                   QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
+                   KeyMark::None});
   }
-  if (too_low(s.options, s.sketch.area().height())) {  // first: colours say nothing without
-    const std::vector<KeyEntry> ends = scale_entries(s);
-    key.insert(key.begin(), ends.begin(), ends.end());
-  }
+  // First: colours say nothing without.
+  const std::vector<KeyEntry> scale = scale_entries(s);
+  key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
 }
 
@@ -242,8 +254,8 @@ void cage_view(const Scene& s) {
   const auto [enlargement, now] =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   // Where the orbit is, so that one picture has one centre of the cage.
-  s.sketch.frame(enlargement > 0.0 ? now : cage, s.cage_angle(), 0.5 * g.cage_inner_radius,
-                 t.green);
+  const double arm = 0.5 * g.cage_inner_radius;
+  s.sketch.frame(enlargement > 0.0 ? now : cage, s.cage_angle(), arm, t.green);
   draw_land_arrows(s);
   draw_contact_marks(s);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
@@ -255,6 +267,8 @@ void cage_view(const Scene& s) {
   key.push_back(way_entry(
       t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
       s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
+  if (enlargement > 0.0) key.push_back(later_entry(s));
+  name_arms(s, arm, key);
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

@@ -4,6 +4,7 @@
 #include "desktop/axis_scale.hpp"
 
 #include <QFontMetricsF>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -110,8 +111,21 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
     }
   }
   out.unit = channel->unit;
-  for (std::size_t k = 0; k < n; ++k)
-    out.value.push_back(std::max(channel->at(frame, 2 * k), channel->at(frame, 2 * k + 1)));
+  // What no contact carries has no load, slips nowhere and heats nothing: zero, or what the file
+  // has in its place, is not a small value.
+  const results::MotionChannel* const load = animation.motion->channel("contact.load");
+  const bool loads = load != nullptr && load->width == 2 * n;
+  for (std::size_t k = 0; k < n; ++k) {
+    double largest = std::numeric_limits<double>::quiet_NaN();
+    bool touches = !loads;
+    for (const std::size_t at : {2 * k, 2 * k + 1}) {
+      if (loads && load->at(frame, at) == 0.0) continue;
+      touches = true;
+      largest = std::fmax(largest, channel->at(frame, at));
+    }
+    out.value.push_back(largest);
+    out.touches.push_back(touches);
+  }
   const auto known = animation.run_ranges.find(quantity.channel);
   set_scale(out, known != animation.run_ranges.end() ? known->second : run_range(*channel),
             by == ColourBy::Temperature, scale);
@@ -119,9 +133,13 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
 }
 
 QColor Colouring::of(std::size_t element) const {
-  if (!any() || element >= value.size() || !std::isfinite(value[element])) return {};
+  if (!any() || element >= value.size()) return {};
+  if (!touches[element]) return no_contact_colour();
+  if (!std::isfinite(value[element])) return {};
   return scale_colour((value[element] - low) / (high - low));
 }
+
+QColor no_contact_colour() { return {"#dfe3e8"}; }
 
 std::string Colouring::low_end() const {
   return (below ? "≤ " : "") + (low == 0.0 ? "0" : desktop::pretty_quantity(low, unit, 3));
@@ -201,14 +219,16 @@ void draw_scale(const Scene& s, const Colouring& colours) {
 }
 
 std::vector<KeyEntry> scale_entries(const Scene& s) {
-  if (s.options.colour == ColourBy::None || !s.options.one_of_several) return {};
+  if (s.options.colour == ColourBy::None) return {};
   const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   if (!colours.any()) return {};
-  const auto entry = [&](double part, const std::string& end) {
-    return KeyEntry{scale_colour(part), QString::fromStdString(colours.title + ": " + end)};
-  };
-  return {entry(0.0, colours.low_end()),
-          entry(1.0, colours.high_end() + " (" + colours.scale + ")")};
+  const KeyEntry none{no_contact_colour(), "no contact", KeyMark::Disc};
+  if (!too_low(s.options, s.sketch.area().height()) || !s.options.one_of_several) return {none};
+  return {{scale_colour(0.5),
+           QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title, colours.low_end(),
+                                              colours.high_end(), colours.scale)),
+           KeyMark::Scale},
+          none};
 }
 
 }  // namespace adore::agore

@@ -157,6 +157,13 @@ void DepthCanvas::sphere(const Point& centre, float radius, const Pole& pole, co
   }
 }
 
+float DepthCanvas::depth_at(QPointF pixel) const {
+  if (!(pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < width_ && pixel.y() < height_))
+    return -std::numeric_limits<float>::infinity();
+  return depth_[static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(pixel.x())];
+}
+
 QImage DepthCanvas::image(int shrink, const QRect& box) const {
   const auto start = [&](int row) {
     return colour_.data() + static_cast<std::ptrdiff_t>(box.top() + row) * shrink * width_ +

@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QImage>
+#include <QPointF>
 #include <QRect>
 
 #include <array>
@@ -58,6 +59,8 @@ class DepthCanvas {
   [[nodiscard]] QImage image(int shrink) const {
     return image(shrink, QRect(0, 0, width_ / shrink, height_ / shrink));
   }
+  /// Of the nearest surface there; minus infinity where nothing is drawn.
+  [[nodiscard]] float depth_at(QPointF pixel) const;
   /// Everything drawn since reset() lies in it.
   [[nodiscard]] QRect drawn() const { return drawn_; }
 

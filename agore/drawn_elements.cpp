@@ -83,6 +83,24 @@ KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const
   return {colour, what};
 }
 
+void name_arms(const Scene& s, double length, std::vector<KeyEntry>& key) {
+  if (!s.sketch.frame_named(length))
+    key.push_back({s.sketch.theme().muted, "longer arm of a frame: z", KeyMark::None});
+}
+
+void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
+                       std::vector<KeyEntry>& key) {
+  const auto& all = s.frame.elements;
+  const auto followed = [](const results::Sol8Element& e) {
+    return e.angles != std::array<double, 3>{};
+  };
+  if (element ? !followed(all.at(*element)) : std::none_of(all.begin(), all.end(), followed))
+    return;
+  const bool ball = s.animation.file.bearing_type == 1;
+  key.push_back({turning_mark_colour(s.sketch.theme()),
+                 ball ? "turns with the ball" : "turns with the roller", KeyMark::Turning});
+}
+
 KeyEntry trail_entry(const Scene& s) {
   return way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
                    "earlier frames");

@@ -74,11 +74,11 @@ void element_view(const Scene& s) {
     swept += std::abs(std::remainder(e.theta - frames[i - 1].elements.at(k).theta, 2.0 * kPi));
   }
   if (way.size() == 1 || !way[1].joined) way.erase(way.begin());  // where it is now
-  draw_way(s.sketch.painter(), s.sketch.area(), way, trail_colour(s), 2.4);
+  draw_way(s.sketch.painter(), s.sketch.area(), way, {trail_colour(s), 2.4, t.surface});
   const QPointF centre = element_centre(s, k);
   draw_element(s, k);
-  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
-                 t.blue);
+  const double arm = 0.62 * g.inner_race_inner_radius;
+  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], arm, t.blue);
   // Beside the arrow of the outer race, where there is one.
   const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   const bool loads = s.animation.contacts_at(s.index) != nullptr;
@@ -88,6 +88,8 @@ void element_view(const Scene& s) {
   std::vector<KeyEntry> key{{t.blue, "inner race frame"},
                             way_entry(trail_colour(s), s.animation.known_elements,
                                       "path of the element", "earlier frames")};
+  name_arms(s, arm, key);
+  name_turning_mark(s, k, key);
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);

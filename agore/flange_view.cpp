@@ -53,6 +53,7 @@ void flange_view(const Scene& s) {
   p.setBrush(shade);
   p.drawPath(turned.map(roller.outline()));
   std::vector<KeyEntry> key;
+  bool open = false;  // a gap is drawn
   for (std::size_t side = 0; side < 2; ++side) {
     if (!has_flange(s.animation, race, side)) continue;
     const double way = side == 0 ? -1.0 : 1.0;
@@ -60,6 +61,7 @@ void flange_view(const Scene& s) {
                  force = s.animation.value("flange.force", s.index, place(side));
     const bool near = std::isfinite(gap) && gap != 0.0;
     const double face = way * (0.5 * length + (near ? std::max(gap, 0.0) * factor : 0.14 * length));
+    open = open || (near && gap > 0.0);
     const double wall = 0.12 * length;
     QPainterPath flange;
     flange.addRect(QRectF(std::min(face, face + way * wall), -1.25 * radius, wall, 2.5 * radius));
@@ -82,13 +84,14 @@ void flange_view(const Scene& s) {
                                              force > 0.0 ? desktop::pretty_quantity(
                                                                                    force, s.animation.file.units[2], 3)
                                                                              : std::string("no contact"),
-                                             gap < 0.0 ? "pressed in by" : "gap",
+                                             gap < 0.0 ? "pressed in (not drawn) by" : "gap",
                                                                  desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
   draw_key(s, key,
            QString::fromStdString(
-               fmt::format("roller {} at the {} race  ·  gaps × {}  ·  skew (Phi) {}°, to scale{}",
-                           k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
+               fmt::format("roller {} at the {} race{}  ·  skew (Phi) {}°, to scale{}", k + 1,
+                           race == 0 ? "outer" : "inner",
+                           open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
                            desktop::tick_text(skew * 180.0 / kPi, 3),
                            too_low(s.options, s.sketch.area().height())
                                ? ""

@@ -27,8 +27,7 @@ const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
 
 struct Request {
   std::filesystem::path file, folder;
-  std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none",
-              scale = "usual";
+  std::string view = "bearing", race, size = "1280x800", film, colour = "none", scale = "usual";
   std::string beside, project;
   int frame = 0, every = 0, rate = 25;
   bool follow = false;
@@ -39,6 +38,7 @@ int render(int& argc, char** argv, Request& request) {
   if (request.file.empty()) throw InputError("--render needs an animation file (SOL8) to draw");
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
+  if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
   const auto& note = picture.animation().file.note;
   if (!note.empty()) fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
   if (!request.film.empty()) {
@@ -97,14 +97,9 @@ int show(int& argc, char** argv, const Request& request) {
   if (request.file.empty())
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
   else if (window.openFile(request.file)) {
-    window.setView(request.options.view.view, request.options.view.element);
-    const agore::ViewOptions& view = request.options.view;
-    for (const agore::SideView& side : view.beside) window.setBeside(side.view, true);
-    window.setContacts(view.contacts);
-    window.setTrails(view.trails);
-    window.setExaggeration(view.exaggeration);
-    window.setColour(view.colour);
-    if (view.scale != agore::ScaleChoice{}) window.setScale(view.scale);  // else as chosen last
+    agore::ViewOptions view = request.options.view;
+    if (request.race.empty()) agore::choose_flange_race(window.picture()->animation(), view);
+    window.showAsAsked(view);
     if (request.follow) window.follow(true);
   }
   return QApplication::exec();
@@ -134,8 +129,9 @@ int main(int argc, char** argv) {
                        kViews);
   cli.add_option("--beside", request.beside, "further views at the same frame, separated by commas")
       ->type_name("LIST");
-  command_line::one_of(cli.add_option("--race", request.race, "race of the race view")
-                           ->capture_default_str()
+  command_line::one_of(cli.add_option("--race", request.race,
+                                      "race of the race view (the inner one unless given) and of "
+                                      "the flange view (one that has a flange)")
                            ->type_name("RACE"),
                        {"outer", "inner"});
   command_line::at_least(
@@ -201,8 +197,9 @@ int main(int argc, char** argv) {
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
-    request.options.view.view = agore::view_named(request.view, request.race);
-    request.options.view.beside = agore::views_beside(request.beside, request.race);
+    const std::string race = request.race.empty() ? "inner" : request.race;
+    request.options.view.view = agore::view_named(request.view, race);
+    request.options.view.beside = agore::views_beside(request.beside, race);
     request.options.view.flange_race = request.race == "outer" ? 0 : 1;
     request.options.view.colour = agore::colour_named(request.colour);
     request.options.view.scale = agore::scale_named(request.scale);

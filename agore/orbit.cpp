@@ -7,6 +7,22 @@
 
 namespace adore::agore {
 
+namespace {
+
+/// Of the rest of an orbit: greyer and paler than its way so far, and still seen on paper.
+QColor later_colour(const desktop::Theme& theme) {
+  return theme.kind == desktop::ThemeKind::Dark ? theme.muted.darker(130) : theme.curves[7];
+}
+
+}  // namespace
+
+KeyEntry later_entry(const Scene& s) {
+  const bool later = s.index + 1 < s.animation.frames();
+  const QString there = "still to come", none = "nothing still to come";
+  return {later_colour(s.sketch.theme()), later ? there : none,
+          later ? KeyMark::Line : KeyMark::None, later ? none : there};
+}
+
 DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {
   QPointF middle(0.0, 0.0);
   if (!(reference > 0.0)) {
@@ -37,12 +53,10 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
       way.push_back({place(orbit[i]), s.animation.way_known(i)});
   };
   QPainter& p = s.sketch.painter();
-  QColor pale = t.curves[0];
-  pale.setAlpha(70);
   path(s.index, orbit.size() - 1);
-  draw_way(p, s.sketch.area(), way, pale, 1.2);
+  draw_way(p, s.sketch.area(), way, {later_colour(t), 1.2});
   path(0, s.index);
-  draw_way(p, s.sketch.area(), way, t.curves[0], 1.6);
+  draw_way(p, s.sketch.area(), way, {t.curves[0], 1.6});
   p.setPen(QPen(t.surface, 1.5));
   p.setBrush(t.curves[0]);
   p.drawEllipse(way.back().at, 5.5, 5.5);

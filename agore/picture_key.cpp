@@ -15,14 +15,40 @@
 
 namespace adore::agore {
 
+namespace {
+
+/// Of a text, with what no line may end within: "78 N" and "× 10" mean nothing in two parts.
+QStringList unbroken(const QString& text) {
+  QStringList out;
+  bool goes_on = false;
+  for (const QString& word : text.split(' ')) {
+    if (goes_on || (!out.isEmpty() && word.startsWith(QChar(0xd7))))
+      out.back() += " " + word;
+    else
+      out << word;
+    const QChar last = word.isEmpty() ? QChar() : word.back();
+    const bool number = !word.isEmpty() && word.front().isDigit() && last.isDigit();
+    goes_on = number || word == QString(QChar(0xd7)) || word == "≥" || word == "≤";
+  }
+  return out;
+}
+
+}  // namespace
+
 QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics) {
   QStringList out;
-  for (const QString& word : text.split(' ')) {
-    const QString longer = out.isEmpty() ? word : out.back() + " " + word;
+  const auto add = [&](const QString& part) {
+    const QString longer = out.isEmpty() ? part : out.back() + " " + part;
     if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
       out.back() = longer;
     else
-      out << word;
+      out << part;
+  };
+  for (const QString& part : unbroken(text)) {
+    if (metrics.horizontalAdvance(part) <= width)
+      add(part);
+    else  // no line is wide enough for all of it
+      for (const QString& word : part.split(' ')) add(word);
   }
   return out;
 }
@@ -31,30 +57,6 @@ namespace {
 
 constexpr double kKeyIndent = 26.0;
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
-
-void draw_mark(QPainter& p, KeyMark mark, const QColor& colour, QPointF at) {
-  const double length = kKeyIndent - 8.0;
-  if (mark == KeyMark::Star) {
-    // Without the rim that keeps it readable on steel: on dark paper that would be a blob.
-    p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
-    for (int i = 0; i < 3; ++i) {
-      const double a = kPi * (i / 3.0 + 0.5);
-      const QPointF d = 5.0 * QPointF(std::cos(a), std::sin(a));
-      p.drawLine(at + QPointF(0.5 * length, 0.0) - d, at + QPointF(0.5 * length, 0.0) + d);
-    }
-    return;
-  }
-  if (mark == KeyMark::Dots) {
-    constexpr double kWidth = 2.0;  // of the ways in the pictures
-    for (const double part : {0.1, 0.5, 0.9})
-      draw_frame_mark(p, at + QPointF(part * length, 0.0), kWidth, colour);
-    return;
-  }
-  QPen pen(colour, mark == KeyMark::Dashed ? 1.6 : 3.0, Qt::SolidLine, Qt::FlatCap);
-  if (mark == KeyMark::Dashed) pen.setDashPattern({4.0, 2.0});
-  p.setPen(pen);
-  p.drawLine(at, at + QPointF(length, 0.0));
-}
 
 /// Of the mark and its words, or of those that stand there in other frames.
 double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
@@ -79,7 +81,9 @@ QStringList wrapped(const QString& remark, double width, const QFontMetricsF& me
 
 int key_columns(std::size_t entries, QSizeF size) {
   constexpr double kSmall = 420.0, kTwoColumns = 2.0 * kKeyColumn;
-  return entries > 2 && size.height() < kSmall && size.width() >= kTwoColumns ? 2 : 1;
+  constexpr std::size_t kMany = 7;
+  const bool high = entries > kMany || (entries > 2 && size.height() < kSmall);
+  return high && size.width() >= kTwoColumns ? 2 : 1;
 }
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
@@ -201,12 +205,13 @@ Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   return out;
 }
 
-void draw_part(QPainter& p, const Placed& part, double line, QPointF corner, const QColor& colour) {
+void draw_part(QPainter& p, const Placed& part, double line, QPointF corner,
+               const desktop::Theme& theme) {
   double y = corner.y() + line * static_cast<double>(part.row + 1) - 4.0;
   const double left = corner.x() + part.left;
   const bool marked = part.entry != nullptr && part.entry->colour.isValid();
-  if (marked) draw_mark(p, part.entry->mark, part.entry->colour, {left, y - 4.0});
-  p.setPen(colour);
+  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, kKeyIndent - 8.0);
+  p.setPen(theme.muted);
   for (const QString& text : part.lines) {
     p.drawText(QPointF(marked ? left + kKeyIndent : left, y), text);
     y += line;
@@ -243,7 +248,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   p.setBrush(paper);
   p.drawPath(behind);
   p.setFont(desktop::ui_font(key.letters));
-  for (const Placed& part : key.parts) draw_part(p, part, key.line, corner, theme.muted);
+  for (const Placed& part : key.parts) draw_part(p, part, key.line, corner, theme);
   return {area.left(), corner.y(), widest + 10.0, key.height() + 2.0};
 }
 
@@ -251,11 +256,13 @@ double SharedKey::height() { return kLines * key_line() + 4.0; }
 
 void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
                      std::vector<KeyEntry> entries) {
-  // A mark that several pictures have is named once; words about what is not drawn say nothing
-  // here.
+  // What several pictures have is named once, with the mark of the first; words about what is not
+  // drawn say nothing here.
   std::vector<KeyEntry> each;
   for (KeyEntry& entry : entries)
-    if (entry.colour.isValid() && std::find(each.begin(), each.end(), entry) == each.end())
+    if (entry.colour.isValid() && std::none_of(each.begin(), each.end(), [&](const KeyEntry& e) {
+          return e.text == entry.text;
+        }))
       each.push_back(std::move(entry));
   if (!on_pixels(painter)) {
     paint(painter, place, theme, each);
@@ -288,7 +295,8 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   for (const Placed& part : key.parts) {
     const std::size_t end = part.row + static_cast<std::size_t>(part.lines.size());
     if (key.rows > last && end >= last) break;
-    draw_part(p, part, key.line, place.topLeft(), theme.muted);
+    draw_part(p, part, key.line, place.topLeft(), theme);
+    p.setPen(theme.muted);
     ++drawn;
   }
   if (drawn == entries.size()) return;

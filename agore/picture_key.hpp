@@ -19,7 +19,18 @@ namespace adore::agore {
 class Sketch;
 
 /// What stands before the words of a key, as in the picture.
-enum class KeyMark { Line, Dashed, Star, Dots };
+enum class KeyMark {
+  Line,
+  Dashed,
+  Star,
+  Dots,
+  Spot,     ///< on the face of a race
+  Arrow,    ///< a broad one
+  Turning,  ///< the mark of a body that turns, on steel
+  Disc,     ///< a body of that colour
+  Scale,    ///< the colours of a scale, from end to end
+  None      ///< what the picture has in other frames: its room alone
+};
 
 struct KeyEntry {
   QColor colour;  ///< invalid: words about what is not drawn
@@ -29,11 +40,15 @@ struct KeyEntry {
   bool operator==(const KeyEntry&) const = default;
 };
 
-/// Words in lines that fit, broken between words.
+/// The mark before an entry's words, about a place of the line that they stand on.
+void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Theme& theme,
+                   QPointF at, double length);
+
+/// Words in lines that fit, broken between words; a number and what it counts are one.
 [[nodiscard]] QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics);
 
-/// Columns in which a key of so many entries stands in a picture of a size: two in a small one, of
-/// which one would take half.
+/// Columns in which a key of so many entries stands in a picture of a size: two of many, and in a
+/// small one, of which one would take half.
 [[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
 
 /// The key in a picture's lower left corner. Setting its lines takes longer than all else of a

@@ -253,15 +253,14 @@ void pocket_view(const Scene& s) {
                          : QString("no contact")}};
   if (rollers && shape_known)
     key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
+  if (!rollers) name_turning_mark(s, k, key);
   const bool low = too_low(s.options, s.sketch.area().height());
+  if (!arrow_named) key.push_back({t.red, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),
                                    s.options.exaggeration > 0.0 ? " (this view's own)" : "");
   if (rollers) remark += skew_remark(lies.skew, pose.skew, low);
-  if (!low) {
-    remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);
-    if (!arrow_named) remark += "  ·  arrow: cage rotation";
-  }
+  if (!low) remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);
   if (!shape_known && rollers)
     remark += "  ·  as long as wide: SOL8 does not hold the length of rollers";
   else if (!shape_known && g.pocket_clearance_2 > 0.0)

@@ -50,8 +50,11 @@ void race_view(const Scene& s) {
   std::vector<KeyEntry> key{{t.blue, "frame of the race"},
                             {t.blue, "spot that turns with it", KeyMark::Star}};
   if (enlargement > 0.0)
-    key.push_back(way_entry(t.curves[0], s.animation.known_centres, "path of the race centre",
-                            "race centre at the frames"));
+    for (const KeyEntry& entry : {way_entry(t.curves[0], s.animation.known_centres,
+                                            "path of the race centre", "race centre at the frames"),
+                                  later_entry(s)})
+      key.push_back(entry);
+  name_arms(s, 0.7 * low, key);
   draw_key(s, key,
            QString::fromStdString(
                (enlargement > 0.0 ? fmt::format("path about its middle × {}",

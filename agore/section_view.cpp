@@ -1,6 +1,7 @@
 #include "agore/ring_profile.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/even_digits.hpp"
 
@@ -117,10 +118,12 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
       step.addRect(QRectF(a, cut.at(high + body.position[0], side)).normalized());
       fill(s, step, colour);
     }
-    s.sketch.painter().setPen(QPen(t.red, 2.4, Qt::SolidLine, Qt::FlatCap));
-    s.sketch.painter().drawLine(a, b);
+    for (const auto& [ink, width] : {std::pair{t.surface, 2.4 + 2.0 * kCasing}, {t.red, 2.4}}) {
+      s.sketch.painter().setPen(QPen(ink, width, Qt::SolidLine, Qt::FlatCap));
+      s.sketch.painter().drawLine(a, b);
+    }
   }
-  if (!lands.empty()) key.push_back({t.red, "guide lands"});
+  if (!lands.empty()) key.push_back({t.red, kGuideLands});
 }
 
 /// Flange forces on the roller, at its ends. Those are small beside race loads: their arrows are
@@ -211,10 +214,9 @@ void section_view(const Scene& s) {
     const double part = contact.load[j] / s.animation.contacts->largest_load;
     const QPointF tip(e.x + u.x() * g.element_radius, e.r + u.y() * g.element_radius);
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
-    // On light steel, whatever the paper is.
-    const QColor line = desktop::theme(desktop::ThemeKind::Light).curves[j];
-    s.sketch.painter().setPen(QPen(line, 1.6, Qt::DashLine));
-    s.sketch.painter().drawLine(cut.at(e.x, e.r), cut.at(tip.x(), tip.y()));
+    const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
+                                     {cut.at(tip.x(), tip.y()), true, false}};
+    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 1.8, t.surface, true});
     const std::string remark =
         load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
     key.push_back({t.curves[j],

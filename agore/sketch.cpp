@@ -26,6 +26,18 @@ QColor over(const QColor& paper, const QColor& colour) {
           mix(paper.blue(), colour.blue())};
 }
 
+/// Of two colours, after WCAG 2.
+double contrast(const QColor& a, const QColor& b) {
+  const auto light = [](const QColor& colour) {
+    const auto one = [](double v) {
+      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * one(colour.redF()) + 0.7152 * one(colour.greenF()) +
+           0.0722 * one(colour.blueF()) + 0.05;
+  };
+  return std::max(light(a), light(b)) / std::min(light(a), light(b));
+}
+
 /// Of the cage's side ring, and of its edge.
 std::array<QColor, 2> rail_colours(const desktop::Theme& theme) {
   std::array<QColor, 2> out{theme.cage.lighter(106), theme.cage.darker(125)};
@@ -41,6 +53,36 @@ bool on_pixels(const QPainter& painter) {
 
 void append_seen(QPolygonF& line, QPointF next) {
   if (line.isEmpty() || (next - line.back()).manhattanLength() > 0.5) line.append(next);
+}
+
+QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint) {
+  const QColor pale("#f0f0f0"),
+      dark = theme.kind == desktop::ThemeKind::Dark ? QColor(Qt::black) : theme.text;
+  return tint.isValid() && contrast(pale, tint) > contrast(dark, tint) ? pale : dark;
+}
+
+void draw_turning_mark(QPainter& painter, QPointF middle, double r,
+                       const std::array<double, 3>& mark, const QColor& colour) {
+  if (mark == std::array<double, 3>{}) return;
+  if (!std::isfinite(mark[0] + mark[1] + mark[2])) return;  // stars in the file
+  const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
+  constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
+  const double width = std::clamp(0.09 * r, 1.0, 5.0), dot = std::clamp(0.15 * r, 2.0, 10.0);
+  if (mark[2] >= kBehind) {
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle, tip);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawEllipse(tip, dot, dot);
+    return;
+  }
+  const double ring = std::clamp(0.06 * r, 1.0, 3.0), hole = dot - 0.5 * ring;
+  painter.setPen(QPen(colour, std::min(width, ring), Qt::SolidLine, Qt::RoundCap));
+  const QPointF way = tip - middle;
+  if (const double length = std::hypot(way.x(), way.y()); length > hole)
+    painter.drawLine(middle, middle + way * (1.0 - hole / length));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(tip, hole, hole);
 }
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
@@ -96,22 +138,27 @@ void Sketch::dashed_circle(QPointF centre, double radius, const QColor& colour,
   if (!(r > 0.0)) return;
   constexpr int kFew = 600;
   const QPointF there = at(centre.x(), centre.y());
-  stamp(there, r + width, {kDashes, {r, width}, {colour.rgba()}}, [&](QPainter& p, QPointF middle) {
-    const int count =
-        std::max(8, static_cast<int>(std::lround(2.0 * std::numbers::pi * r / (6.0 * width))));
-    const double step = 2.0 * std::numbers::pi / count;
-    QVector<QLineF> dashes;
-    for (int i = 0; i < count; ++i) {
-      const auto end = [&](double part) {
-        return r * QPointF(std::sin((i + part) * step), -std::cos((i + part) * step));
-      };
-      const QLineF dash(end(0.0), end(2.0 / 3.0));
-      if (count < kFew || area_.contains(there + dash.p1()) || area_.contains(there + dash.p2()))
-        dashes.append(dash.translated(middle));
-    }
-    p.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
-    p.drawLines(dashes);
-  });
+  stamp(there, r + width + kCasing, {kDashes, {r, width}, {colour.rgba()}},
+        [&](QPainter& p, QPointF middle) {
+          const int count = std::max(
+              8, static_cast<int>(std::lround(2.0 * std::numbers::pi * r / (6.0 * width))));
+          const double step = 2.0 * std::numbers::pi / count;
+          QVector<QLineF> dashes;
+          for (int i = 0; i < count; ++i) {
+            const auto end = [&](double part) {
+              return r * QPointF(std::sin((i + part) * step), -std::cos((i + part) * step));
+            };
+            const QLineF dash(end(0.0), end(2.0 / 3.0));
+            if (count < kFew || area_.contains(there + dash.p1()) ||
+                area_.contains(there + dash.p2()))
+              dashes.append(dash.translated(middle));
+          }
+          for (const auto& [ink, thick] :
+               {std::pair{theme_.surface, width + 2.0 * kCasing}, {colour, width}}) {
+            p.setPen(QPen(ink, thick, Qt::SolidLine, Qt::FlatCap));
+            p.drawLines(dashes);
+          }
+        });
 }
 
 void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -154,23 +201,9 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
   orientation_mark(there, r, mark, tint);
 }
 
-/// On the surface, paler on the far side; pale on a dark colour of the scale.
 void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
                               const QColor& tint) const {
-  if (mark == std::array<double, 3>{}) return;
-  if (!std::isfinite(mark[0] + mark[1] + mark[2])) return;  // stars in the file
-  const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
-  QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
-  constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
-  constexpr int kDark = 100;
-  if (tint.isValid() && qGray(tint.rgb()) < kDark) colour = QColor("#f0f0f0");
-  colour.setAlpha(mark[2] >= kBehind ? 255 : 130);
-  painter_.setPen(QPen(colour, std::clamp(0.09 * r, 1.0, 5.0), Qt::SolidLine, Qt::RoundCap));
-  painter_.drawLine(middle, tip);
-  painter_.setPen(Qt::NoPen);
-  painter_.setBrush(colour);
-  const double dot = std::clamp(0.15 * r, 2.0, 10.0);
-  painter_.drawEllipse(tip, dot, dot);
+  draw_turning_mark(painter_, middle, r, mark, turning_mark_colour(theme_, tint));
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
@@ -234,10 +267,14 @@ int letters_of(double pixels) { return std::clamp(static_cast<int>(pixels * 0.16
 
 }  // namespace
 
+bool Sketch::frame_named(double length) const {
+  constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
+  return length * scale_ >= kLeast;
+}
+
 std::vector<QPointF> Sketch::frame_names(QPointF centre, double angle, double length,
                                          double side) const {
-  constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
-  if (length * scale_ < kLeast) return {};
+  if (!frame_named(length)) return {};
   // Beside the tips: frames that point the same way lie on one line.
   const double beside = (0.7 * letters_of(length * scale_) + 5.0) / scale_;
   const double tip = std::hypot(length, beside), turn = side * std::atan2(beside, length);
@@ -248,8 +285,10 @@ std::vector<QPointF> Sketch::frame_names(QPointF centre, double angle, double le
 void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour,
                    double side) const {
   const QPointF origin = at(centre.x(), centre.y());
-  for (const double axis : {angle, angle - 0.5 * std::numbers::pi})
-    arrow(origin, around(centre, length, axis), colour, 2.4);
+  constexpr double kShorter = 0.6;  // y of arms without names
+  const double y = (frame_named(length) ? 1.0 : kShorter) * length;
+  arrow(origin, around(centre, y, angle - 0.5 * std::numbers::pi), colour, 2.4);
+  arrow(origin, around(centre, length, angle), colour, 2.4);
   const std::vector<QPointF> names = frame_names(centre, angle, length, side);
   for (std::size_t i = 0; i < names.size(); ++i)
     label(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_), true);
@@ -262,14 +301,19 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   const QPointF u = along / length;
   // A short arrow keeps half of its shaft, which is thinner than its head.
   const double head = std::min(0.5 * length, 5.0 + 3.2 * width);
-  painter_.setPen(QPen(colour, std::min(width, 0.4 * head), Qt::SolidLine, Qt::FlatCap));
-  painter_.drawLine(from, to - u * head * 0.8);
-  desktop::arrow_head(painter_, to, u, head, colour);
+  const double shaft = std::min(width, 0.4 * head);
+  const double casing = std::min(kCasing, 0.2 * length);  // no more of it than of the arrow
+  const QPointF neck = to - u * head * 0.8;
+  painter_.setPen(QPen(theme_.surface, shaft + 2.0 * casing, Qt::SolidLine, Qt::FlatCap));
+  painter_.drawLine(from, neck);
+  desktop::arrow_head(painter_, to, u, head, colour, QPen(theme_.surface, 2.0 * casing));
+  painter_.setPen(QPen(colour, shaft, Qt::SolidLine, Qt::FlatCap));
+  painter_.drawLine(from, neck);
 }
 
-void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour) {
-  // A pale rim keeps the mark readable on steel and on the ball's own mark.
-  for (const auto& pen : {QPen(QColor(255, 255, 255, 220), 5.0, Qt::SolidLine, Qt::RoundCap),
+void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
+                   const QColor& rim) {
+  for (const auto& pen : {QPen(rim, 5.0, Qt::SolidLine, Qt::RoundCap),
                           QPen(colour, 2.6, Qt::SolidLine, Qt::RoundCap)}) {
     painter.setPen(pen);
     for (int i = 0; i < 3; ++i) {
@@ -281,7 +325,7 @@ void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& 
 }
 
 void Sketch::asterisk(QPointF where, double size, const QColor& colour) const {
-  draw_asterisk(painter_, where, size, colour);
+  draw_asterisk(painter_, where, size, colour, theme_.surface);
 }
 
 void Sketch::label(QPointF where, const QString& text, const QColor& colour, int pixel_size,

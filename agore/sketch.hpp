@@ -18,8 +18,20 @@ bool on_pixels(const QPainter& painter);
 /// it adds nothing to be seen.
 void append_seen(QPolygonF& line, QPointF next);
 
-/// The mark of a contact, about a place of the picture.
-void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour);
+/// Of the edge in the paper's colour that marks over bodies have [pixels on each side]: whatever
+/// they lie on, they are told from it.
+inline constexpr double kCasing = 1.2;
+
+/// The mark of a contact, about a place of the picture, with a rim that keeps it readable on steel.
+void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
+                   const QColor& rim);
+
+/// The mark that turns with a body of radius `r` [pixels]: right, up, towards the viewer, in its
+/// radii; its end is hollow on the far side.
+void draw_turning_mark(QPainter& painter, QPointF middle, double r,
+                       const std::array<double, 3>& mark, const QColor& colour);
+/// Its colour on steel, and on the colours of a scale.
+[[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 class Sketch {
  public:
@@ -62,14 +74,16 @@ class Sketch {
   void cage(QPointF centre_yz, double angle, double outer_radius,
             const CageOutlines::Outline& outline) const;
   /// Two arms along the body's y and z axes; their names stand outside of them (`side` 1) or
-  /// between them (-1).
+  /// between them (-1). Where they are too short for names, z is the longer one.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour,
              double side = 1.0) const;
+  /// Are the arms long enough for their names?
+  [[nodiscard]] bool frame_named(double length) const;
   /// Where those names stand in the picture; none of axes that are too short for them.
   [[nodiscard]] std::vector<QPointF> frame_names(QPointF centre_yz, double angle, double length,
                                                  double side) const;
-  void arrow(QPointF from, QPointF to, const QColor& colour,
-             double width) const;                                         ///< picture positions
+  /// Between picture positions; its casing keeps it apart from what it lies on.
+  void arrow(QPointF from, QPointF to, const QColor& colour, double width) const;
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
   void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
              bool bold = false) const;  ///< centred

@@ -5,6 +5,7 @@
 #include "agore/view_scene.hpp"
 
 #include <optional>
+#include <vector>
 
 /// The bearing in space: what cannot be seen along its axis (contact angle, skew, tilt of rollers
 /// and cage). Parallel projection; the outer race is cut open towards the viewer. Races are to
@@ -21,12 +22,38 @@ struct Eye {
   Vec3 right, up, toward;
 };
 
+/// Half of what is cut out of the outer race, about the viewer's side [rad].
+inline constexpr double kOpen = 70.0 * kPi / 180.0;
+[[nodiscard]] double viewers_azimuth(const Eye& eye);
+/// Is the spot of the outer race on metal that is drawn?
+[[nodiscard]] bool outer_spot_shown(const Scene& scene, const Eye& eye);
+
+/// Centre as drawn: the clearances magnified across the axis, to scale along it.
+[[nodiscard]] Vec3 element_place(const Scene& scene, std::size_t k);
+
+/// A spot on a face of a race, which shows its turning.
+struct RaceSpot {
+  std::size_t race;
+  Vec3 centre;
+};
+/// Those on metal that is drawn.
+[[nodiscard]] std::vector<RaceSpot> race_spots(const Scene& scene, const Eye& eye);
+[[nodiscard]] double race_spot_radius(const Scene& scene);
+
+/// Of the marks that turn with elements in space: with light and shade of their own, for a flat
+/// dark one looks like a hole. On an element that the scale colours a grey, which is none of its
+/// colours, pale on dark ones and dark on pale ones.
+[[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
+
 /// Draws frames of one animation; keeps between them what does not move.
 class SolidLayer {
  public:
   /// Draws the bodies into the area of the scene's sketch, `oversample` pixels for one of it each
   /// way.
   void draw(const Scene& scene, int oversample, double pixel_ratio);
+  /// Do the bodies drawn last lie before a place of the picture, that far towards the viewer
+  /// [pixels]?
+  [[nodiscard]] bool hides(QPointF place, double depth) const;
   /// Magnification of skew and tilt of the rollers; 0 where there is none.
   double roller_factor(const Animation& animation);
 
@@ -42,6 +69,8 @@ class SolidLayer {
   };
   Key key_;
   DepthCanvas races_, canvas_;
+  QPointF corner_;      ///< of the canvas in the picture
+  double pixel_ = 1.0;  ///< of the canvas, in pixels of the picture
   std::optional<double> roller_factor_;
 };
 

@@ -46,33 +46,60 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
 
 namespace {
 
+/// Are the arms of a view's shortest frame too short for their letters? Its picture is nearly as
+/// large as a size.
+bool short_arms(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const auto& g = animation.file.geometry;
+  constexpr double kOfBore = 0.46, kOfCage = 0.5, kPart = 0.75, kLeast = 28.0;
+  const double length = options.view == View::Cage ? kOfCage * g.cage_inner_radius
+                                                   : kOfBore * g.inner_race_inner_radius;
+  const double half = 0.5 * kPart * std::min(size.width(), size.height());
+  return length * half / picture_radius(animation, options, size) < kLeast;
+}
+
+/// Did the run follow the turning of elements, so that they have a mark?
+bool has_turning_marks(const Animation& animation) {
+  const auto& elements = animation.file.frames.front().elements;
+  return std::any_of(elements.begin(), elements.end(), [](const results::Sol8Element& e) {
+    return e.angles != std::array<double, 3>{};
+  });
+}
+
 /// Entries of the keys of views that have many.
-std::size_t key_entries(const Animation& animation, const ViewOptions& options) {
+std::size_t key_entries(const Animation& animation, const ViewOptions& options, QSizeF size) {
   const std::size_t loads = options.contacts ? 2 : 0, trails = options.trails ? 1 : 0;
   const std::size_t guide = animation.guide != Guide::None ? 2 : 0;
-  if (options.view == View::Cage) return 3 + guide;
-  return 2 + (animation.has_cage ? 2 + guide : 0) + loads + trails;
+  const std::size_t scale = options.colour != ColourBy::None ? 1 : 0;
+  const std::size_t arms = short_arms(animation, options, size) ? 1 : 0;
+  const std::size_t turning = has_turning_marks(animation) ? 1 : 0;
+  switch (options.view) {
+    case View::Cage:
+      return 4 + guide + arms;
+    case View::Solid:
+      return 3 + turning + scale + loads + 2 * trails;
+    default:
+      return 2 + (animation.has_cage ? 2 + guide : 0) + arms + turning + scale + loads + trails;
+  }
 }
 
 /// Lines that the key of a view has at most, about 260 pixels wide.
 int key_lines(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  const int loads = options.contacts ? 1 : 0, trails = options.trails ? 1 : 0;
   switch (options.view) {
     case View::Bearing:
+    case View::Solid:
     case View::Cage: {
-      const auto entries = static_cast<int>(key_entries(animation, options));
+      const auto entries = static_cast<int>(key_entries(animation, options, size));
       const int columns = key_columns(static_cast<std::size_t>(entries), size);
       return (entries + columns - 1) / columns + 1;
     }
-    case View::Solid:
-      return 3 + 2 * loads + trails;
     case View::Element:
-      return 5;
+      return 6;
     case View::Pocket:
-    case View::Section:
-    case View::Flange:
     case View::OuterRace:
     case View::InnerRace:
+      return 4;
+    case View::Section:
+    case View::Flange:
       return 3;
   }
   return 0;
@@ -80,8 +107,9 @@ int key_lines(const Animation& animation, const ViewOptions& options, QSizeF siz
 
 /// Width of a view's key [pixels], as its longest line needs it.
 double key_width(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  const bool many = options.view == View::Bearing || options.view == View::Cage;
-  if (many && key_columns(key_entries(animation, options), size) == 2) return size.width();
+  const bool many =
+      options.view == View::Bearing || options.view == View::Cage || options.view == View::Solid;
+  if (many && key_columns(key_entries(animation, options, size), size) == 2) return size.width();
   switch (options.view) {
     case View::Solid:
       return 290.0;

@@ -156,6 +156,12 @@ std::string why_not(View view, const Animation& animation) {
   return {};
 }
 
+void choose_flange_race(const Animation& animation, ViewOptions& options) {
+  if (!has_flange(animation, options.flange_race, 0) &&
+      !has_flange(animation, options.flange_race, 1))
+    options.flange_race = 1 - options.flange_race;
+}
+
 void check_view(const Animation& animation, const ViewOptions& options) {
   const std::string reason = why_not(options.view, animation);
   if (!reason.empty()) throw InputError(reason);

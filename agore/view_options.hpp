@@ -95,6 +95,9 @@ std::string view_title(View view);
 /// Why a view cannot be shown for this file ("the bearing has no cage"), or empty.
 std::string why_not(View view, const Animation& animation);
 
+/// Nobody chose a race: the flange view is of one that has a flange.
+void choose_flange_race(const Animation& animation, ViewOptions& options);
+
 /// @throws InputError when the file cannot show this view or has no such element.
 void check_view(const Animation& animation, const ViewOptions& options);
 

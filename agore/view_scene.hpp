@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 /// What the sources of the views share: one frame of an animation, and where its bodies are drawn.
@@ -66,6 +67,17 @@ struct TrailPoint {
   bool joined = false;  ///< is the way to the point before, which is a later frame, known?
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
+/// Lands that guide the cage, in whatever view.
+inline constexpr const char* kGuideLands = "guide lands";
+/// Says which arm of frames is z, where the shortest of them is too short for its names.
+void name_arms(const Scene& scene, double length, std::vector<KeyEntry>& key);
+/// Names the mark that turns with an element, or with all of them, where it is drawn: where a run
+/// followed the turning.
+void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
+                       std::vector<KeyEntry>& key);
+/// Of the rest of an orbit.
+[[nodiscard]] KeyEntry later_entry(const Scene& scene);
+
 /// Of a way in a key; `what`: "path" or the like, `places`: what its marks are where it is unknown.
 [[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
                                  const QString& places);
@@ -128,6 +140,7 @@ struct Colouring {
   bool below = false;            ///< beyond its lower end
   std::string scale;             ///< which scale it is, and what the run has beyond
   std::vector<double> value;     ///< of each element at the frame; empty: nothing to colour by
+  std::vector<bool> touches;     ///< a race: what does not has a colour of its own
   std::string why_none;
   [[nodiscard]] bool any() const { return !value.empty() && high > low; }
   /// Colour of an element; invalid: steel.
@@ -138,12 +151,14 @@ struct Colouring {
 };
 [[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
                                   const ScaleChoice& scale = {});
+/// Of an element that touches no race: a grey, which no scale has.
+[[nodiscard]] QColor no_contact_colour();
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);
 /// Bar with its ends, and what lies beyond them, in the upper right corner of the picture. One of
 /// several small pictures has no room for it: the key below them names its ends.
 void draw_scale(const Scene& scene, const Colouring& colouring);
-/// Those names.
+/// Those names, and that of elements without contact, for the key.
 [[nodiscard]] std::vector<KeyEntry> scale_entries(const Scene& scene);
 
 }  // namespace adore::agore

@@ -16,6 +16,12 @@ constexpr double kCell = 2.0;   // pixels within which one mark stands for sever
 
 double mark_size(double width) { return std::max(4.6, 2.0 * width); }
 
+void draw_dot(QPainter& painter, QPointF at, double size, const QColor& colour) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawEllipse(at, 0.5 * size, 0.5 * size);
+}
+
 /// Places where a mark adds something to be seen: a run of a thousand turns has a cloud of them.
 class Places {
  public:
@@ -42,15 +48,21 @@ class Places {
 }  // namespace
 
 void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& colour) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colour);
-  const double radius = 0.5 * mark_size(width);
-  painter.drawEllipse(at, radius, radius);
+  draw_dot(painter, at, mark_size(width), colour);
 }
 
-void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
-              const QColor& colour, double width) {
-  painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+namespace {
+
+/// One stroke of a way, its edge or its own ink: `extra` pixels wider than the way.
+void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
+            const WayLook& look, const QColor& ink, double extra) {
+  QPen pen(ink, look.width + extra, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  if (look.dashed) {  // of equal length, however wide the stroke is
+    constexpr double kDash = 4.0, kGap = 3.0;
+    pen.setDashPattern({kDash / pen.widthF(), kGap / pen.widthF()});
+    pen.setCapStyle(Qt::FlatCap);
+  }
+  painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   QPolygonF line;
   const auto end_line = [&](std::size_t last) {
@@ -65,6 +77,7 @@ void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>
     return i >= way.size() || (way[i].at - way[i - 1].at).manhattanLength() > kApart;
   };
   const auto marked = [&](std::size_t i) {
+    if (!way[i].frame) return false;
     const bool before = i > 0 && !way[i].joined, behind = i + 1 < way.size() && !way[i + 1].joined;
     return before || behind || ((i == 0 || apart(i)) && apart(i + 1));
   };
@@ -77,17 +90,33 @@ void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>
   if (!marks) return;
   Places places(area);
   const bool pixels = on_pixels(painter);
+  const double size = mark_size(look.width) + extra;
   QPolygonF points;
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (!marked(i) || !places.take(way[i].at)) continue;
     if (pixels)
       points.append(way[i].at);
     else
-      draw_frame_mark(painter, way[i].at, width, colour);
+      draw_dot(painter, way[i].at, size, ink);
   }
   // Round ends of lines without a length: a cloud of ellipses would take its time.
-  painter.setPen(QPen(colour, mark_size(width), Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(ink, size, Qt::SolidLine, Qt::RoundCap));
   painter.drawPoints(points);
+}
+
+}  // namespace
+
+void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
+              const WayLook& look) {
+  draw_ways(painter, area, {way}, look);
+}
+
+void draw_ways(QPainter& painter, const QRectF& area,
+               const std::vector<std::vector<WayPoint>>& ways, const WayLook& look) {
+  if (look.casing.isValid())
+    for (const std::vector<WayPoint>& way : ways)
+      stroke(painter, area, way, look, look.casing, 2.0 * kCasing);
+  for (const std::vector<WayPoint>& way : ways) stroke(painter, area, way, look, look.colour, 0.0);
 }
 
 }  // namespace adore::agore

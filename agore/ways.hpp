@@ -15,11 +15,24 @@ namespace adore::agore {
 struct WayPoint {
   QPointF at;           ///< in the picture
   bool joined = false;  ///< is the way from the point before known?
+  bool frame = true;    ///< of a frame, or where a body begins to hide the way
+};
+
+/// How a way is drawn: in which colour, how wide, with an edge of `casing` where it lies on bodies,
+/// in dashes where bodies hide it.
+struct WayLook {
+  QColor colour;
+  double width = 2.0;
+  QColor casing{};  ///< invalid: none
+  bool dashed = false;
 };
 
 /// `area`: nothing outside of it is seen.
 void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
-              const QColor& colour, double width);
+              const WayLook& look);
+/// Several over each other: no edge of one lies over another.
+void draw_ways(QPainter& painter, const QRectF& area,
+               const std::vector<std::vector<WayPoint>>& ways, const WayLook& look);
 
 /// The mark of a frame on a way, about a place of the picture.
 void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& colour);

@@ -127,6 +127,7 @@ void AgoreWindow::makeMenus() {
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
        {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
+       {tr("hollow end of a line that turns with a ball"), tr("it is on the far side")},
        {tr("pale areas of a curve"),
         tr("from the lowest to the highest value between stored steps")},
        {tr("Ctrl+E"), tr("saves a film")},
@@ -226,8 +227,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
           !has_flange(picture_->animation(), race_index, 1) &&
           why_not(View::Flange, picture_->animation()).empty())
         return desktop::show_message(this, tr("This race has no flange; the other one has."));
-      options_.flange_race = race_index;
-      askForElement(View::Flange);
+      askForElement(View::Flange, race_index);
     });
   menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
                   [this] { askForElement(View::Section); });

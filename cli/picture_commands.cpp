@@ -103,8 +103,10 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       ->capture_default_str()
       ->type_name("NUMBER");
   command_line::one_of(
-      command->add_option("--race", request->race, "race of the race and the flange view")
-          ->capture_default_str()
+      command
+          ->add_option("--race", request->race,
+                       "race of the race view (the inner one unless given) and of the flange view "
+                       "(one that has a flange)")
           ->type_name("RACE"),
       {"outer", "inner"});
   command

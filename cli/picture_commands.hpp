@@ -25,8 +25,8 @@ struct PlotRequest {
 };
 
 struct AnimateRequest {
-  std::string file, out = ".", view = "bearing", race = "inner", colour = "none", scale = "usual",
-                    movie, progress = "auto";
+  std::string file, out = ".", view = "bearing", race, colour = "none", scale = "usual", movie,
+                    progress = "auto";
   std::string beside;
   double yaw = 32.0, elevation = 18.0;
   int frame = 0, first = 1, last = 0, every = 1, frames_per_second = 25, element = 1;

@@ -10,4 +10,9 @@ namespace adore::desktop {
 /// chart's PNG is a third of its size then; nobody sees a difference.
 [[nodiscard]] QImage in_few_colours(const QImage& picture, std::size_t most = 256);
 
+/// The same of shaded bodies: what lies between the 256 colours is mixed of pixels beside each
+/// other (Floyd and Steinberg), so that shading has no stripes. Pixels of those colours, paper and
+/// most lines and letters, stay what they are.
+[[nodiscard]] QImage in_mixed_colours(const QImage& picture);
+
 }  // namespace adore::desktop

@@ -7,12 +7,17 @@
 namespace adore::desktop {
 
 void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
-                const QColor& colour) {
+                const QColor& colour, const QPen& casing) {
   const QPointF across(-direction.y(), direction.x());
-  painter.setPen(Qt::NoPen);
+  const QPolygonF head({tip, tip - direction * length + across * length * 0.42,
+                        tip - direction * length - across * length * 0.42});
   painter.setBrush(colour);
-  painter.drawPolygon(QPolygonF({tip, tip - direction * length + across * length * 0.42,
-                                 tip - direction * length - across * length * 0.42}));
+  if (casing.style() != Qt::NoPen) {
+    painter.setPen(casing);
+    painter.drawPolygon(head);
+  }
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(head);
 }
 
 QBrush ball_brush(QPointF centre, double radius, const QColor& lit, const QColor& middle,

@@ -2,6 +2,7 @@
 
 #include <QBrush>
 #include <QColor>
+#include <QPen>
 #include <QPointF>
 
 class QPainter;
@@ -9,9 +10,9 @@ class QPainter;
 /// Signs that the pictures of all programs share. Positions in pixels.
 namespace adore::desktop {
 
-/// Filled head of an arrow; `direction` is a unit vector.
+/// Filled head of an arrow; `direction` is a unit vector. `casing`: about it, below its fill.
 void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
-                const QColor& colour);
+                const QColor& colour, const QPen& casing = Qt::NoPen);
 
 /// A round body lit from the upper left: its colours towards the light, in the middle and at the
 /// rim.

@@ -67,14 +67,15 @@ void plot(const PlotRequest& request) {
 void animate(const AnimateRequest& request) {
   desktop::ensure_headless_application();
   agore::RenderOptions render;
-  render.view.view = agore::view_named(request.view, request.race);
+  const std::string race = request.race.empty() ? "inner" : request.race;
+  render.view.view = agore::view_named(request.view, race);
   render.view.element = request.element;
   render.view.flange_race = request.race == "outer" ? 0 : 1;
   render.view.colour = agore::colour_named(request.colour);
   render.view.scale = agore::scale_named(request.scale);
   render.view.contacts = request.contacts;
   render.view.trails = request.trails;
-  render.view.beside = agore::views_beside(request.beside, request.race);
+  render.view.beside = agore::views_beside(request.beside, race);
   render.view.yaw = request.yaw;
   render.view.elevation = request.elevation;
   render.view.dark = request.dark;
@@ -83,6 +84,7 @@ void animate(const AnimateRequest& request) {
   render.last = request.last;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);
+  if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
   if (!request.movie.empty()) {
     const std::filesystem::path film = folder / request.movie;  // an absolute name stays as it is

@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a gallery's pictures: a third fewer bytes than with 256, and no eye sees the difference; a
-/// scale of colours needs them all.
-constexpr std::size_t kColoursOfPages = 24, kColoursOfViews = 64, kColoursOfScales = 256;
+/// Of charts in a gallery: a third fewer bytes than with 256, and no eye sees the difference.
+/// Shaded bodies need them all, and mixtures of them.
+constexpr std::size_t kColoursOfPages = 24;
 
 /// Draws into one folder and remembers what the pictures are.
 class Gallery {
@@ -73,10 +73,8 @@ class Gallery {
       if (!agore::why_not(options.view, animation).empty()) return;
       const fs::path path = folder_ / ("view-" + name + ".png");
       desktop::save_image(
-          desktop::in_few_colours(
-              picture.image({size_.width, size_.height}, static_cast<std::size_t>(frame - 1),
-                            options),
-              options.colour == agore::ColourBy::None ? kColoursOfViews : kColoursOfScales),
+          desktop::in_mixed_colours(picture.image({size_.width, size_.height},
+                                                  static_cast<std::size_t>(frame - 1), options)),
           path);
       list_.emplace_back(path.filename().string(), agore::view_title(options.view));
     };

@@ -1,6 +1,9 @@
 #include "agore/agore_window.hpp"
+#include "agore/example_run.hpp"
 #include "agore/film_dialog.hpp"
+#include "agore/short_run.hpp"
 #include "agore/shown_window.hpp"
+#include "base/errors.hpp"
 #include "support/drops.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -250,6 +253,46 @@ TEST_CASE("agore_window: opening offers all that can be held, whatever was asked
     question->setIntValue(5);
     question->reject();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+TEST_CASE("agore_window: what a command asks for is what a picture of it shows", "[gui][slow]") {
+  test::use_qt();
+  for (const std::string& type : test::kTypes) {
+    AgoreWindow window;
+    window.resize(900, 560);
+    window.show();
+    REQUIRE(window.openFile(test::example_run(type) / "RESULTS.h5"));
+    MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
+    auto* canvas = window.findChild<PictureWidget*>();
+    REQUIRE(canvas != nullptr);
+    for (const char* const view :
+         {"bearing", "cage", "pocket", "element", "race", "flange", "section", "3d"})
+      for (const char* const race : {"outer", "inner"})
+        for (const int element : {1, 5, 99})
+          for (const char* const beside : {"", "flange", "race,pocket"}) {
+            ViewOptions asked;
+            asked.view = view_named(view, race);
+            asked.flange_race = std::string(race) == "outer" ? 0 : 1;
+            asked.element = element;
+            asked.beside = views_beside(beside, race);
+            asked.scale = window.options().scale;
+            INFO(type << ": --view " << view << " --race " << race << " --element " << element
+                      << " --beside " << beside);
+            std::string refused;
+            QImage wanted;
+            try {
+              wanted = picture.image(canvas->size(), window.currentFrame(), asked);
+            } catch (const InputError& error) {
+              refused = error.what();
+            }
+            CHECK(window.showAsAsked(asked) == refused.empty());
+            if (!refused.empty()) {
+              CHECK(take_message(window).toStdString() == refused);
+              continue;
+            }
+            CHECK(canvas->grab().toImage().convertToFormat(QImage::Format_RGB32) == wanted);
+          }
   }
 }
 

@@ -31,6 +31,39 @@ TEST_CASE("few_colours: a picture of few colours stays as it is, others nearly",
   CHECK(worst < 48);  // 256 colours for 1,024 boxes of 8: a few boxes off
 }
 
+TEST_CASE("few_colours: mixed shading has no stripes, and paper, lines and letters stay clean",
+          "[gui]") {
+  test::use_qt();
+  // A body lit from one side, on paper, with marks of many colours that want their own.
+  QImage shaded(400, 300, QImage::Format_RGB32);
+  shaded.fill(Qt::white);
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 400; ++x)
+      shaded.setPixelColor(x, y,
+                           QColor(90 + x * 120 / 400, 100 + x * 115 / 400, 110 + x * 110 / 400));
+  for (int i = 0; i < 400; ++i)
+    shaded.setPixelColor(i, 250, QColor::fromHsv(i * 359 / 400, 255, 220));
+  for (int x = 0; x < 400; ++x) shaded.setPixelColor(x, 280, Qt::black);
+  const auto worst = [&](const QImage& few) {  // of the light that an eye sees: of 8 by 8 pixels
+    double out = 0.0;
+    for (int y = 8; y + 8 < 200; y += 8)
+      for (int x = 0; x + 8 <= 400; x += 8) {
+        double off = 0.0;
+        for (int j = 0; j < 64; ++j)
+          off += qGray(few.pixel(x + j % 8, y + j / 8)) - qGray(shaded.pixel(x + j % 8, y + j / 8));
+        out = std::max(out, std::abs(off) / 64.0);
+      }
+    return out;
+  };
+  const QImage mixed = desktop::in_mixed_colours(shaded);
+  CHECK(mixed.colorCount() <= 256);
+  CHECK(worst(mixed) < 1.5);
+  CHECK(worst(desktop::in_few_colours(shaded, 64)) > 2.0);  // stripes
+  for (int y = 201; y < 300; ++y)
+    for (int x = 0; x < 400; x += 7)
+      if (y != 250 && y != 249 && y != 251) REQUIRE(mixed.pixel(x, y) == shaded.pixel(x, y));
+}
+
 TEST_CASE("text_faults: words over each other and beyond the edge are named", "[gui]") {
   test::use_qt();
   desktop::ChartScene scene;

@@ -1,0 +1,86 @@
+#include "agore/picture_key.hpp"
+#include "agore/sketch.hpp"
+#include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
+#include "desktop/picture_marks.hpp"
+
+#include <cmath>
+#include <numbers>
+
+/// What stands before the words of a key: small drawings of the marks in the pictures.
+namespace adore::agore {
+namespace {
+
+void draw_star(QPainter& p, QPointF middle, const QColor& colour) {
+  // Without the rim that keeps it readable on steel: on paper it needs none.
+  p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
+  for (int i = 0; i < 3; ++i) {
+    const double a = std::numbers::pi * (i / 3.0 + 0.5);
+    const QPointF d = 5.0 * QPointF(std::cos(a), std::sin(a));
+    p.drawLine(middle - d, middle + d);
+  }
+}
+
+}  // namespace
+
+void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& theme, QPointF at,
+                   double length) {
+  const QColor& colour = entry.colour;
+  const QPointF middle = at + QPointF(0.5 * length, 0.0), end = at + QPointF(length, 0.0);
+  constexpr double kBody = 5.5, kSpot = 3.5;  // pixels
+  switch (entry.mark) {
+    case KeyMark::None:
+      return;
+    case KeyMark::Star:
+      return draw_star(p, middle, colour);
+    case KeyMark::Dots: {
+      constexpr double kWidth = 2.0;  // of the ways in the pictures
+      for (const double part : {0.1, 0.5, 0.9})
+        draw_frame_mark(p, at + QPointF(part * length, 0.0), kWidth, colour);
+      return;
+    }
+    case KeyMark::Spot:
+      p.setPen(Qt::NoPen);
+      p.setBrush(colour);
+      p.drawEllipse(middle, kSpot, kSpot);
+      return;
+    case KeyMark::Disc:
+      p.setPen(QPen(theme.steel_dark.darker(150), 1.0));
+      p.setBrush(colour);
+      p.drawEllipse(middle, kBody, kBody);
+      return;
+    case KeyMark::Turning:
+      p.setPen(QPen(theme.steel_dark.darker(150), 1.0));
+      p.setBrush(theme.steel_light);
+      p.drawEllipse(middle, kBody, kBody);
+      draw_turning_mark(p, middle, kBody, {0.6, 0.6, 1.0}, colour);
+      return;
+    case KeyMark::Scale: {
+      QLinearGradient shade(at, end);
+      constexpr int kStops = 12;
+      for (int i = 0; i <= kStops; ++i)
+        shade.setColorAt(static_cast<double>(i) / kStops,
+                         scale_colour(static_cast<double>(i) / kStops));
+      p.setPen(Qt::NoPen);
+      p.setBrush(shade);
+      p.drawRect(QRectF(at - QPointF(0.0, 4.0), end + QPointF(0.0, 4.0)));
+      return;
+    }
+    case KeyMark::Arrow: {
+      constexpr double kHead = 10.0;
+      p.setPen(QPen(colour, 5.0, Qt::SolidLine, Qt::FlatCap));
+      p.drawLine(at, end - QPointF(0.8 * kHead, 0.0));
+      desktop::arrow_head(p, end, {1.0, 0.0}, kHead, colour);
+      return;
+    }
+    case KeyMark::Line:
+    case KeyMark::Dashed: {
+      QPen pen(colour, entry.mark == KeyMark::Dashed ? 1.6 : 3.0, Qt::SolidLine, Qt::FlatCap);
+      if (entry.mark == KeyMark::Dashed) pen.setDashPattern({4.0, 2.0});
+      p.setPen(pen);
+      p.drawLine(at, end);
+    }
+  }
+}
+
+}  // namespace adore::agore

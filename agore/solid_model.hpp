@@ -1,0 +1,114 @@
+#pragma once
+
+#include "agore/depth_canvas.hpp"
+#include "agore/ring_profile.hpp"
+#include "agore/solid_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/// Parts of a bearing as triangles on a canvas, seen by an eye.
+namespace adore::agore {
+
+/// Directions at an azimuth: outwards and of increasing azimuth.
+inline Vec3 outwards(double azimuth) { return {0.0, -std::sin(azimuth), std::cos(azimuth)}; }
+inline Vec3 onwards(double azimuth) { return {0.0, -std::cos(azimuth), -std::sin(azimuth)}; }
+
+/// Bodies as triangles on a canvas.
+class Modeller {
+ public:
+  Modeller(DepthCanvas& canvas, const Eye& eye, double scale, QPointF middle)
+      : canvas_(canvas), eye_(eye), scale_(scale), middle_(middle) {}
+
+  [[nodiscard]] DepthCanvas::Point at(const Vec3& p) const {
+    return {static_cast<float>(middle_.x() + scale_ * p.dot(eye_.right)),
+            static_cast<float>(middle_.y() - scale_ * p.dot(eye_.up)),
+            static_cast<float>(scale_ * p.dot(eye_.toward)), 0.0F};
+  }
+  /// Of a surface seen from either side.
+  [[nodiscard]] float light(const Vec3& normal) const {
+    const double z = normal.dot(eye_.toward), side = z < 0.0 ? -1.0 : 1.0;
+    return light_of(static_cast<float>(side * normal.dot(eye_.right)),
+                    static_cast<float>(side * normal.dot(eye_.up)), static_cast<float>(side * z));
+  }
+  [[nodiscard]] DepthCanvas::Point at(const Vec3& p, const Vec3& normal) const {
+    DepthCanvas::Point out = at(p);
+    out.light = light(normal);
+    return out;
+  }
+  void flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Shades& shades) {
+    const auto lit = lit_corners(a, b, c, d);
+    if (lit) canvas_.quad((*lit)[0], (*lit)[1], (*lit)[2], (*lit)[3], shades);
+  }
+  /// Of a closed body, its corners clockwise where they are seen.
+  void front_flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                  const Shades& shades) {
+    if (!((c - a).cross(d - b).dot(eye_.toward) < 0.0)) return;
+    const auto lit = lit_corners(a, b, c, d);
+    if (lit) canvas_.quad((*lit)[0], (*lit)[1], (*lit)[2], (*lit)[3], shades);
+  }
+  void sphere(const Vec3& centre, double radius, const Vec3& pole, const Shades& shades,
+              const Shades& mark) {
+    canvas_.sphere(at(centre), static_cast<float>(scale_ * radius),
+                   {static_cast<float>(pole.dot(eye_.right)), static_cast<float>(pole.dot(eye_.up)),
+                    static_cast<float>(pole.dot(eye_.toward))},
+                   shades, mark);
+  }
+  [[nodiscard]] DepthCanvas& canvas() { return canvas_; }
+  /// Parts into which an arc [rad] of a radius is cut, so that its chords leave it by a quarter of
+  /// a pixel at most: as fine as it is seen.
+  [[nodiscard]] int parts(double radius, double arc) const {
+    constexpr double kSeen = 0.25, kMost = 1000.0;
+    return static_cast<int>(
+        std::clamp(std::ceil(arc / std::sqrt(8.0 * kSeen / (scale_ * radius))), 1.0, kMost));
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::array<DepthCanvas::Point, 4>> lit_corners(const Vec3& a,
+                                                                             const Vec3& b,
+                                                                             const Vec3& c,
+                                                                             const Vec3& d) const {
+    Vec3 normal = (c - a).cross(d - b);
+    const double size = normal.norm();
+    if (!(size > 0.0)) return std::nullopt;
+    normal /= size;
+    const float lit = light(normal);
+    std::array<DepthCanvas::Point, 4> out{at(a), at(b), at(c), at(d)};
+    for (DepthCanvas::Point& p : out) p.light = lit;
+    return out;
+  }
+  DepthCanvas& canvas_;
+  const Eye& eye_;
+  double scale_;
+  QPointF middle_;
+};
+
+/// A ring over the azimuths from `begin` to `end`.
+void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& shift, double begin,
+              double end, const Shades& shades);
+
+/// What a guide land faces on its race, over the ring's surface by `proud`.
+void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<double, double> arc,
+               const Shades& shades, double proud);
+
+/// Where the sector of one pocket of the cage is, and its hole, as drawn.
+struct PocketMesh {
+  double half_angle, half_round;  ///< of the sector [rad]; of the hole, length the way round
+  bool round;                     ///< hole: an ellipse, or a window
+  double taper = 0.0;             ///< of a window, as its roller
+};
+
+/// The sector of one pocket. `open_end`: does the cage end there, before and after it?
+void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
+                   const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
+                   const std::array<bool, 2>& open_end, const Shades& shades);
+
+/// `first`: where its mark is, across the axis; none: no mark.
+void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
+                const Vec3& first, const Shades& shades, const Shades& mark);
+
+}  // namespace adore::agore

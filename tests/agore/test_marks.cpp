@@ -1,0 +1,221 @@
+#include "agore/example_run.hpp"
+#include "agore/made_run.hpp"
+#include "agore/motion_picture.hpp"
+#include "agore/picture_words.hpp"
+#include "agore/solid_view.hpp"
+#include "agore/view_scene.hpp"
+#include "support/qt_app.hpp"
+
+#include <QImage>
+#include <QPainter>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+/// Marks over bodies: what can be told from what it lies on, and what hides what.
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+/// Contrast of two colours after WCAG 2.
+double contrast(QRgb a, QRgb b) {
+  const auto light = [](QRgb c) {
+    const auto one = [](int v) {
+      const double s = v / 255.0;
+      return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * one(qRed(c)) + 0.7152 * one(qGreen(c)) + 0.0722 * one(qBlue(c)) + 0.05;
+  };
+  return std::max(light(a), light(b)) / std::min(light(a), light(b));
+}
+
+/// Pixels of a mark's own colour, and those of them beside which, within a few pixels, nothing has
+/// three times or a third of their light.
+struct Seen {
+  int all = 0, lost = 0;
+};
+Seen seen_of(const QImage& image, const QColor& colour) {
+  constexpr int kNear = 6;
+  Seen out;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      if (image.pixel(x, y) != colour.rgb()) continue;
+      ++out.all;
+      bool apart = false;
+      for (int j = std::max(0, y - kNear); j <= std::min(image.height() - 1, y + kNear); ++j)
+        for (int i = std::max(0, x - kNear); i <= std::min(image.width() - 1, x + kNear); ++i)
+          apart = apart || contrast(image.pixel(i, j), colour.rgb()) >= 3.0;
+      out.lost += !apart;
+    }
+  return out;
+}
+
+/// Without the key.
+QImage picture_of(const Animation& animation, std::size_t frame, const ViewOptions& options) {
+  QImage image(700, 900, QImage::Format_RGB32);
+  image.fill(theme_of(options).surface);
+  QPainter painter(&image);
+  paint_picture(painter, QRectF(0, 0, 700, 900), animation, frame, options);
+  painter.end();
+  return image.copy(0, 0, 700, 740);
+}
+
+}  // namespace
+
+TEST_CASE("marks: every colour stands out from what it lies on by 3:1, light and dark",
+          "[gui][agore][slow]") {
+  test::use_qt();
+  for (const std::string& type : test::kTypes) {
+    const Animation animation = open_motion(test::example_run(type) / "RESULTS.h5");
+    const std::size_t frame = animation.frames() - 1;
+    for (const bool dark : {false, true})
+      for (const ColourBy colour : {ColourBy::None, ColourBy::Slip})
+        for (const View view :
+             {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace,
+              View::InnerRace, View::Section, View::Flange, View::Solid}) {
+          ViewOptions options;
+          options.view = view;
+          options.dark = dark;
+          options.colour = colour;
+          options.contacts = options.trails = true;
+          choose_flange_race(animation, options);
+          if (!why_not(view, animation).empty()) continue;
+          const desktop::Theme& t = theme_of(options);
+          const QImage image = picture_of(animation, frame, options);
+          for (const QColor& mark : {t.red, t.green, t.blue, t.light_blue, t.curves[0], t.curves[1],
+                                     t.curves[2], t.curves[3], turning_mark_colour(t)}) {
+            const Seen seen = seen_of(image, mark);
+            INFO(type << ", " << view_title(view) << (dark ? ", dark, " : ", light, ")
+                      << mark.name().toStdString() << ": " << seen.lost << " of " << seen.all);
+            CHECK(seen.lost <= seen.all / 50);
+          }
+        }
+  }
+}
+
+TEST_CASE("marks: turning marks stand out from every colour of a scale", "[unit][agore]") {
+  for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
+    const desktop::Theme& t = desktop::theme(kind);
+    for (int i = 0; i <= 100; ++i) {
+      const QColor tint = i == 100 ? no_contact_colour() : scale_colour(i / 99.0);
+      INFO(tint.name().toStdString());
+      CHECK(contrast(turning_mark_colour(t, tint).rgb(), tint.rgb()) >= 3.0);
+      CHECK(contrast(solid_mark_colour(t, tint).rgb(), tint.rgb()) >= 3.0);
+    }
+    CHECK(contrast(turning_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
+    CHECK(contrast(solid_mark_colour(t).rgb(), t.steel_light.rgb()) >= 3.0);
+  }
+}
+
+TEST_CASE("marks: an element without contact has a colour of its own, which the key names",
+          "[gui][agore][h5]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  test::write_run(folder);
+  Animation animation = open_motion(folder / "RESULTS.h5");
+  constexpr std::size_t kFree = 2;
+  const std::size_t frame = 12;
+  // Nobody else has these values: they are read once, and kept.
+  auto& load = const_cast<results::MotionChannel&>(*animation.motion->channel("contact.load"));
+  for (const std::size_t at : {2 * kFree, 2 * kFree + 1})
+    load.values.at(frame * load.width + at) = 0.0;
+  int coloured = 0;
+  for (const ColourBy by : {ColourBy::Load, ColourBy::Slip, ColourBy::Heat}) {
+    const Colouring colours = colouring(animation, frame, by);
+    if (!colours.any()) continue;
+    ++coloured;
+    for (std::size_t k = 0; k < 8; ++k) {
+      INFO("ball " << k + 1 << ", by " << static_cast<int>(by));
+      CHECK((colours.of(k) == no_contact_colour()) == (k == kFree));
+    }
+  }
+  REQUIRE(coloured >= 2);
+  for (int i = 0; i <= 255; ++i) {
+    const QColor used = scale_colour(i / 255.0), none = no_contact_colour();
+    CHECK(std::abs(used.red() - none.red()) + std::abs(used.green() - none.green()) +
+              std::abs(used.blue() - none.blue()) >
+          100);
+  }
+  MotionPicture picture(std::move(animation));
+  ViewOptions options;
+  options.colour = ColourBy::Slip;
+  for (const View view : {View::Bearing, View::Solid}) {
+    options.view = view;
+    CHECK(picture.svg({1280, 800}, frame, options).contains("no contact<"));
+    options.beside = {{View::Section}, {View::Pocket}, {View::Cage}};
+    CHECK(picture.svg({700, 450}, frame, options).contains("no contact<"));
+    options.beside.clear();
+  }
+}
+
+TEST_CASE("marks: a path behind bodies is dashed in 3D, and no load hides a race's spot",
+          "[gui][agore]") {
+  test::use_qt();
+  const Animation animation = open_motion(test::example_run("ball") / "RESULTS.h5");
+  MotionPicture picture(animation);
+  const std::size_t frame = animation.frames() - 1;
+  ViewOptions options;
+  options.view = View::Solid;
+  options.trails = true;
+  CHECK(picture.svg({1280, 800}, frame, options).contains("behind a body"));
+  // A bearing without the bodies that hide: from the front the cage and the balls lie over a half
+  // of what is drawn with no gaps where nothing hides it.
+  const QColor way = theme_of(options).curves[3];
+  const auto inked = [&] { return seen_of(picture_of(animation, frame, options), way).all; };
+  const int dashed = inked();
+  options.view = View::Bearing;
+  const int whole = inked();
+  CHECK(dashed > 20);
+  CHECK(dashed < whole);
+  // The spot of the inner race, where it is seen, with all loads around it.
+  options.view = View::Solid;
+  options.trails = false;
+  const QColor spot = theme_of(options).blue;
+  for (std::size_t i = 0; i < animation.frames(); i += animation.frames() / 8 + 1) {
+    options.contacts = false;
+    const int alone = seen_of(picture_of(animation, i, options), spot).all;
+    options.contacts = true;
+    CHECK(seen_of(picture_of(animation, i, options), spot).all == alone);
+  }
+}
+
+TEST_CASE("marks: a flange that is pressed in says that nothing of it is drawn larger",
+          "[gui][agore]") {
+  test::use_qt();
+  const Animation animation = open_motion(test::example_run("tapered") / "RESULTS.h5");
+  MotionPicture picture(animation);
+  ViewOptions options;
+  options.view = View::Flange;
+  choose_flange_race(animation, options);
+  int pressed = 0, open = 0;
+  for (std::size_t i = 0; i < animation.frames(); i += animation.frames() / 40 + 1)
+    for (options.element = 1; options.element <= animation.file.elements; options.element += 4) {
+      const QString words = test::all_words(picture.svg({700, 450}, i, options));
+      const bool gap = words.contains(", gap ");
+      if (words.contains("pressed in (not drawn) by")) ++pressed;
+      open += gap;
+      INFO(words.toStdString());
+      CHECK(words.contains("gap × ") == gap);
+    }
+  CHECK(pressed > 0);
+}
+
+TEST_CASE("marks: frames too short for letters have a longer arm for z, and the key says so",
+          "[gui][agore]") {
+  test::use_qt();
+  MotionPicture picture(open_motion(test::example_run("ball") / "RESULTS.h5"));
+  ViewOptions options;
+  options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
+  const QByteArray small = picture.svg({700, 450}, 5, options);
+  CHECK(small.contains("longer arm of a frame: z"));
+  CHECK(small.contains("cage rotation"));
+  CHECK(small.count("guide lands") == 1);
+  CHECK_FALSE(small.contains("guide land<"));
+  options.beside.clear();
+  const QByteArray large = picture.svg({1280, 800}, 5, options);
+  CHECK_FALSE(large.contains("longer arm"));
+  options.view = View::Pocket;
+  CHECK(picture.svg({1280, 800}, 5, options).contains("cage rotation"));
+}
