@@ -244,7 +244,7 @@ TEST_CASE("the same run gives the same bytes, whenever it is flushed", "[unit][h
 }
 
 TEST_CASE("a file of many blocks has the same bytes however its rows went out, and when continued",
-          "[unit][h5]") {
+          "[unit][h5][slow]") {
   const bearing::Bearing bearing = make_bearing(3);
   constexpr long kSteps = 6'000;  // so many blocks that their index grows
   TemporaryFolder folder;
