@@ -1,7 +1,10 @@
+#include "adrplot/plot_document.hpp"
+#include "adrplot/plot_pages.hpp"
 #include "adrplot/plot_window.hpp"
-#include "desktop/chart_scene.hpp"
+#include "desktop/chart_view.hpp"
 #include "desktop/page_export.hpp"
 #include "support/qt_app.hpp"
+#include "support/result_files.hpp"
 #include "support/synthetic_results.hpp"
 
 #include <QMessageBox>
