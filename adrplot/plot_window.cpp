@@ -8,7 +8,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressDialog>
 #include <QScrollArea>
@@ -44,7 +43,15 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(note_);
-  column->addWidget(view_, 1);
+  // In a low window the chart is scrolled: one that grew would go beyond the screen.
+  auto* room = new QScrollArea(this);
+  room->setObjectName("chart-room");
+  room->setWidget(view_);
+  room->setWidgetResizable(true);
+  room->setFrameShape(QFrame::NoFrame);
+  room->setFocusPolicy(Qt::NoFocus);
+  room->setMinimumSize(view_->minimumWidth(), 100);
+  column->addWidget(room, 1);
   cursors_ = new QLabel(this);
   cursors_->setObjectName("cursors");
   cursors_->setMargin(8);
@@ -69,7 +76,6 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   splitter->setSizes({270, 1010});
   setCentralWidget(splitter);
   tree_->setAccessibleName(tr("Files and pages"));
-  tree_->installEventFilter(this);
   makeButtons();
   makeMenus();
   new desktop::MenuKeys(*this);
@@ -113,18 +119,6 @@ QString PlotWindow::nameOf(const Document& document) {
   const QString file = QString::fromStdString(document.path.filename().string());
   const QString folder = QString::fromStdString(run_folder(document.path).filename().string());
   return document.on_disk && !folder.isEmpty() ? folder + "/" + file : file;
-}
-
-/// Home and End belong to the tree where that has the focus. Page Up and Page Down turn pages,
-/// wherever they are pressed.
-bool PlotWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tree_ && event->type() == QEvent::ShortcutOverride) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->modifiers() == Qt::NoModifier &&
-        (key->key() == Qt::Key_Home || key->key() == Qt::Key_End))
-      event->accept();
-  }
-  return QMainWindow::eventFilter(watched, event);
 }
 
 int PlotWindow::pageCount() const {
@@ -254,10 +248,10 @@ QString PlotWindow::fittedReadout() const {
   return most > 0 ? cut(most) : metrics.elidedText(cut(1), Qt::ElideMiddle, width);
 }
 
-/// What the cursors tell, in a third of the window at most.
+/// What the cursors tell, in a quarter of the window at most.
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
-  cursors_area_->setFixedHeight(std::clamp(needed, 0, height() / 3));
+  cursors_area_->setFixedHeight(std::clamp(needed, 0, height() / 4));
   cursors_area_->setVisible(!cursors_->text().isEmpty());
 }
 

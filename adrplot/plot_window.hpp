@@ -83,7 +83,6 @@ class PlotWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Document : PlotDocument {

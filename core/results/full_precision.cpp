@@ -209,7 +209,7 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
       at[i] = found->second;
       ++out.exact;
     }
-    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of its steps"};
+    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of these steps"};
     out.from_start = at[out.exact - 1] < reader->steps() &&
                      std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
                                  [&](std::size_t place) { return place == reader->steps(); });
@@ -229,16 +229,21 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
         step.revolutions = turns;
     }
 
+    const std::vector<long> numbers = reader->step_numbers();
+    out.end = numbers.empty() ? 0 : numbers.back();
     const std::size_t last = at.back(), rows = reader->steps();
-    if (most_added == 0 || last >= rows) return out;  // the file's end is the later one
+    // The file's end is the later one, or both have the same: an interval may have left it out.
+    const long own_end = std::max(file.last_step, file.steps.back().step);
+    if (most_added == 0 || last >= rows || out.end <= own_end) return out;
     const std::size_t every = distance_of(blocks);
-    const std::size_t behind = (rows - 1 - last) / every;
+    std::size_t first = last + every;
+    while (first < rows && numbers[first] <= own_end) first += every;
+    const std::size_t behind = first < rows ? (rows - 1 - first) / every + 1 : 0;
     out.added = std::min(behind, most_added);
     out.more = out.added < behind;
-    add_steps(file, *reader, times, last + every, out.added, every);
+    add_steps(file, *reader, times, first, out.added, every);
     // The end of a run is stored whatever its distance.
-    if (const std::size_t end = last + out.added * every;
-        !out.more && end + 1 < rows && out.added < most_added) {
+    if (!out.more && file.steps.back().step < out.end && out.added < most_added) {
       add_steps(file, *reader, times, rows - 1, 1, 1);
       ++out.added;
     }

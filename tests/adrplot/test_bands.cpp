@@ -197,7 +197,7 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   }
   CHECK(said(page, "Pale areas reach from"));
   // What one of them says is said of that one; what a curve does not have is not spoken of.
-  CHECK(said(page, "of the file's steps, every 5th one"));
+  CHECK(said(page, "of the file's steps, one of every 5"));
   CHECK_FALSE(said(combine_curves({gap}, Combine::Overlay, {}), "Pale"));
   const auto two = combine_curves({gap, moving}, Combine::Overlay, {});
   REQUIRE(two.panels.size() == 2);
@@ -210,7 +210,7 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   spectra.domain = Domain::Spectrum;
   const auto lines = combine_curves({force, force_of_few}, Combine::Overlay, spectra);
   CHECK_FALSE(said(lines, "Pale"));
-  CHECK(said(lines, "of the file's steps, every 5th one"));
+  CHECK(said(lines, "of the file's steps, one of every 5"));
 }
 
 TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {
