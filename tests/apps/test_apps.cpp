@@ -297,6 +297,8 @@ TEST_CASE("beside --project stand files alone; everything of a first window is r
   std::vector<Try> tries;
   const QString sol1 = folder + "/SOL1", sol8 = folder + "/SOL8";
   const QList<QStringList> of_plots{{"--render", folder + "/pictures"},
+                                    {"--page", "2"},
+                                    {"--dark"},
                                     {"--from", "2"},
                                     {"--to", "9"},
                                     {"--every", "2"},
@@ -308,7 +310,8 @@ TEST_CASE("beside --project stand files alone; everything of a first window is r
                                      {"--race", "outer"},
                                      {"--colour", "load"},
                                      {"--contacts"},
-                                     {"--trails"}};
+                                     {"--trails"},
+                                     {"--dark"}};
   for (const QStringList& options : of_plots) tries.push_back({"adrplot", sol1, options});
   for (const QStringList& options : of_motion) tries.push_back({"agore", sol8, options});
   for (const Try& one : tries) {
