@@ -507,9 +507,10 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
   if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
   std::vector<QPolygonF> drawn;
+  for (const ShownCurve& one : shown)  // below all curves: none has the colour of another's area
+    if (!panel.curves[one.curve].low.empty())
+      addBand(index, one.curve, area, y_axis, one.colour, drawn);
   for (const ShownCurve& one : shown) {
-    const ChartCurve& curve = panel.curves[one.curve];
-    if (!curve.low.empty()) addBand(index, one.curve, area, y_axis, one.colour, drawn);
     addShown(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }

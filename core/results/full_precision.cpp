@@ -331,8 +331,10 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
         const auto shown = [&](double value) {
           return columns[c].unit == nullptr ? value : from_si(value, *columns[c].unit, units);
         };
+        // Slip is 0 where nothing touched all the time: no extremes of it.
+        const bool slip = channel.ends_with(".slip");
         for (std::size_t i = 0; i < count; ++i)
-          if (used(first + i))
+          if (used(first + i) && !(slip && high[i * width + at] == 0.0))
             widen(out[c], step_of[first + i], shown(low[i * width + at]),
                   shown(high[i * width + at]));
       }
