@@ -471,10 +471,10 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
   ChartPage chart;
   chart.title = page.title;
   chart.note = page.note;
+  chart.about = subject(file.kind, file.header);
   chart.subtitle = fmt::format("{}   ·   {}   ·   {}   ·   page {} of {}",
                                file.header.run_id.empty() ? "(no run name)" : file.header.run_id,
-                               subject(file.kind, file.header), file.path.filename().string(),
-                               number, pages.size());
+                               chart.about, file.path.filename().string(), number, pages.size());
   if (file.steps.empty()) {
     chart.note = "The file holds no complete step" +
                  (file.note.empty() ? std::string(".") : ": " + file.note + ".");

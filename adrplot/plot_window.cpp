@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QProgressDialog>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTimer>
@@ -21,6 +22,11 @@
 #include <exception>
 
 namespace adore::adrplot {
+namespace {
+
+constexpr int kLeastChart = 100;  ///< height of a chart that scrolls
+
+}  // namespace
 
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
@@ -38,20 +44,22 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   note_->setMargin(8);
   note_->hide();
   view_ = new desktop::ChartView(this);
+  // On a low screen the chart scrolls: the lines below it never make the window grow.
+  auto* chart = new QScrollArea(this);
+  chart->setObjectName("chart");
+  chart->setWidget(view_);
+  chart->setWidgetResizable(true);
+  chart->setFrameShape(QFrame::NoFrame);
+  chart->setFocusPolicy(Qt::NoFocus);
+  chart->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  chart->setMinimumSize(view_->minimumWidth() + chart->verticalScrollBar()->sizeHint().width(),
+                        kLeastChart);
   auto* side = new QWidget(this);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(note_);
-  // In a low window the chart is scrolled: one that grew would go beyond the screen.
-  auto* room = new QScrollArea(this);
-  room->setObjectName("chart-room");
-  room->setWidget(view_);
-  room->setWidgetResizable(true);
-  room->setFrameShape(QFrame::NoFrame);
-  room->setFocusPolicy(Qt::NoFocus);
-  room->setMinimumSize(view_->minimumWidth(), 100);
-  column->addWidget(room, 1);
+  column->addWidget(chart, 1);
   cursors_ = new QLabel(this);
   cursors_->setObjectName("cursors");
   cursors_->setMargin(8);
@@ -248,10 +256,10 @@ QString PlotWindow::fittedReadout() const {
   return most > 0 ? cut(most) : metrics.elidedText(cut(1), Qt::ElideMiddle, width);
 }
 
-/// What the cursors tell, in a quarter of the window at most.
+/// What the cursors tell, in a third of the window at most, beside the least of the chart.
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
-  cursors_area_->setFixedHeight(std::clamp(needed, 0, height() / 4));
+  cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));
   cursors_area_->setVisible(!cursors_->text().isEmpty());
 }
 

@@ -17,6 +17,10 @@
 namespace adore::results {
 namespace {
 
+constexpr double kTurn = 2.0 * std::numbers::pi;
+/// Where the two sums of a long run's turns have rounded apart.
+constexpr double kLeastTurns = 1e-9;
+
 /// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room.
 constexpr double kSolDigits = 1e-6;
 
@@ -155,7 +159,6 @@ std::size_t distance_of(const std::vector<StepBlock>& blocks) {
 /// Adds the steps of RESULTS.h5 `first`, `first` + `every`, ... (`count` of them) to the file's.
 void add_steps(SolFile& file, const H5Reader& reader, const std::vector<double>& times,
                std::size_t first, std::size_t count, std::size_t every) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr std::size_t kPiece = 2048;
   const std::vector<long> numbers = reader.step_numbers();
   const ChannelColumns source{reader, file};
@@ -216,8 +219,15 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
     for (const bool replace : {false, true})
       for (const StepBlock& block : blocks)
         if (!use_block(file, *reader, block, replace)) return {kOtherRun};
-    for (std::size_t i = 0; i < file.steps.size(); ++i)
-      if (at[i] < reader->steps()) file.steps[i].time = times[at[i]];
+    const std::vector<double> shaft = reader->read("shaft_rotation");
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      if (at[i] >= reader->steps()) continue;
+      SolStep& step = file.steps[i];
+      step.time = times[at[i]];
+      if (const double turns = shaft[at[i]] / kTurn;
+          fits(step.revolutions, turns, kSolDigits, kLeastTurns))
+        step.revolutions = turns;
+    }
 
     const std::vector<long> numbers = reader->step_numbers();
     out.end = numbers.empty() ? 0 : numbers.back();
