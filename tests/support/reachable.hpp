@@ -224,7 +224,8 @@ inline QStringList keys_without_effect(QMainWindow& window) {
       }
   }
   for (const QAction* action : actions) QObject::disconnect(action, nullptr, action, nullptr);
-  if (places < 3 || actions.size() < 10) out << "too few places or keys";
+  if (places < 1 || actions.size() < 10)
+    out << QString("%1 places, %2 keys").arg(places).arg(actions.size());
   return out;
 }
 
