@@ -1,12 +1,15 @@
 #include "adrplot/plot_window.hpp"
 #include "adrplot/render.hpp"
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
+#include "desktop/dialogs.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/one_window.hpp"
+#include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QTimer>
@@ -25,14 +28,14 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
         "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv), or a "
         "study's "
         "folder, to draw");
+  end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
   return 0;
 }
 
 int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
-         const results::SolRange& range, adrplot::Abscissa abscissa, bool follow,
-         const std::string& project) {
+         const adrplot::RenderOptions& options, bool follow, const std::string& project) {
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Window);
   const QString folder = !project.empty() ? QString::fromStdString(project)
                          : !files.empty() ? desktop::folder_of(files.front())
@@ -46,6 +49,8 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
     return !project.empty() && !files.empty() && desktop::hand_over("adrplot", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AdrPlot")) return 0;
+  // For this time: what was chosen in a window stays chosen.
+  if (options.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   adrplot::PlotWindow window;
   std::optional<desktop::OneWindow> one;
   if (!files.empty())
@@ -55,15 +60,23 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
       if (grows) window.follow(true);
     });
   if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
-  window.setAbscissa(abscissa);
+  window.setAbscissa(options.view.abscissa);
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
   for (const auto& file : files) {
     if (std::filesystem::is_directory(file))
-      window.openFolder(QString::fromStdString(file.string()), range);
+      window.openFolder(QString::fromStdString(file.string()), options.range);
     else
-      window.openFile(file, range);
+      window.openFile(file, options.range);
   }
+  if (options.page > window.pageCount() && window.pageCount() > 0)
+    desktop::show_message(&window,
+                          QString("There is no page %1; the file shown has %2.")
+                              .arg(options.page)
+                              .arg(window.pageCount()),
+                          true);
+  else if (options.page > 0)
+    window.showPage(options.page);
   if (follow) window.follow(true);
   if (files.empty()) QTimer::singleShot(0, &window, &adrplot::PlotWindow::askForFile);
   return QApplication::exec();
@@ -95,8 +108,9 @@ int main(int argc, char** argv) {
       cli.add_option("--render", options.folder,
                      "write the pages as PNG into this folder instead of opening a window")
           ->type_name("DIR");
-  command_line::at_least(cli.add_option("--page", options.page, "only this page"), 1)
-      ->needs(folder);
+  command_line::at_least(
+      cli.add_option("--page", options.page, "only this page; in a window, the one shown first"),
+      1);
   command_line::at_least(
       cli.add_option("--from", options.range.from, "first stored step, counted from 1"), 1);
   command_line::at_least(cli.add_option("--to", options.range.to,
@@ -110,13 +124,14 @@ int main(int argc, char** argv) {
       ->needs(folder);
   bool follow = false;
   cli.add_flag("--follow", follow, "read the files again while a run goes on")->excludes(folder);
-  cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
+  cli.add_flag("--dark", options.dark, "dark colours");
   command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
   // A window that is there takes files alone.
-  for (const char* of_first : {"--render", "--from", "--to", "--every", "--abscissa"})
+  for (const char* of_first :
+       {"--render", "--page", "--from", "--to", "--every", "--abscissa", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrplot", [&] {
@@ -126,6 +141,6 @@ int main(int argc, char** argv) {
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
     if (!options.folder.empty()) return render(argc, argv, files, options);
-    return show(argc, argv, files, options.range, options.view.abscissa, follow, project);
+    return show(argc, argv, files, options, follow, project);
   });
 }

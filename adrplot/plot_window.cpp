@@ -8,10 +8,10 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressDialog>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTimer>
@@ -22,6 +22,11 @@
 #include <exception>
 
 namespace adore::adrplot {
+namespace {
+
+constexpr int kLeastChart = 100;  ///< height of a chart that scrolls
+
+}  // namespace
 
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
@@ -39,12 +44,22 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   note_->setMargin(8);
   note_->hide();
   view_ = new desktop::ChartView(this);
+  // On a low screen the chart scrolls: the lines below it never make the window grow.
+  auto* chart = new QScrollArea(this);
+  chart->setObjectName("chart");
+  chart->setWidget(view_);
+  chart->setWidgetResizable(true);
+  chart->setFrameShape(QFrame::NoFrame);
+  chart->setFocusPolicy(Qt::NoFocus);
+  chart->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  chart->setMinimumSize(view_->minimumWidth() + chart->verticalScrollBar()->sizeHint().width(),
+                        kLeastChart);
   auto* side = new QWidget(this);
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(note_);
-  column->addWidget(view_, 1);
+  column->addWidget(chart, 1);
   cursors_ = new QLabel(this);
   cursors_->setObjectName("cursors");
   cursors_->setMargin(8);
@@ -69,7 +84,6 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   splitter->setSizes({270, 1010});
   setCentralWidget(splitter);
   tree_->setAccessibleName(tr("Files and pages"));
-  tree_->installEventFilter(this);
   makeButtons();
   makeMenus();
   new desktop::MenuKeys(*this);
@@ -113,18 +127,6 @@ QString PlotWindow::nameOf(const Document& document) {
   const QString file = QString::fromStdString(document.path.filename().string());
   const QString folder = QString::fromStdString(run_folder(document.path).filename().string());
   return document.on_disk && !folder.isEmpty() ? folder + "/" + file : file;
-}
-
-/// Home and End belong to the tree where that has the focus. Page Up and Page Down turn pages,
-/// wherever they are pressed.
-bool PlotWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tree_ && event->type() == QEvent::ShortcutOverride) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->modifiers() == Qt::NoModifier &&
-        (key->key() == Qt::Key_Home || key->key() == Qt::Key_End))
-      event->accept();
-  }
-  return QMainWindow::eventFilter(watched, event);
 }
 
 int PlotWindow::pageCount() const {
@@ -254,10 +256,10 @@ QString PlotWindow::fittedReadout() const {
   return most > 0 ? cut(most) : metrics.elidedText(cut(1), Qt::ElideMiddle, width);
 }
 
-/// What the cursors tell, in a third of the window at most.
+/// What the cursors tell, in a third of the window at most, beside the least of the chart.
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
-  cursors_area_->setFixedHeight(std::clamp(needed, 0, height() / 3));
+  cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));
   cursors_area_->setVisible(!cursors_->text().isEmpty());
 }
 

@@ -221,7 +221,10 @@ void draw_scale(const Scene& s, const Colouring& colours) {
 std::vector<KeyEntry> scale_entries(const Scene& s) {
   if (s.options.colour == ColourBy::None) return {};
   const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
-  if (!colours.any()) return {};
+  if (!colours.any()) {
+    if (!scale_room(s.options, s.sketch.area().size()).isEmpty()) return {};  // said there
+    return {{s.sketch.theme().muted, QString::fromStdString(colours.why_none), KeyMark::None}};
+  }
   const KeyEntry none{no_contact_colour(), "no contact", KeyMark::Disc};
   if (!too_low(s.options, s.sketch.area().height()) || !s.options.one_of_several) return {none};
   return {{scale_colour(0.5),

@@ -1,5 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "agore/render.hpp"
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
@@ -8,6 +9,7 @@
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/one_window.hpp"
+#include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QFileInfo>
@@ -36,6 +38,7 @@ struct Request {
 
 int render(int& argc, char** argv, Request& request) {
   if (request.file.empty()) throw InputError("--render needs an animation file (SOL8) to draw");
+  end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
@@ -86,6 +89,8 @@ int show(int& argc, char** argv, const Request& request) {
                               {QFileInfo(QString::fromStdString(request.file)).absoluteFilePath()});
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AGORE")) return 0;
+  // For this time: what was chosen in a window stays chosen.
+  if (request.options.view.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   agore::AgoreWindow window;
   std::optional<desktop::OneWindow> one;
   if (!request.file.empty())
@@ -189,11 +194,11 @@ int main(int argc, char** argv) {
                "the path of every element, back over 0.8 of their spacing");
   cli.add_flag("--follow", request.follow, "read the files again while a run goes on")
       ->excludes(folder);
-  cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
+  cli.add_flag("--dark", request.options.view.dark, "dark colours");
   // A window that is there takes files alone.
   for (const char* of_first :
        {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--colour",
-        "--scale", "--contacts", "--trails", "--follow"})
+        "--scale", "--contacts", "--trails", "--follow", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {

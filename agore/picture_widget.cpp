@@ -11,7 +11,7 @@
 namespace adore::agore {
 
 PictureWidget::PictureWidget(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(520, 380);
+  setMinimumSize(520, 340);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the bearing"));
 }

@@ -252,6 +252,28 @@ TEST_CASE("real windows of all three programs open within a small screen and end
   }
 }
 
+TEST_CASE("real windows start dark and at the page that a command asks for",
+          "[gui][apps][window][slow]") {
+  adore::test::use_qt();
+  const auto desk = Desk::make("1280x800x24");
+  if (!desk) return;
+  const auto ends = [&desk](const QString& title) {
+    desk->xdotool({"windowactivate", "--sync", desk->window(title)});
+    desk->keys({"ctrl+q"});
+    return desk->ends();
+  };
+  desk->start("adrplot", {results() + "/SOL1", "--dark", "--page", "6"});
+  CHECK(desk->shows("page 6 of"));
+  CHECK(ends("page 6 of"));
+  desk->start("adrplot", {results() + "/SOL1", "--page", "600"});
+  CHECK(desk->shows("page 1 of"));
+  desk->keys({"Return"});  // the message that there is none
+  CHECK(ends("page 1 of"));
+  desk->start("agore", {results() + "/SOL8", "--dark"});
+  CHECK(desk->shows("Bearing motion"));
+  CHECK(ends("Bearing motion"));
+}
+
 TEST_CASE("real windows: files that are dragged from another program open where they are dropped",
           "[gui][apps][window][slow]") {
   adore::test::use_qt();
