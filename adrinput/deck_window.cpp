@@ -11,6 +11,7 @@
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/run_times.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
 #include "adrinput/time_scale.hpp"
@@ -66,6 +67,19 @@ QScrollArea* scrolled(QWidget* panel) {
   return area;
 }
 
+/// Of an array without elements, which has no field, the variable that counts them.
+std::optional<Cell> count_of_none(const Document& document, const Cell& cell) {
+  const deck::RecordSpec& spec = *page_record(cell.record);
+  const auto count =
+      std::find_if(spec.variables.begin(), spec.variables.end(),
+                   [&](const auto& one) { return one.name == variable_of(cell)->length; });
+  if (count == spec.variables.end()) return std::nullopt;
+  const Cell at{cell.record, cell.instance,
+                static_cast<std::size_t>(count - spec.variables.begin()), 0};
+  if (document.is_draft(at) || document.deck().integer(count->name) != 0) return std::nullopt;
+  return at;
+}
+
 }  // namespace
 
 DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
@@ -79,7 +93,8 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   scale_->found = [this](const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
     const bool edited = check_->isActive();
     document_.set_scales(of, scales);
-    if (!edited) check_->stop();  // nothing of the deck changed
+    const bool taken = take_waiting_times(document_);
+    if (!edited && !taken) check_->stop();  // nothing of the deck changed
   };
   start_check_ = new StartCheck(this);
   start_check_->found = [this](const Document::Candidate& of, std::vector<Issue> refusals) {
@@ -215,7 +230,14 @@ void DeckWindow::goTo(const Cell& cell) {
   search_notice_->hide();  // of what was looked for before
   if (document_.instances(cell.record) == 0) return goToOptionOf(cell);
   showRecord(cell.record);
-  page_->focusCell(cell);
+  const std::optional<Cell> count = count_of_none(document_, cell);
+  page_->focusCell(count ? *count : cell);
+  if (count)
+    search_notice_->ask(
+        tr("%1 has a field for each of %2, which is 0: give %2 above 0 to see them.")
+            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
+                 QString::fromStdString(std::string(variable_of(*count)->name))),
+        {{"leave-option", tr("Leave it"), nullptr}});
 }
 
 void DeckWindow::makeDrawing() {
@@ -382,6 +404,7 @@ void DeckWindow::refresh() {
 
 void DeckWindow::checkNow() {
   check_->stop();
+  take_waiting_times(document_);  // the scale may have been found while something was typed
   document_.check_model();
   check_->stop();  // what was just found is no change
   askForStart();
@@ -393,9 +416,8 @@ void DeckWindow::askForStart() {
 }
 
 void DeckWindow::askForScales() {
-  if (current_ != "2.1" || document_.typing() || document_.has_errors() || document_.scales())
-    return;
-  scale_->ask(document_.deck(), document_.options());
+  if (current_ != "2.1" && !has_waiting_times(document_)) return;
+  if (const auto deck = deck_without_scales(document_)) scale_->ask(*deck, document_.options());
 }
 
 void DeckWindow::goBack() {

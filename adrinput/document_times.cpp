@@ -1,20 +1,36 @@
 #include "adrinput/document.hpp"
+#include "adrinput/run_times.hpp"
 #include "adrinput/typed.hpp"
 #include "deck/quantity.hpp"
 #include "deck/units.hpp"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 /// Times of a run: dimensionless in the deck, seconds and turns for a person.
 namespace adore::adrinput {
 namespace {
 
-/// Records that decide the scale of time: not the steps, nor the name.
+constexpr std::string_view kTimeVariation = "3.4";
+
+/// What of a deck has no part in the scale of time: steps, names, and which bodies are stored.
+bool is_beside_the_scale(std::string_view record, std::string_view variable) {
+  return record == "1" || record == "2.1" || record == "2.3" || record == "3.1" ||
+         (record == kTimeVariation && (variable == "kNumPltElem" || variable == "kPltElemInd"));
+}
+
+/// Records that decide the scale of time, with what decides it.
 std::vector<deck::RecordData> deciding(const deck::Deck& deck) {
   std::vector<deck::RecordData> out;
-  for (const deck::RecordData& record : deck.records)
-    if (record.id != "1" && record.id != "2.1" && record.id != "3.1") out.push_back(record);
+  for (const deck::RecordData& record : deck.records) {
+    if (is_beside_the_scale(record.id, "")) continue;
+    out.push_back(record);
+    if (record.id != kTimeVariation) continue;
+    const deck::RecordSpec& spec = *deck::find_record(record.id);
+    for (std::size_t v = 0; v < spec.variables.size(); ++v)
+      if (is_beside_the_scale(record.id, spec.variables[v].name)) out.back().values[v].clear();
+  }
   return out;
 }
 
@@ -25,7 +41,59 @@ bool ends_with_letter(std::string_view text) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Texts in fields of times that are in seconds or turns and no values yet.
+std::vector<std::pair<Cell, std::string>> typed_times(const Document& document) {
+  std::vector<std::pair<Cell, std::string>> out;
+  if (document.instances("2.1") == 0) return out;
+  const deck::RecordSpec& spec = *deck::find_record("2.1");
+  for (std::size_t v = 0; v < spec.variables.size(); ++v) {
+    const Cell cell{std::string(spec.id), 1, v, 0};
+    if (is_run_time(spec.variables[v]) && document.is_draft(cell) &&
+        ends_with_letter(document.text(cell)))
+      out.emplace_back(cell, document.text(cell));
+  }
+  return out;
+}
+
 }  // namespace
+
+bool makes_no_step(const deck::Deck& deck) {
+  return deck.integer("mode") >= 0 && deck.integer("maxStps") == 0;
+}
+
+bool has_waiting_times(const Document& document) {
+  return !document.typing() && !typed_times(document).empty();
+}
+
+bool take_waiting_times(Document& document) {
+  if (document.typing() || !document.scales()) return false;
+  bool any = false;
+  for (const auto& [cell, typed] : typed_times(document)) {
+    if (document.parse(cell, typed).problem) continue;
+    document.edit(cell, typed);
+    any = true;
+  }
+  return any;
+}
+
+std::optional<deck::Deck> deck_without_scales(const Document& document) {
+  if (document.typing() || document.scales()) return std::nullopt;
+  for (const Problem& problem : document.problems()) {
+    if (problem.issue.severity != Severity::Error) continue;
+    // A text that is no value leaves the deck with the value before it.
+    const bool kept = problem.cell && document.is_draft(*problem.cell) && problem.page == "2.1";
+    const std::string_view named =
+        std::string_view(problem.issue.variable).substr(0, problem.issue.variable.find('['));
+    if (!kept && (problem.page != kTimeVariation || !is_beside_the_scale(problem.page, named)))
+      return std::nullopt;
+  }
+  deck::Deck out = document.deck();
+  if (out.has_record(kTimeVariation)) {
+    out.set("kNumPltElem", "0");
+    out.complete();
+  }
+  return out;
+}
 
 void Document::set_scales(const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
   scales_ = scales;
@@ -46,13 +114,15 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
   if (!turns && deck::parse_quantity(text, deck::unit::kTime, deck::UnitSystem::SI, seconds))
     return plain;
   const std::optional<facade::RunScales> now = scales();
-  if (!now || (turns && now->turns_per_second == 0.0))
+  if (!now)
     return {{},
-            {turns && now ? "counts turns, but both races turn alike"
-                          : "is a time whose scale is not known yet",
-             turns && now ? "give it in s, or as a multiple of the time scale"
-                          : "wait until the equilibrium is found, or give a multiple of the time "
-                            "scale"}};
+            {"is a time whose scale is not known yet",
+             "it is taken when the equilibrium is found, for which other errors must be mended; or "
+             "give a multiple of the time scale"}};
+  if (turns && now->turns_per_second == 0.0)
+    return {{},
+            {"counts turns, but both races turn alike",
+             "give it in s, or as a multiple of the time scale"}};
   if (turns) seconds = angle / (2.0 * deck::unit::kPi) / now->turns_per_second;
   double value = 0.0;
   const deck::NumberProblem problem = deck::parse_quantity(

@@ -1,5 +1,6 @@
 #include "adrinput/unit_choice.hpp"
 
+#include "adrinput/run_times.hpp"
 #include "adrinput/typed.hpp"
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
@@ -126,6 +127,8 @@ QString run_time(const Document& document, const Cell& cell) {
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
     text +=
         " = " + counted(fmt::format("{:.4g}", seconds * scales->turns_per_second), "revolution");
+  if (variable->name == "fTime" && makes_no_step(document.deck()))
+    text += ", but maxStps is 0: no step is made";
   return QString::fromStdString(text);
 }
 

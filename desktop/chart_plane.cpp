@@ -241,6 +241,17 @@ void ChartScene::addOrbit(const Metrics& m) {
     Polyline line, piece;  // first and last place; the part since the last gap
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
+      if (page_.points) {  // a spoke and a mark each, and nothing between them
+        for (std::size_t i = 0; i < piece.x.size(); ++i)
+          addCurve({{0.0, piece.x[i]}, {0.0, piece.y[i]}}, area, x_axis, y_axis, pen);
+        const qreal r = (on_another ? 2.0 : 3.6) * m.line;  // in the same place both are seen
+        for (const QPointF& at : placed(piece, area, x_axis, y_axis, false))
+          if (area.adjusted(-1, -1, 1, 1).contains(at))
+            addEllipse(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), QPen(Qt::NoPen), pen.color())
+                ->setZValue(5);
+        piece = {};
+        return;
+      }
       addCurve(piece, area, x_axis, y_axis, pen);
       piece = {};
     };

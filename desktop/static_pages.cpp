@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/heat_page.hpp"
+#include "results/key_results.hpp"
 
 #include <fmt/format.h>
 
@@ -106,16 +107,18 @@ StaticTable whole_turn(StaticTable table) {
   return table;
 }
 
-/// Loads as the radius of a closed line about the bearing's axis, seen along +x: +z up, azimuth
-/// turning from z towards -y.
+/// Loads as marks at that distance from the bearing's axis, seen along +x: +z up, azimuth turning
+/// from z towards -y. Marks are not joined: between elements nothing is loaded.
 ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Load around the bearing";
   page.note =
-      "The distance from the centre is the load of the contact. Up is azimuth 0, and y points "
-      "right.";
+      "Each mark is an element, and its distance from the centre is the load of the contact: those "
+      "without load are in the centre, and between marks there is none. Up is azimuth 0, and y "
+      "points right.";
   page.equal_axes = true;
   page.closed_outline = true;
+  page.points = true;
   page.x_title = "y direction";
   const StaticColumn* azimuth = elements.find("azimuth");
   ChartPanel rose;
@@ -126,8 +129,7 @@ ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
     rose.unit = results::unit_name(*load->unit, all.units);
     ChartCurve curve{name, {}, {}, dashed};
     const std::vector<double> size = shown(*load, all.units);
-    for (std::size_t k = 0; k <= size.size(); ++k) {
-      const std::size_t i = k % size.size();
+    for (std::size_t i = 0; i < size.size(); ++i) {
       const double q = std::isfinite(size[i]) ? size[i] : 0.0;
       curve.x.push_back(-q * std::sin(azimuth->values[i]));
       curve.y.push_back(q * std::cos(azimuth->values[i]));
@@ -319,6 +321,20 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
   return out;
 }
 
+/// Runs that asked for motion and made no step have loads at rest and nothing of a motion.
+std::string without_steps(const results::SweepTable& sweep) {
+  for (const results::SweepColumn& column : sweep.columns) {
+    if (column.label != results::find_key_result("time_s").label) continue;
+    const auto still = std::count(column.values.begin(), column.values.end(), 0.0);
+    if (still == 0) return {};
+    return fmt::format(
+        "{} of {} made no step (maxStps = 0): loads are those at rest, and means, "
+        "ratios and heat were not computed there.",
+        still, counted(column.values.size(), "run"));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<ChartPage> static_pages(const StaticTables& all) {
@@ -355,6 +371,7 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       panels.push_back({column.label, column.unit, {{column.part, column.values, {}}}});
   }
   std::vector<ChartPage> pages;
+  const std::string still = without_steps(sweep);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (i % kPanelsPerPage == 0) {
       ChartPage& page = pages.emplace_back();
@@ -371,12 +388,13 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
         if (k == i || panels[k].title != panels[k - 1].title)
           names += (names.empty() ? "" : ", ") + panels[k].title;
       page.title = names + " over " + sweep.variable;
+      page.note = still;
     }
     if (panels[i].title.starts_with("Life"))
       pages.back().note =
+          (still.empty() ? "" : still + " ") +
           "Lives: the original model by a published constant (seen); the others calibrated on it "
-          "by "
-          "this program; factors recalled (STLE) or derived (Tallian-type).";
+          "by this program; factors recalled (STLE) or derived (Tallian-type).";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string_view>
 
 namespace adore::facade {
 
@@ -93,6 +94,16 @@ std::array<double, 2> mean_race_heat(const Snapshot& last, const results::Averag
   return heat;
 }
 
+namespace {
+
+bool asks_for_load(const results::MeanLoad& carried) {
+  for (std::size_t k = 0; k < carried.given.size(); ++k)
+    if (carried.given[k] && carried.asked[static_cast<Eigen::Index>(k)] != 0.0) return true;
+  return false;
+}
+
+}  // namespace
+
 KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
                            const results::MeanLoad& carried) {
   double load = 0.0, slip = 0.0;
@@ -101,27 +112,46 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
       load = std::max(load, contact.load);
       slip = std::max(slip, contact.max_slip);
     }
-  const std::array<double, 2> heat = mean_race_heat(last, averages);
-  return {key_result("time_s", last.time),
-          key_result("revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)),
-          key_result("largest_contact_load_N", load),
-          key_result("largest_slip_m_per_s", slip),
-          key_result("power_loss_W", last.power.total_loss),
-          key_result("mean_power_loss_W", averages.power_loss),
-          key_result("mean_heat_outer_race_W", heat[0]),
-          key_result("mean_heat_inner_race_W", heat[1]),
-          key_result("mean_heat_elsewhere_W", averages.power_loss - heat[0] - heat[1]),
-          key_result("mean_orbital_ratio", averages.orbital_ratio),
-          key_result("mean_cage_ratio", averages.cage_ratio),
-          key_result("mean_whirl_ratio", averages.whirl_ratio),
-          key_result("mean_swept_whirl_ratio", averages.swept_whirl_ratio),
-          key_result("mean_load_x_N", carried.mean[0]),
-          key_result("mean_load_y_N", carried.mean[1]),
-          key_result("mean_load_z_N", carried.mean[2]),
-          key_result("mean_largest_load_N", averages.largest_load),
-          key_result("peak_load_N", averages.peak_load),
-          key_result("load_departure", carried.departure()),
-          key_result("energy_residual_J", last.energy.residual())};
+  KeyResults out;
+  const auto add = [&out](std::string_view id, double value) {
+    out.push_back(key_result(id, value));
+  };
+  // What does not exist, or was not averaged, has no value: 0 would read as one.
+  const bool moved = averages.time > 0.0;
+  const auto& terms = last.energy.items();
+  const bool rubs = std::any_of(terms.begin(), terms.end(), [](const auto& item) {
+    return item.term->kind == scene::LedgerKind::Heat;
+  });
+  add("time_s", last.time);
+  add("revolutions", last.shaft_rotation / (2.0 * std::numbers::pi));
+  add("largest_contact_load_N", load);
+  add("largest_slip_m_per_s", slip);
+  if (rubs) add("power_loss_W", last.power.total_loss);
+  if (rubs && moved) {
+    const std::array<double, 2> heat = mean_race_heat(last, averages);
+    add("mean_power_loss_W", averages.power_loss);
+    if (last.energy.find("heat", 0) != nullptr) add("mean_heat_outer_race_W", heat[0]);
+    if (last.energy.find("heat", 1) != nullptr) add("mean_heat_inner_race_W", heat[1]);
+    add("mean_heat_elsewhere_W", averages.power_loss - heat[0] - heat[1]);
+  }
+  if (moved && last.shaft_rotation != 0.0) {  // ratios are to the turns of the races
+    add("mean_orbital_ratio", averages.orbital_ratio);
+    if (!last.cages.empty()) {
+      add("mean_cage_ratio", averages.cage_ratio);
+      add("mean_whirl_ratio", averages.whirl_ratio);
+      add("mean_swept_whirl_ratio", averages.swept_whirl_ratio);
+    }
+  }
+  if (moved) {
+    add("mean_load_x_N", carried.mean[0]);
+    add("mean_load_y_N", carried.mean[1]);
+    add("mean_load_z_N", carried.mean[2]);
+    add("mean_largest_load_N", averages.largest_load);
+  }
+  add("peak_load_N", averages.peak_load);
+  if (moved && asks_for_load(carried)) add("load_departure", carried.departure());
+  if (moved) add("energy_residual_J", last.energy.residual());
+  return out;
 }
 
 double static_elastic(const Prepared& prepared) {

@@ -1,6 +1,7 @@
 #include "facade/sweep.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/counted.hpp"
 #include "base/json_text.hpp"
 #include "deck/lookup.hpp"
 #include "facade/output_folder.hpp"
@@ -155,6 +156,28 @@ std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
   return out;
 }
 
+/// A table of motions that did not begin has loads and no motion: that has to be said.
+std::optional<Issue> nothing_moved(const std::vector<Row>& rows) {
+  std::size_t still = 0;
+  for (const Row& row : rows)
+    still +=
+        std::any_of(row.outcome.summary.begin(), row.outcome.summary.end(),
+                    [](const auto& item) { return item.of.id == "time_s" && item.value == 0.0; })
+            ? 1
+            : 0;
+  if (still == 0) return std::nullopt;
+  Issue out;
+  out.severity = Severity::Warning;
+  out.record = "1";
+  out.variable = "maxStps";
+  out.message = fmt::format(
+      "{} of the sweep made no step, so that nothing moved: the table has loads at rest there, and "
+      "no means, ratios or heat",
+      counted(still, "run"));
+  out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";
+  return out;
+}
+
 }  // namespace
 
 bool is_sweep(const RunRequest& request) {
@@ -277,6 +300,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   std::erase_if(rows,
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
   out.warnings = warnings_once(rows);
+  if (auto still = nothing_moved(rows)) out.warnings.push_back(std::move(*still));
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
   // Runs whose files found no room have no result of their own yet.

@@ -71,8 +71,10 @@ double relative(const results::KeyResults& run, const results::KeyResults& base,
 }
 
 WhatIfChange change_of(const results::KeyResults& run, const results::KeyResults& base) {
-  const bool cage =
-      value_of(base, "mean_cage_ratio") != 0.0 && value_of(run, "mean_cage_ratio") != 0.0;
+  const auto turns = [](const results::KeyResults& of) {
+    return std::abs(value_of(of, "mean_cage_ratio")) > 0.0;  // none of a bearing without a cage
+  };
+  const bool cage = turns(base) && turns(run);
   return {relative(run, base, cage ? "mean_cage_ratio" : "mean_orbital_ratio"),
           relative(run, base, "mean_largest_load_N"), relative(run, base, "mean_power_loss_W"),
           relative(run, base, "run_life_hours")};
@@ -172,18 +174,21 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
 }
 
 std::string what_if_text(const WhatIf& result) {
-  const auto of = [&](std::string_view id) { return value_of(result.base, id); };
+  const auto of = [&](std::string_view id, int digits, std::string_view unit) {
+    const double value = value_of(result.base, id);
+    return std::isnan(value) ? std::string("none") : fmt::format("{:.{}g}{}", value, digits, unit);
+  };
   std::string out = fmt::format(
       "\nwhat if: each effect left out for {}, {:.3g} s of processor time with all of "
       "them\n"
-      "with all: cage speed {:.5g} of the shaft's, largest load {:.4g} N, heat {:.4g} W, life "
-      "{:.4g} h\n"
+      "with all: cage speed {}, largest load {}, heat {}, life {}\n"
       "Changes in percent of these; what a millionth of load changes is no effect; cost is the "
       "share of the time\nthat goes with it, certain to {:.2g} %.\n\n"
       "  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
-      counted(fmt::format("{:.4g}", result.turns), "turn"), result.seconds, of("mean_cage_ratio"),
-      of("mean_largest_load_N"), of("mean_power_loss_W"), of("run_life_hours"),
-      100.0 * result.time_spread, "effect", "cost %", "speed %", "load %", "heat %", "life %");
+      counted(fmt::format("{:.4g}", result.turns), "turn"), result.seconds,
+      of("mean_cage_ratio", 5, " of the shaft's"), of("mean_largest_load_N", 4, " N"),
+      of("mean_power_loss_W", 4, " W"), of("run_life_hours", 4, " h"), 100.0 * result.time_spread,
+      "effect", "cost %", "speed %", "load %", "heat %", "life %");
   const auto line = [&](const std::string& name, const std::string& cost,
                         const WhatIfChange& change, const std::string& without) {
     out += fmt::format("  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  {}\n", name, cost,

@@ -6,6 +6,8 @@
 #include "facade/run.hpp"
 #include "support/qt_app.hpp"
 
+#include <QAction>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -115,6 +117,75 @@ TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adri
   CHECK(window.document().deck().real("fTime") * scales.time == Approx(0.02).epsilon(1e-12));
   replace_text(line, "3 mm");
   CHECK(window.document().has_errors());
+}
+
+TEST_CASE("a time in turns that was typed beside an error is taken by itself",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const auto turns = [](DeckWindow& window) {
+    const auto scales = window.document().scales();
+    return scales ? window.document().deck().real("fTime") * scales->time * scales->turns_per_second
+                  : 0.0;
+  };
+  // The error: one that has no part in the scale stays; of the others the last is mended first.
+  struct Error {
+    const char *name, *wrong, *right;
+  };
+  for (const Error& error : {Error{"kNumPltElem", "12", nullptr}, Error{"tol", "abc", nullptr},
+                             Error{"bReDia", "-1 m", "12 mm"}}) {
+    INFO(error.name);
+    DeckWindow window;
+    window.show();
+    window.document().edit(cell(error.name), error.wrong);
+    if (std::string_view(error.name) == "kNumPltElem")
+      window.document().edit(cell("kPltElemInd", 1, 11), "900");
+    REQUIRE(window.document().has_errors());
+    window.showRecord("2.1");
+    QLineEdit* line = line_of(window, "fTime");
+    replace_text(line, "3 rev");
+    if (error.right != nullptr) {
+      QTest::qWait(300);
+      CHECK(turns(window) == 0.0);
+      window.showRecord(cell(error.name).record);
+      window.document().edit(cell(error.name), error.right);
+      window.document().end_step();
+    }
+    REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
+    REQUIRE(QTest::qWaitFor([&] { return !window.document().is_draft(cell("fTime")); }, 10000));
+    CHECK(turns(window) == Approx(3.0).epsilon(1e-12));
+    window.showRecord("2.1");
+    CHECK(beside(window, "fTime").contains("= 3 revolutions"));
+    CHECK(window.document().has_errors() == (error.right == nullptr));
+    // One step for undo: what was typed is there again, and not the number before it.
+    if (error.right != nullptr) CHECK_FALSE(window.document().has_errors());
+  }
+}
+
+TEST_CASE("a motion that makes no step says so beside its end and in the sweep",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("2.1");
+  REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
+  const auto sweep_says = [&](const QString& typed) {
+    for (QAction* action : window.findChildren<QAction*>())
+      if (action->text().contains("weep a variable")) action->trigger();
+    auto* dialog = window.findChild<QInputDialog*>("sweep");
+    REQUIRE(dialog != nullptr);
+    dialog->setTextValue(typed);
+    const QString said = dialog->labelText();
+    dialog->reject();
+    QTest::qWait(1);
+    return said;
+  };
+  CHECK_FALSE(beside(window, "fTime").contains("maxStps"));
+  CHECK_FALSE(sweep_says("appLoadZ=1:2:3").contains("No step"));
+  window.document().edit(cell("maxStps"), "0");
+  window.checkNow();
+  CHECK(beside(window, "fTime").contains("maxStps is 0"));
+  CHECK(sweep_says("appLoadZ=1:2:3").contains("No step"));
+  CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("No step"));
 }
 
 TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrinput][daily]") {

@@ -28,6 +28,30 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
+TEST_CASE("search for an array without elements goes to its count and says so",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("kNumPltElem"), "0");
+  window.document().end_step();
+  auto* notice = window.findChild<NoticeBar*>("search-notice");
+  REQUIRE(notice != nullptr);
+  window.goTo(cell("kPltElemInd"));
+  CHECK(window.currentRecord() == "3.4");
+  REQUIRE(notice->isVisibleTo(&window));
+  CHECK(notice->text().contains("kNumPltElem"));
+  const auto* focus = qobject_cast<QLineEdit*>(window.focusWidget());
+  REQUIRE(focus != nullptr);
+  CHECK(focus->text() == "0");
+  CHECK(focus->objectName().contains("kNumPltElem"));
+  CHECK_FALSE(focus->visibleRegion().isEmpty());
+  window.document().edit(cell("kNumPltElem"), "2");
+  window.document().end_step();
+  window.goTo(cell("kPltElemInd"));
+  CHECK_FALSE(notice->isVisibleTo(&window));
+}
+
 TEST_CASE("search goes to the option that would show a field, and can set it",
           "[gui][adrinput][daily]") {
   test::use_qt();

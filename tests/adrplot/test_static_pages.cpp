@@ -99,8 +99,7 @@ TEST_CASE("load rose: every load stands in the direction of its element", "[unit
   const auto pages = desktop::static_pages(four_elements(results::UnitSystem::SI));
   REQUIRE(pages.size() == 3);
   const auto& outer = pages[0].panels.at(0).curves.at(0);
-  REQUIRE(outer.x.size() == 5);  // closed
-  CHECK(outer.x.front() == outer.x.back());
+  REQUIRE(outer.x.size() == 4);  // a value for each element, and none between them
   // Azimuth 0 is up, 90 degrees is towards -y.
   double up = -1e9, left = 1e9;
   for (std::size_t i = 0; i < outer.x.size(); ++i) {
@@ -155,6 +154,44 @@ TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are g
   CHECK(pages[0].panels[0].curves[1].y[2] == 4e-6);
   write_file_atomically(path, "a,b\n");
   CHECK_THROWS_AS(results::read_sweep(path), InputError);
+}
+
+TEST_CASE("load rose: marks at the elements, and nothing between them", "[gui]") {
+  test::use_qt();
+  results::StaticTables tables = four_elements(results::UnitSystem::SI);
+  for (const char* const race : {"outer load", "inner load"})
+    for (results::StaticColumn& column : tables.tables[0].columns)
+      if (column.name == race) column.values = {400.0, 400.0, 0.0, 0.0};
+  desktop::ChartScene scene;
+  scene.setPage(desktop::static_pages(tables)[0]);
+  // Marks of both races at the four elements, two of them in the centre.
+  std::set<std::pair<int, int>> places;
+  int marks = 0;
+  for (const QGraphicsItem* item : scene.items())
+    if (const auto* mark = dynamic_cast<const QGraphicsEllipseItem*>(item)) {
+      ++marks;
+      const QPointF at = mark->rect().center();
+      places.emplace(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())));
+    }
+  CHECK(marks == 8);
+  REQUIRE(places.size() == 3);
+  // Where two elements are loaded, nothing joins them: of each race four values, none between.
+  for (const desktop::ChartCurve& curve : scene.page().panels[0].curves) CHECK(curve.x.size() == 4);
+}
+
+TEST_CASE("pages of a sweep whose runs made no step say so", "[unit]") {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();
+  const auto note = [&](const char* first, const char* second) {
+    write_file_atomically(path, std::string("appLoadZ [N],exit,time_s,largest_contact_load_N,"
+                                            "mean_cage_ratio,peak_load_N,message\n500,0,") +
+                                    first + ",100,,100,\"\"\n1000,0," + second +
+                                    ",200,,200,\"\"\n");
+    return desktop::sweep_pages(results::read_sweep(path)).front().note;
+  };
+  CHECK_THAT(note("0", "0"), Catch::Contains("2 of 2 runs made no step"));
+  CHECK_THAT(note("0", "0.1"), Catch::Contains("1 of 2 runs made no step"));
+  CHECK(note("0.2", "0.1").empty());
 }
 
 namespace {

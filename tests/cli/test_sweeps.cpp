@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <set>
+#include <sstream>
 
 using namespace adore;
 using namespace adore::test;
@@ -23,6 +25,74 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   CHECK(lines == 4);
   CHECK(read(folder / "sweep" / "SWEEP.csv").rfind("appLoadX [N],exit,", 0) == 0);
   CHECK(fs::exists(folder / "sweep" / "appLoadX-3" / "PRINT.txt"));
+}
+
+namespace {
+
+/// Names of the columns that hold a value in the first row of a table.
+std::set<std::string> with_values(const fs::path& table) {
+  std::istringstream file(read(table));
+  std::string names, row;
+  std::getline(file, names);
+  std::getline(file, row);
+  std::istringstream heads(names), values(row);
+  std::set<std::string> out;
+  for (std::string head, value; std::getline(heads, head, ',') && std::getline(values, value, ',');)
+    if (!value.empty()) out.insert(head);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep has no value for what a scene does not have and what nothing was averaged over",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::set<std::string> cage{"mean_cage_ratio", "mean_whirl_ratio", "mean_swept_whirl_ratio"},
+      heat{"power_loss_W", "mean_power_loss_W", "mean_heat_outer_race_W", "mean_heat_inner_race_W",
+           "mean_heat_elsewhere_W"},
+      means{"mean_power_loss_W",     "mean_heat_outer_race_W", "mean_heat_inner_race_W",
+            "mean_heat_elsewhere_W", "mean_orbital_ratio",     "mean_cage_ratio",
+            "mean_whirl_ratio",      "mean_swept_whirl_ratio", "mean_load_x_N",
+            "mean_load_y_N",         "mean_load_z_N",          "mean_largest_load_N",
+            "load_departure",        "energy_residual_J"};
+  const std::string no_cage = " --set nCseg=0 --set kNumPltElem=1 --set kPltElemInd=1",
+                    alike = " --set rpm1=3000 --set rpm2=3000";
+  struct Scene {
+    std::string name, options;
+    std::set<std::string> has, has_not;
+  };
+  std::set<std::string> ratios = cage, all = heat;
+  ratios.insert("mean_orbital_ratio");
+  all.insert(means.begin(), means.end());
+  const std::vector<Scene> scenes{
+      {"whole", " --until 0.01rev", all, {}},
+      {"no cage", no_cage + " --until 0.01rev", heat, cage},
+      {"no friction",
+       no_cage + " --opt 'effectsOff=ball / race traction' --until 0.01rev",
+       {"mean_orbital_ratio"},
+       heat},
+      {"no step", " --set maxStps=0", {"largest_contact_load_N", "power_loss_W"}, means},
+      {"races that turn alike", alike + " --until 1e-5s", {"mean_power_loss_W"}, ratios}};
+  for (const Scene& scene : scenes) {
+    const fs::path out = folder / scene.name;
+    const Result sweep =
+        run_adore("run " + folder.path().string() + scene.options +
+                  " --set appLoadX=1000.0:2000.0:2 --quiet --out '" + out.string() + "'");
+    INFO(scene.name << '\n' << sweep.out << read(out / "SWEEP.csv"));
+    CHECK(sweep.code == 0);
+    const std::set<std::string> found = with_values(out / "SWEEP.csv");
+    for (const std::string& name : scene.has) {
+      INFO(name);
+      CHECK(found.count(name) == 1);
+    }
+    for (const std::string& name : scene.has_not) {
+      INFO(name);
+      CHECK(found.count(name) == 0);
+    }
+    // What did not move says so.
+    CHECK(contains(sweep.out, "2 runs of the sweep made no step") == (scene.name == "no step"));
+  }
 }
 
 TEST_CASE("a sweep of an English deck names its unit, and progress counts runs", "[cli]") {

@@ -188,7 +188,8 @@ def run(program, one, method, folder, turns, limit, factor=0.0):
     shutil.rmtree(words[words.index("--out") + 1])
     summary = report["summary"]
     values = {k: v for k, v in summary.items() if isinstance(v, (int, float))}
-    broken = [k for k in MEANS if k not in values or not math.isfinite(values[k])]
+    # A scene without a cage has no cage ratio, one without friction no heat; loads all have.
+    broken = [k for k in MEANS if not math.isfinite(values.get(k, math.nan if k in summary or k == "mean_largest_load_N" else 0.0))]
     if broken:
         return {**out, "outcome": "FAILED", "text": f"{broken[0]} is no number"}
     for key, (value, tolerance) in one["known"].items():
@@ -201,14 +202,17 @@ def judge_means(results, spread, long):
     """Runs whose means lie outside the spread of the others."""
     solved = {method: r for method, r in results.items() if r["outcome"] == "solved"}
     for key in MEANS:
-        numbers = sorted(r["values"][key] for r in solved.values())
+        numbers = sorted(r["values"][key] for r in solved.values() if key in r["values"])
         if not numbers:
-            return
+            continue
         middle = numbers[len(numbers) // 2]
         size = max(abs(middle), max(abs(x) for x in numbers) * 1e-3)
         allowed = max(LEAST_SPREAD[long] * size, 3.0 * spread.get(key, 0.0))
         for r in solved.values():
-            if abs(r["values"][key] - middle) > allowed and r["outcome"] == "solved":
+            if key not in r["values"]:
+                r["outcome"] = "FAILED"
+                r["text"] = f"{key} is missing, of the others {middle:.6g}"
+            elif abs(r["values"][key] - middle) > allowed and r["outcome"] == "solved":
                 r["outcome"] = "warned" if r["warned"] else "FAILED"
                 r["text"] = f"{key} = {r['values'][key]:.6g}, of the others {middle:.6g} (allowed {allowed:.2g})"
 
@@ -217,10 +221,10 @@ def irregular(own, others, spread):
     """What is said of a scene whose motion hangs on the last digits of its loads; empty: it does not. @param others by factor"""
     said = []
     for key in MEANS:
-        size = abs(own["values"][key])
+        size = abs(own["values"].get(key, 0.0))
         if not size > 0.0 or others[TINY]["outcome"] != "solved":
             continue
-        change = abs(others[TINY]["values"][key] - own["values"][key]) / size
+        change = abs(others[TINY]["values"].get(key, 0.0) - own["values"][key]) / size
         if change > IRREGULAR:
             said.append(f"{key} by {100.0 * change:.2g} % (all loads together: {100.0 * spread[key] / size:.2g} %)")
     return f"irregular: a load changed by {1e-6 * TINY:g} changes " + ", ".join(said) if said else ""
@@ -260,7 +264,7 @@ def play(program, one, methods, turns, full, limit, kept):
                 raise RuntimeError(f"{one['name']}: a slightly other load is refused, so there is no spread to judge by: {wrong[0]}")
             values = [r["values"] for r in [results[OWN]] + others if r["outcome"] == "solved"]
             for key in MEANS:
-                numbers = [v[key] for v in values]
+                numbers = [v[key] for v in values if key in v]
                 if numbers:
                     spread[key] = max(numbers) - min(numbers)
             if full:
