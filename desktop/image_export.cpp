@@ -4,6 +4,7 @@
 #include "base/version.hpp"
 
 #include <QBuffer>
+#include <QDir>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QRegularExpression>
