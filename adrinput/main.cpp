@@ -3,6 +3,7 @@
 #include "adrinput/session.hpp"
 #include "adrinput/study_menu.hpp"
 #include "adrinput/study_window.hpp"
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
@@ -19,6 +20,7 @@ namespace {
 int render(int& argc, char** argv, const std::filesystem::path& deck,
            const adrinput::RenderOptions& options) {
   if (deck.empty()) throw InputError("--render needs a deck whose pages are to be drawn");
+  end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
   const auto pages = adrinput::is_study(deck) ? adrinput::render_study(deck, options)
                                               : adrinput::render_pages(deck, options);

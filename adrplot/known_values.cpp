@@ -83,14 +83,18 @@ KnownValues KnownColumns::values(const std::string& id) const {
       }
     return dropped;
   };
+  // What a part of the file shows is not true of all the run.
+  const std::string here = file_.part ? "at these steps" : "in this run";
   const auto is_zero = [](double v) { return v == 0.0; };
   const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
   if (is("contact.film.")) {
-    if (zero(out.values)) nothing("No film was computed: the traction law of this run has none.");
+    if (zero(out.values))
+      nothing(file_.part ? "No film was computed at these steps."
+                         : "No film was computed: the traction law of this run has none.");
   } else if (is("contact.temperature_rise.")) {
-    if (zero(out.values)) nothing("No temperature rise in the contacts was computed in this run.");
+    if (zero(out.values)) nothing("No temperature rise in the contacts was computed " + here + ".");
   } else if (id == "power.churning_fraction") {
-    if (zero(out.values)) nothing("No churning was computed in this run.");
+    if (zero(out.values)) nothing("No churning was computed " + here + ".");
   } else if (is("contact.angle.") || is("contact.spin_to_roll.") || is("contact.slip.")) {
     bool open = false;
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
@@ -99,14 +103,17 @@ KnownValues KnownColumns::values(const std::string& id) const {
     const bool some = std::any_of(out.values.begin(), out.values.end(),
                                   [](double v) { return std::isfinite(v); });
     if (open && some) out.why_gaps = "no contact";
-    if (open && !some) nothing("There is no contact at any step.");
+    if (open && !some)
+      nothing(file_.part ? "There is no contact at any of these steps."
+                         : "There is no contact at any step.");
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),
                     [](double v) { return std::isfinite(v); }) &&
         std::all_of(out.values.begin(), out.values.end(),
                     [](double v) { return !(std::abs(v) > kNoSpin); }))
-      nothing("There is no spin in this contact: what is stored is rounding.");
+      nothing(fmt::format("There is no spin in this contact{}: what is stored is rounding.",
+                          file_.part ? " " + here : ""));
   } else if (is("cage.land1_") || is("cage.land2_")) {
     const std::string land = id.substr(0, std::string("cage.land1").size());
     if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
@@ -127,21 +134,23 @@ KnownValues KnownColumns::values(const std::string& id) const {
       if (std::abs(v) < kMiddle) v = 0.0;
     if (std::none_of(out.values.begin(), out.values.end(),
                      [](double v) { return std::isfinite(v); }))
-      nothing("The roller never touched the pocket there.");
+      nothing(file_.part ? "At none of these steps the roller touched the pocket there."
+                         : "The roller never touched the pocket there.");
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
     if (always_zero("flange.gap" + where))
-      nothing(flange_reason(where, {}));
+      nothing(flange_reason(where, {}, file_.part));
     else if (is("flange.gap."))
       drop(stored(id), is_zero);
   } else if (id == "power.life") {
-    if (zero(out.values)) nothing("No life model was active in this run.");
+    if (zero(out.values)) nothing("No life model was active " + here + ".");
     const bool infinite = std::any_of(out.values.begin(), out.values.end(),
                                       [](double v) { return v >= kInfiniteLife; });
     drop(stored(id), [](double v) { return v == 0.0 || v >= kInfiniteLife; });
     if (infinite && std::none_of(out.values.begin(), out.values.end(),
                                  [](double v) { return std::isfinite(v); }))
-      nothing("The life is infinite at every step.");
+      nothing(file_.part ? "The life is infinite at each of these steps."
+                         : "The life is infinite at every step.");
   } else if (id.find("wear_rate") != std::string::npos) {  // also "race.wear_rate.inner"
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;

@@ -1,5 +1,6 @@
 #include "adrplot/plot_window.hpp"
 #include "adrplot/render.hpp"
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
@@ -27,6 +28,7 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
         "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv), or a "
         "study's "
         "folder, to draw");
+  end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
   return 0;

@@ -107,7 +107,7 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
     const auto is = [&](std::string_view begin) { return sentence.starts_with(begin); };
     // Of frequencies the page speaks of spectra of its own.
     const bool of_file = is("Aliased: ") || is("These are ") || is("Of the file ") ||
-                         is("The values have ") || is("RESULTS.h5 ");
+                         is("Of these steps ") || is("The values have ") || is("RESULTS.h5 ");
     if (over_time ? band || !is(kBands) : of_file) out.push_back(sentence);
   }
   return out;

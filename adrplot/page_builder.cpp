@@ -42,9 +42,13 @@ double alias_interval(const SolFile& file, double frequency) {
 std::string aliasing(const SolFile& file, const PageContext& context) {
   const double interval = alias_interval(file, context.fastest_frequency);
   if (!(interval > 0.0)) return {};
-  return fmt::format("Aliased: the fastest contact vibrates at {}, and steps are stored at {}",
+  const auto every = static_cast<double>(file.every);
+  return fmt::format("Aliased: the fastest contact vibrates at {}, and {} at {}",
                      desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-                     desktop::pretty_quantity(1.0 / interval, "Hz", 3));
+                     file.every > 1
+                         ? fmt::format("one is drawn of every {} steps stored", file.every)
+                         : "steps are stored",
+                     desktop::pretty_quantity(every / interval, "Hz", 3));
 }
 
 /// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
@@ -86,7 +90,7 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
         if (flange)
           why = flange_reason(
               curve.column.substr(curve.column.find('.', std::string_view("flange.").size())),
-              facts);
+              facts, file.part);
         else if (spec.curves.size() > 1)
           why = capital(curve.name) + ": " + small(why);
         reason = before + (before.empty() ? "" : " ") + why;
@@ -261,14 +265,15 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
                  ? fmt::format("Fatigue life is the one value {}, predicted {} (kLifeFreq = 0): it "
                                "does not follow the loads of later steps.",
                                life, start ? "at step 0" : "before the first step shown")
-                 : fmt::format("Fatigue life is the one value {} in all of this file: predicted "
-                               "once, it does not follow the loads of later steps.",
-                               life));
+                 : fmt::format("Fatigue life is the one value {} in all of {}: predicted once, it "
+                               "does not follow the loads of later steps.",
+                               life, file.part ? "these steps" : "this file"));
   }
 }
 
 /// Temperatures that nothing computes are what the deck gives.
-void tell_temperatures(ChartPage& chart, const PageSpec& page, const RunFacts& facts) {
+void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                       const RunFacts& facts) {
   if (facts.temperatures_computed.value_or(false)) return;
   std::string names;
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
@@ -283,10 +288,11 @@ void tell_temperatures(ChartPage& chart, const PageSpec& page, const RunFacts& f
     names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
   }
   if (names.empty()) return;
-  add_note(chart,
-           names + (facts.temperatures_computed
-                        ? " are given by the deck (kTherm = 0), not computed."
-                        : " never change in this file: given ones, not computed in this run."));
+  add_note(
+      chart,
+      names + (facts.temperatures_computed ? " are given by the deck (kTherm = 0), not computed."
+               : file.part                 ? " do not change at these steps."
+                           : " never change in this file: given ones, not computed in this run."));
 }
 
 /// An average over no time is no value (known_values.hpp): what was left out is said.
@@ -339,7 +345,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   limit_detail(chart);
   tell_zeros(chart);
   tell_life(chart, file, page, context.facts);
-  tell_temperatures(chart, page, context.facts);
+  tell_temperatures(chart, file, page, context.facts);
   tell_holding(chart, file, page, context.facts);
   tell_averages(chart, file, page);
   tell_nearest(chart, page);
@@ -359,8 +365,9 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       curve->high = band->second.high;
       if (is_seen(band->second, curve->y))
         add_note(chart,
-                 "Pale areas reach from the lowest to the highest value between the stored "
-                 "steps.");
+                 fmt::format("Pale areas reach from the lowest to the highest value between the {} "
+                             "steps.",
+                             file.every > 1 ? "drawn" : "stored"));
     }
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
@@ -464,10 +471,10 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
   ChartPage chart;
   chart.title = page.title;
   chart.note = page.note;
+  chart.about = subject(file.kind, file.header);
   chart.subtitle = fmt::format("{}   ·   {}   ·   {}   ·   page {} of {}",
                                file.header.run_id.empty() ? "(no run name)" : file.header.run_id,
-                               subject(file.kind, file.header), file.path.filename().string(),
-                               number, pages.size());
+                               chart.about, file.path.filename().string(), number, pages.size());
   if (file.steps.empty()) {
     chart.note = "The file holds no complete step" +
                  (file.note.empty() ? std::string(".") : ": " + file.note + ".");

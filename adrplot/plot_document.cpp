@@ -75,7 +75,7 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
 /// Of a range that passes over stored steps.
 std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format("These are {} of the file's steps, every {}th one{}.", steps, every,
+  return fmt::format("These are {} of the file's steps, one of every {}{}.", steps, every,
                      unknown.all ? ": shorter peaks are left out"
                      : unknown.titles.empty()
                          ? ""
@@ -92,11 +92,11 @@ DigitWords digit_words(const results::SolFile& file, const results::FullPrecisio
   DigitWords out{"all digits from RESULTS.h5", {}};
   if (digits.added > 0) {
     const long first = file.steps[own].step, last = file.steps.back().step;
-    out.note =
-        (first == last
-             ? fmt::format("Step {} is", first)
-             : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
-        fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name, file.steps[own - 1].step);
+    out.note = (first == last
+                    ? fmt::format("Step {} is", first)
+                    : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
+               fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name,
+                           std::max(file.last_step, file.steps[own - 1].step));
   }
   if (digits.more)
     out.note += (out.note.empty() ? "" : " ") +
@@ -108,7 +108,7 @@ DigitWords digit_words(const results::SolFile& file, const results::FullPrecisio
     out.subtitle = fmt::format("all digits from RESULTS.h5 to step {}", last);
     out.note += (out.note.empty() ? "" : " ") +
                 fmt::format("RESULTS.h5 ends at step {}: later values have the eight digits of {}.",
-                            last, name);
+                            digits.end, name);
   } else {
     out.subtitle = fmt::format("all digits from RESULTS.h5 of {} of {} steps", digits.exact, own);
     out.note += (out.note.empty() ? "" : " ") +
@@ -179,10 +179,14 @@ class StepPages {
         history && range_.every == 1 && !lost.empty())
       note(lost);
     if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
-    if (!file_.gaps.empty()) note("Of the file " + file_.gaps + ".");
+    if (!file_.gaps.empty())
+      note((file_.part ? "Of these steps " : "Of the file ") + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));
+    else if (range_.from > 1)
+      note(fmt::format("These are the stored steps from number {} on; those before are left out.",
+                       range_.from));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
       if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);

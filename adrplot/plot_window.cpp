@@ -8,7 +8,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressDialog>
 #include <QScrollArea>
@@ -85,7 +84,6 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   splitter->setSizes({270, 1010});
   setCentralWidget(splitter);
   tree_->setAccessibleName(tr("Files and pages"));
-  tree_->installEventFilter(this);
   makeButtons();
   makeMenus();
   new desktop::MenuKeys(*this);
@@ -129,18 +127,6 @@ QString PlotWindow::nameOf(const Document& document) {
   const QString file = QString::fromStdString(document.path.filename().string());
   const QString folder = QString::fromStdString(run_folder(document.path).filename().string());
   return document.on_disk && !folder.isEmpty() ? folder + "/" + file : file;
-}
-
-/// Home and End belong to the tree where that has the focus. Page Up and Page Down turn pages,
-/// wherever they are pressed.
-bool PlotWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == tree_ && event->type() == QEvent::ShortcutOverride) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->modifiers() == Qt::NoModifier &&
-        (key->key() == Qt::Key_Home || key->key() == Qt::Key_End))
-      event->accept();
-  }
-  return QMainWindow::eventFilter(watched, event);
 }
 
 int PlotWindow::pageCount() const {

@@ -83,13 +83,12 @@ class PlotWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Document : PlotDocument {
     results::SolRange range;  ///< of the steps that were read
     bool on_disk = true;      ///< else a chart of the user's own
-    std::uintmax_t bytes = 0;
+    std::string seen;         ///< size and time of the file when it was read
   };
   [[nodiscard]] static QString nameOf(const Document& document);
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
@@ -99,6 +98,10 @@ class PlotWindow : public QMainWindow {
   void makeButtons();
   void askForExport(bool all_pages);
   void lookForGrowth();
+  void readAgain(bool asked);
+  /// Of the files that are not looked at, those that another run has replaced: the tree names
+  /// bodies and pages.
+  void readReplaced();
   [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
   /// What of the choices applies to a page; the others are grey and say why.
@@ -128,6 +131,7 @@ class PlotWindow : public QMainWindow {
   QLabel* readout_;     ///< values under the mouse
   QStringList values_;  ///< all of them, by part
   QTimer* growth_ = nullptr;
+  bool unreadable_ = false;  ///< the file that is followed, for the moment; the foot says so
   std::unique_ptr<QProgressDialog> reading_;
   std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
   QAction* log_x_action_ = nullptr;

@@ -1,3 +1,4 @@
+#include "adrplot/plot_pages.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/run_dialog.hpp"
 #include "adrplot/study_document.hpp"
@@ -11,8 +12,10 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QProgressDialog>
+#include <QStatusBar>
 #include <QTimer>
 #include <QTreeWidget>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -20,6 +23,26 @@
 
 /// Files of the window: read, listed in the tree, read again, closed.
 namespace adore::adrplot {
+namespace {
+
+/// Changes whenever the file does, also into one of the same size.
+std::string state_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(path, ignored);
+  const auto time = std::filesystem::last_write_time(path, ignored);
+  return fmt::format("{} {}", size, time.time_since_epoch().count());
+}
+
+/// Does the tree call the file what it is now?
+bool names_hold(const PlotDocument& doc) {
+  const results::SolFile now = results::read_sol(doc.path, {1, 1, 1});
+  const std::vector<PageSpec> pages = plot_pages(now.kind, now.header);
+  return subject(now.kind, now.header) == doc.subject &&
+         std::equal(pages.begin(), pages.end(), doc.pages.begin(), doc.pages.end(),
+                    [](const auto& a, const auto& b) { return a.title == b.title; });
+}
+
+}  // namespace
 
 bool PlotWindow::watchReading(double part) {
   if (part >= 1.0) {
@@ -64,10 +87,9 @@ void PlotWindow::addFile(results::SolFile file, const results::SolRange& range) 
 }
 
 void PlotWindow::addDocument(PlotDocument document, const results::SolRange& range, bool on_disk) {
-  std::error_code ignored;
-  const std::uintmax_t bytes = on_disk ? std::filesystem::file_size(document.path, ignored) : 0;
-  documents_.push_back(std::make_unique<Document>(
-      Document{std::move(document), range, on_disk, ignored ? 0 : bytes}));
+  std::string seen = on_disk ? state_of(document.path) : std::string();
+  documents_.push_back(
+      std::make_unique<Document>(Document{std::move(document), range, on_disk, std::move(seen)}));
   current_ = fileCount() - 1;
   page_ = 1;
   view_->zoomAll();  // a new file begins whole
@@ -185,20 +207,50 @@ void PlotWindow::showFiles(const QStringList& paths) {
 }
 
 void PlotWindow::reload() {
+  readAgain(true);
+  readReplaced();
+}
+
+/// A file that is followed may be worth nothing for a moment: no box that somebody has to close
+/// tells of it, but the foot, until it is good again.
+void PlotWindow::readAgain(bool asked) {
   Document* doc = document();
   if (!doc || !doc->on_disk) return;
+  doc->seen = state_of(doc->path);
   try {
-    std::error_code ignored;
-    doc->bytes = std::filesystem::file_size(doc->path, ignored);
     static_cast<PlotDocument&>(*doc) = open_document(
         doc->path, doc->range, kMostValues, [this](double part) { return watchReading(part); });
     page_ = std::min(page_, pageCount());
     fillTree();
+    if (unreadable_) statusBar()->clearMessage();
+    unreadable_ = false;
   } catch (const results::ReadStopped&) {
     follow(false);  // as was asked for
   } catch (const std::exception& error) {
-    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    reading_.reset();
+    if (asked) return desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    unreadable_ = true;
+    statusBar()->showMessage(tr("Cannot be read at the moment: %1").arg(error.what()));
   }
+}
+
+void PlotWindow::readReplaced() {
+  bool any = false;
+  for (int d = 0; d < fileCount(); ++d) {
+    Document& doc = *documents_[static_cast<std::size_t>(d)];
+    if (d == current_ || !doc.on_disk || doc.seen == state_of(doc.path)) continue;
+    try {
+      if (names_hold(doc)) continue;
+      std::string seen = state_of(doc.path);
+      static_cast<PlotDocument&>(doc) = open_document(
+          doc.path, doc.range, kMostValues, [this](double part) { return watchReading(part); });
+      doc.seen = std::move(seen);
+      any = true;
+    } catch (const std::exception&) {
+      reading_.reset();  // it is said when the file is looked at
+    }
+  }
+  if (any) fillTree();
 }
 
 void PlotWindow::follow(bool on) {
@@ -210,9 +262,9 @@ void PlotWindow::lookForGrowth() {
   Document* doc = document();
   if (!doc || !doc->on_disk || reading_) return;
   std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(doc->path, error);
-  if (error || bytes == doc->bytes) return;
-  reload();
+  if (std::filesystem::exists(doc->path, error) && doc->seen != state_of(doc->path))
+    readAgain(false);
+  readReplaced();
 }
 
 void PlotWindow::showRuns(const std::vector<long>& runs) {

@@ -144,14 +144,15 @@ std::pair<std::string, const char*> flange_of(const std::string& where) {
 
 }  // namespace
 
-std::string flange_reason(const std::string& where, const RunFacts& facts) {
+std::string flange_reason(const std::string& where, const RunFacts& facts, bool part) {
   const auto [race, side] = flange_of(where);
   if (!facts.flanges)
-    return fmt::format("The {} race has no flange at {}, or the roller's end never came near it.",
-                       race, side);
+    return fmt::format("The {} race has no flange at {}, or the roller's end {}.", race, side,
+                       part ? "came near it at none of these steps" : "never came near it");
   return facts.flanges->contains(where.substr(1))
-             ? fmt::format("The roller's end never came near the flange at {} of the {} race.",
-                           side, race)
+             ? fmt::format("The roller's end {} the flange at {} of the {} race{}.",
+                           part ? "did not come near" : "never came near", side, race,
+                           part ? " at these steps" : "")
              : fmt::format("The {} race has no flange at {}.", race, side);
 }
 

@@ -43,7 +43,7 @@ struct OrbitScale {
 [[nodiscard]] bool never_changes(const std::vector<double>& values, double rounding);
 
 /// Why a flange's column holds nothing, by what is known of the race. `where` is ".inner.2".
-[[nodiscard]] std::string flange_reason(const std::string& where, const RunFacts& facts);
+[[nodiscard]] std::string flange_reason(const std::string& where, const RunFacts& facts, bool part);
 [[nodiscard]] bool no_flange(const std::string& column, const RunFacts& facts);
 
 }  // namespace adore::adrplot

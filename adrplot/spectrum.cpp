@@ -43,6 +43,47 @@ std::string window_name(Window window) {
   return "no window";
 }
 
+namespace {
+
+/// Times of equal steps that pass through as many of the stored ones as may be: straight lines take
+/// away what is fast from every value that lies between two stored ones.
+struct Grid {
+  double start = 0.0, step = 0.0;
+  std::size_t count = 0;
+};
+Grid grid_through(const std::vector<double>& times) {
+  const std::size_t n = times.size();
+  std::vector<double> apart(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) apart[i] = times[i + 1] - times[i];
+  std::vector<double> sorted = apart;
+  std::nth_element(sorted.begin(), sorted.begin() + std::ssize(sorted) / 2, sorted.end());
+  Grid out{times.front(), sorted[sorted.size() / 2], 0};
+  // The longest stretch of steps of that length.
+  constexpr double kAlike = 1e-3;
+  std::size_t longest = 0, anchor = 0, alike = 0, run = 0;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    run = std::abs(apart[i] - out.step) <= kAlike * out.step ? run + 1 : 0;
+    alike += run > 0 ? 1 : 0;
+    if (run > longest) {
+      longest = run;
+      anchor = i + 1 - run;
+    }
+  }
+  const double whole = times.back() - times.front();
+  if (10 * alike < 9 * apart.size()) {  // steps of all lengths
+    out.step = whole / static_cast<double>(n - 1);
+    out.count = n;
+    return out;
+  }
+  // The mean of the stretch: times of a file have few digits.
+  out.step = (times[anchor + longest] - times[anchor]) / static_cast<double>(longest);
+  out.start = times[anchor] - std::floor((times[anchor] - times.front()) / out.step) * out.step;
+  out.count = static_cast<std::size_t>((times.back() - out.start) / out.step * (1.0 + 1e-12)) + 1;
+  return out;
+}
+
+}  // namespace
+
 Samples equal_samples(const std::vector<double>& all_times, const std::vector<double>& values) {
   Samples out;
   std::vector<double> times = all_times;
@@ -93,15 +134,18 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   }
   const auto [smallest, largest] = increments();
   out.resampled = true;
+  const Grid grid = grid_through(times);
+  out.start = grid.start;
+  out.step = grid.step;
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
   out.note = fmt::format(
-      "Resampled every {} by straight lines between stored steps of {} to {}: nothing above {} can "
+      "Resampled every {} by straight lines between steps of {} to {}: nothing above {} can "
       "be trusted.",
       seconds(out.step), seconds(smallest), seconds(largest),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
   std::size_t at = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double t = times.front() + out.step * static_cast<double>(i);
+  for (std::size_t i = 0; i < grid.count; ++i) {
+    const double t = grid.start + grid.step * static_cast<double>(i);
     while (at + 2 < n && times[at + 1] < t) ++at;
     const double part = std::clamp((t - times[at]) / (times[at + 1] - times[at]), 0.0, 1.0);
     out.values.push_back(values[at] + part * (values[at + 1] - values[at]));

@@ -124,12 +124,15 @@ void AgoreWindow::askForLimits() {
   dialog->open();
 }
 
-/// Typed limits are of one quantity, so they are not remembered.
 void AgoreWindow::setScale(const ScaleChoice& scale) {
   options_.scale = scale;
-  if (scale.kind != ColourScale::Typed)
-    QSettings("Adore", kApp).setValue(kScale, QString::fromStdString(scale_name(scale)));
   refresh();
+}
+
+/// In the menu, for later sessions, too. Typed limits are of one quantity, so they never are.
+void AgoreWindow::chooseScale(const ScaleChoice& scale) {
+  QSettings("Adore", kApp).setValue(kScale, QString::fromStdString(scale_name(scale)));
+  setScale(scale);
 }
 
 void AgoreWindow::setBeside(View view, bool shown) {

@@ -142,6 +142,7 @@ class AgoreWindow : public QMainWindow {
   void makeBesideMenu(QMenu* menu);
   void makeColourMenus(QMenu* menu);
   void askForLimits();
+  void chooseScale(const ScaleChoice& scale);
   void askForFilmName(int first, int last);
   QWidget* makeButtons();
   [[nodiscard]] RenderOptions filmOptions() const;

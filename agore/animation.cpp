@@ -246,6 +246,21 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
                      "draw; the file is damaged");
 }
 
+/// RESULTS.h5 of an earlier program that leaves out steps of the run: forces of its curves have no
+/// extremes. (What never has any, such as a speed, does not jump from step to step.)
+bool peaks_unknown(const results::MotionFile& motion) {
+  const auto& frames = motion.frames().frames;
+  const std::size_t stored = motion.every() * (std::max<std::size_t>(frames.size(), 1) - 1);
+  constexpr double kLeastApart = 1.5;  // on average: the last step is stored whatever its distance
+  if (stored == 0 || static_cast<double>(frames.back().step - frames.front().step) <
+                         kLeastApart * static_cast<double>(stored))
+    return false;
+  constexpr std::array kForces{"contact.load", "pocket.force", "land.force", "flange.force"};
+  return std::any_of(kForces.begin(), kForces.end(), [&](const std::string& id) {
+    return motion.has(id) && !motion.has(id + "_high");
+  });
+}
+
 Animation finish(Animation animation) {
   const auto& data = animation.file;
   for (const auto& frame : data.frames) animation.time.push_back(frame.time);
@@ -273,6 +288,8 @@ Animation finish(Animation animation) {
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
                           animation.motion->stored_steps())
             : "every stored step, all digits from RESULTS.h5";
+    if (peaks_unknown(*animation.motion))
+      animation.source += "; peaks between stored steps are not in the file";
     if (const std::string behind = animation.behind_words(); !behind.empty())
       animation.source += "; " + behind;
   } else {

@@ -1,5 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "agore/render.hpp"
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
@@ -37,6 +38,7 @@ struct Request {
 
 int render(int& argc, char** argv, Request& request) {
   if (request.file.empty()) throw InputError("--render needs an animation file (SOL8) to draw");
+  end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);

@@ -6,7 +6,6 @@
 
 #include <QAction>
 #include <QElapsedTimer>
-#include <QSettings>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,7 +100,6 @@ bool AgoreWindow::showable(const Animation& animation) const {
 
 void AgoreWindow::follow(bool on) {
   if (follow_->isChecked() != on) return follow_->setChecked(on);  // which comes here again
-  QSettings("Adore", kApp).setValue(kFollow, on);
   growth_.setInterval(kLook);
   on ? growth_.start() : growth_.stop();
   refresh();

@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -95,6 +96,9 @@ void AgoreWindow::makeMenus() {
   follow_->setShortcut(Qt::Key_F);
   follow_->setCheckable(true);
   connect(follow_, &QAction::toggled, this, &AgoreWindow::follow);
+  // Only a person's choice is kept: what a command line asks for is of that one time.
+  connect(follow_, &QAction::triggered, this,
+          [](bool on) { QSettings("Adore", kApp).setValue(kFollow, on); });
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
   file->addAction(tr("Save Fil&m..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
@@ -292,7 +296,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
                                    {ColourScale::Run, "Largest of the &Run"},
                                    {ColourScale::Moment, "Largest of This &Moment"}}) {
     auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
-      setScale({kind, 0.0, 0.0});
+      chooseScale({kind, 0.0, 0.0});
     });
     action->setCheckable(true);
     action->setData(static_cast<int>(kind));
@@ -305,7 +309,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
   scales->addSeparator();
   scales->addAction(tr("The Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
     constexpr int kWithoutAsking = 3;
-    setScale(
+    chooseScale(
         {static_cast<ColourScale>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
          0.0, 0.0});
   });

@@ -1,5 +1,6 @@
 #include "cli/picture_program.hpp"
 
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@ void become(char** argv) {
         "release), or use `adore convert FILE --to csv` and a plotter of your own");
   const std::string program = program_path();
   (void)std::fflush(nullptr);
+  // An interrupt that comes while the other program is loaded waits until that one listens.
+  const InterruptsWait wait;
   ::execv(program.c_str(), argv);
   refuse(program, errno);
 }

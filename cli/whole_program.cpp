@@ -1,5 +1,6 @@
 #include "cli/whole_program.hpp"
 
+#include "base/ending.hpp"
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
 #include "cli/signals.hpp"
@@ -42,6 +43,7 @@ int guarded(const std::function<int()>& body) {
 int whole_program(const std::function<int()>& body) {
   keep_stream_numbers();
   ignore_file_size_signal();
+  end_when_interrupted();
   return close_output(guarded(body));
 }
 

@@ -1,3 +1,4 @@
+#include "desktop/beyond_log.hpp"
 #include "desktop/chart_scene_parts.hpp"
 
 #include <algorithm>
@@ -290,11 +291,11 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     if (curve.hidden) continue;
     ShownCurve shown{.curve = c, .colour = panel.one_colour ? 0 : static_cast<int>(c)};
     std::vector<double> positive;
-    if (panel.log) {
-      positive = curve.y;
-      for (double& value : positive)
-        if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
-    }
+    // One height of the panel below its foot; a curve of such values alone has no line.
+    if (panel.log)
+      positive =
+          above_or_at(curve.y, any_above_0(curve) ? y_axis.value(2.0 * y_axis.min - y_axis.max)
+                                                  : std::numeric_limits<double>::quiet_NaN());
     const CurveBlocks* const blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c].y;
     const std::vector<double>& y = panel.log ? positive : curve.y;
     const int columns = static_cast<int>(area.width());

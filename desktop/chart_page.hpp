@@ -78,6 +78,7 @@ struct ChartPage {
   std::string along_title = {}, along_unit = {};
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
   bool log_x = false;                      ///< logarithmic abscissa
+  std::string about = {};  ///< the body, for what stands without a subtitle: a table
 };
 
 /// Extremes, mean and root mean square of the values of a curve between two places of its abscissa,

@@ -1,5 +1,6 @@
 #include "desktop/chart_scene.hpp"
 
+#include "desktop/beyond_log.hpp"
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/study_picture.hpp"
 
@@ -53,6 +54,7 @@ void ChartScene::setPage(ChartPage page, bool keep_view) {
   panel_views_.assign(view_count(page_), std::nullopt);
   studyCurves();
   studyDigits();
+  beyond_log_ = beyond_log_axes(page_);
   const auto [first, last] = wholeRange();
   if (same && low < last && high > first) {
     low_ = std::max(low, first);
@@ -182,6 +184,7 @@ void ChartScene::setPanelView(std::size_t panel, std::optional<std::pair<double,
 
 void ChartScene::showCurve(std::size_t panel, std::size_t curve, bool shown) {
   page_.panels.at(panel).curves.at(curve).hidden = !shown;
+  beyond_log_ = beyond_log_axes(page_);
   rebuild();
 }
 
@@ -478,8 +481,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const bool names_above = index == 0 && !page_.marks.empty();
   // A panel without values has no scale: any would be made up.
   const bool scaled = any && !log_of_none;
-  const QRectF below_legend =
-      area.adjusted(0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
+  const QRectF below_legend = area.adjusted(
+      0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
   const qreal legend =
       scaled ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m) : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
@@ -504,9 +507,10 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
   if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
   std::vector<QPolygonF> drawn;
+  for (const ShownCurve& one : shown)  // below all curves: none has the colour of another's area
+    if (!panel.curves[one.curve].low.empty())
+      addBand(index, one.curve, area, y_axis, one.colour, drawn);
   for (const ShownCurve& one : shown) {
-    const ChartCurve& curve = panel.curves[one.curve];
-    if (!curve.low.empty()) addBand(index, one.curve, area, y_axis, one.colour, drawn);
     addShown(one, panel, area, y_axis, m);
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }

@@ -125,6 +125,8 @@ class ChartScene : public QGraphicsScene {
     int font = 13;
     bool more = false;  ///< not all of it has room
   };
+  /// The page's note, and what its logarithmic axes leave out.
+  [[nodiscard]] std::string noteText() const;
   [[nodiscard]] const NoteLines& noteLines(qreal right) const;
   [[nodiscard]] NoteLines findNoteLines(qreal right) const;
   [[nodiscard]] qreal noteHeight(qreal right) const;
@@ -233,6 +235,7 @@ class ChartScene : public QGraphicsScene {
   mutable std::optional<std::pair<NoteKey, NoteLines>> note_lines_;
   bool rising_ = false;          ///< the abscissa
   std::vector<double> decades_;  ///< log10 of a logarithmic abscissa
+  std::string beyond_log_;       ///< what logarithmic axes leave out
   /// Of a long curve and of the edges of its band.
   struct LongCurve {
     CurveBlocks y, low, high;

@@ -86,7 +86,8 @@ qreal line_pitch(int font) { return font + 5.0; }
 /// As many lines as leave the panels their room, first in smaller letters; what has no room then is
 /// counted, and read under the pointer.
 ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
-  if (page_.note.empty() || page_.panels.empty()) return {};
+  const QString note = text_of(noteText());
+  if (note.isEmpty() || page_.panels.empty()) return {};
   constexpr int kLargest = 13, kSmallest = 11, kSmallestSaved = 9, kLeft = 24;
   // Of a heading any page has room for two lines; panels with their names keep as much as is read.
   constexpr qreal kLeast = 34.0, kFew = 80.0, kMore = 112.0, kHead = 66.0, kFoot = 54.0,
@@ -99,7 +100,6 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
                                 panels * (panel + kGap) + kGap);
   };
   const qreal room = room_beside(kPanel);
-  const QString note = text_of(page_.note);
   NoteLines out;
   const auto fits = [&](qreal height) {
     return static_cast<qreal>(out.lines.size()) * line_pitch(out.font) <= height;
@@ -131,8 +131,12 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   return out;
 }
 
+std::string ChartScene::noteText() const {
+  return page_.note + (page_.note.empty() || beyond_log_.empty() ? "" : " ") + beyond_log_;
+}
+
 const ChartScene::NoteLines& ChartScene::noteLines(qreal right) const {
-  const auto key = std::tuple(page_.note, size_.width(), size_.height(), right, pointed_);
+  const auto key = std::tuple(noteText(), size_.width(), size_.height(), right, pointed_);
   if (!note_lines_ || note_lines_->first != key) note_lines_ = {key, findNoteLines(right)};
   return note_lines_->second;
 }
@@ -182,7 +186,7 @@ void ChartScene::addHeading(const Metrics& m) {
     auto* item = addSimpleText(text, note_font);
     item->setBrush(theme_->accent);
     item->setPos(24, y);
-    if (note.more) item->setToolTip(tooltip_of(text_of(page_.note)));
+    if (note.more) item->setToolTip(tooltip_of(text_of(noteText())));
     y += line_pitch(note.font);
   }
 }

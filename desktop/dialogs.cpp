@@ -175,20 +175,20 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("jpg");
   dialog->selectFile(proposed_image_name(app, fallback));
-  QObject::connect(
-      dialog, &QFileDialog::fileSelected, parent,
-      [parent, app, picture = std::move(picture), svg = std::move(svg)](const QString& name) {
-        try {
-          if (svg && name.endsWith(".svg", Qt::CaseInsensitive))
-            save_bytes(svg(), name.toStdString());
-          else
-            save_image(picture(), name.toStdString(), Replace::Anything);
-          remember_image_name(app, name);
-          tell_in_foot(parent, QObject::tr("Saved %1.").arg(name));
-        } catch (const std::exception& error) {
-          show_message(parent, error.what(), true);
-        }
-      });
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent,
+                   [parent, app, fallback, picture = std::move(picture),
+                    svg = std::move(svg)](const QString& name) {
+                     try {
+                       if (svg && name.endsWith(".svg", Qt::CaseInsensitive))
+                         save_bytes(svg(), name.toStdString());
+                       else
+                         save_image(picture(), name.toStdString(), Replace::Anything);
+                       remember_image_name(app, fallback, name);
+                       tell_in_foot(parent, QObject::tr("Saved %1.").arg(name));
+                     } catch (const std::exception& error) {
+                       show_message(parent, error.what(), true);
+                     }
+                   });
   dialog->open();
 }
 

@@ -90,13 +90,42 @@ QString next_image_name(const QString& previous) {
   return name;
 }
 
-QString proposed_image_name(const QString& app, const QString& fallback) {
-  const QString previous = QSettings("Adore", app).value("picture/last").toString();
-  return previous.isEmpty() ? fallback : next_image_name(previous);
+namespace {
+
+/// `name`, or with the first number behind it that no file has. A number that ends it is what it
+/// names, a page.
+QString free_name(const QString& name) {
+  const QFileInfo info(name);
+  const QString folder = name.left(name.size() - info.fileName().size());
+  QString out = name;
+  for (int number = 2; QFileInfo::exists(out); ++number)
+    out = QString("%1%2-%3.%4").arg(folder, info.completeBaseName()).arg(number).arg(info.suffix());
+  return out;
 }
 
-void remember_image_name(const QString& app, const QString& saved) {
-  QSettings("Adore", app).setValue("picture/last", saved);
+/// Is it the name that was proposed, with or without its number, in whatever format?
+bool is_proposed(const QString& shown, const QString& saved) {
+  const QString stem = QFileInfo(shown).completeBaseName();
+  const QRegularExpression form("^" + QRegularExpression::escape(stem) + "(-\\d+)?$");
+  return form.match(QFileInfo(saved).completeBaseName()).hasMatch();
+}
+
+}  // namespace
+
+QString proposed_image_name(const QString& app, const QString& shown) {
+  const QSettings settings("Adore", app);
+  const QString last = settings.value("picture/last").toString(),
+                of = settings.value("picture/of").toString();
+  const QFileInfo now(shown);
+  if (last.isEmpty() || QFileInfo(of).absolutePath() != now.absolutePath()) return free_name(shown);
+  if (of == shown && !is_proposed(shown, last)) return next_image_name(last);
+  return free_name(QFileInfo(last).absoluteDir().filePath(now.fileName()));
+}
+
+void remember_image_name(const QString& app, const QString& shown, const QString& saved) {
+  QSettings settings("Adore", app);
+  settings.setValue("picture/of", shown);
+  settings.setValue("picture/last", saved);
 }
 
 }  // namespace adore::desktop

@@ -39,9 +39,11 @@ void make_folder(const std::filesystem::path& folder);
 /// `previous`; goes on counting while the file exists already.
 QString next_image_name(const QString& previous);
 
-/// The proposal for the next picture of an app, remembered across sessions: `fallback` the first
-/// time.
-QString proposed_image_name(const QString& app, const QString& fallback);
-void remember_image_name(const QString& app, const QString& saved);
+/// The proposal for a picture of what has the name `shown`, remembered across sessions: that name,
+/// or where it is taken with a number of its own ("SOL1-page-6.jpg", "SOL1-page-6-2.jpg"), in the
+/// folder where pictures of the same folder went last. A name of somebody's own counts on while the
+/// same is shown.
+QString proposed_image_name(const QString& app, const QString& shown);
+void remember_image_name(const QString& app, const QString& shown, const QString& saved);
 
 }  // namespace adore::desktop

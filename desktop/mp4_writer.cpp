@@ -22,6 +22,7 @@ Mp4Writer::Mp4Writer(const std::filesystem::path& path, QSize size, int frames_p
                      " needs the program ffmpeg, which is not in the PATH; install it, or write a "
                      "film that ends in .avi or .gif");
   unfinished_ += ".part";
+  removed_on_interrupt_.emplace(unfinished_);
   process_.setStandardOutputFile(QProcess::nullDevice());
   process_.start(program, {"-y",
                            "-loglevel",
@@ -76,6 +77,7 @@ void Mp4Writer::finish() {
   if (!process_.waitForFinished(kPatience) || process_.exitStatus() != QProcess::NormalExit ||
       process_.exitCode() != 0)
     fail();
+  removed_on_interrupt_.reset();
   std::error_code error;
   std::filesystem::rename(unfinished_, path_, error);
   if (error) throw InputError("cannot write " + path_.string() + ": " + error.message());

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "base/ending.hpp"
+
 #include <QProcess>
 #include <QSize>
 
 #include <filesystem>
+#include <optional>
 
 class QImage;
 
@@ -27,6 +30,7 @@ class Mp4Writer {
   [[noreturn]] void fail();
   std::filesystem::path path_, unfinished_;
   QSize size_;
+  std::optional<UnfinishedFile> removed_on_interrupt_;
   QProcess process_;
 };
 

@@ -45,7 +45,10 @@ std::string page_csv(const ChartPage& page) {
   if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});
   for (const ChartPanel& panel : page.panels)
     for (const ChartCurve& curve : panel.curves) {
-      const std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
+      std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
+      // "Orbital" of what? A column goes on without its page.
+      if (!page.about.empty())
+        name = page.about + ": " + (page.title == panel.title ? "" : page.title + ": ") + name;
       if (page.equal_axes)
         columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
       columns.push_back({with_unit(name, panel.unit), &curve.y, curve.lift});

@@ -289,11 +289,10 @@ void RecordReader::warn_about_value_apart() {
 /// mistake.
 void RecordReader::warn_about_rest() {
   if (pending_uses_ > 0) {
-    state_.report(
-        Severity::Warning, pending_.line, "", "",
-        fmt::format("a repeat count gives more values than the record takes; {} are ignored",
-                    pending_uses_),
-        "lower the repeat count");
+    state_.report(Severity::Warning, pending_.line, "", "",
+                  fmt::format("a repeat count gives more values than the record takes; {} ignored",
+                              pending_uses_ == 1 ? "1 is" : fmt::format("{} are", pending_uses_)),
+                  "lower the repeat count");
     return;
   }
   const std::string_view rest = state_.scanner.rest_of_line();

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::string_view kWordEnd = " \t\v\f,/";
-constexpr long long kMostRepeats = 1'000'000'000;
+/// Far above what any record takes, and so many may be added up.
+constexpr long long kMostRepeats = 1'000'000'000'000'000;
 
 }  // namespace
 

@@ -19,7 +19,7 @@ struct Token {
   };
   Kind kind = Kind::End;
   std::string text;
-  long long repeat = 1;        ///< r of r*value
+  long long repeat = 1;        ///< r of r*value; 10^15 where it is more
   int line = 0;                ///< 1-based
   bool first_in_line = false;  ///< nothing but blanks before it on its line
   bool unterminated = false;   ///< the closing quote is missing; the text runs to the line's end

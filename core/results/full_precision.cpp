@@ -17,6 +17,10 @@
 namespace adore::results {
 namespace {
 
+constexpr double kTurn = 2.0 * std::numbers::pi;
+/// Where the two sums of a long run's turns have rounded apart.
+constexpr double kLeastTurns = 1e-9;
+
 /// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room.
 constexpr double kSolDigits = 1e-6;
 
@@ -155,7 +159,6 @@ std::size_t distance_of(const std::vector<StepBlock>& blocks) {
 /// Adds the steps of RESULTS.h5 `first`, `first` + `every`, ... (`count` of them) to the file's.
 void add_steps(SolFile& file, const H5Reader& reader, const std::vector<double>& times,
                std::size_t first, std::size_t count, std::size_t every) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr std::size_t kPiece = 2048;
   const std::vector<long> numbers = reader.step_numbers();
   const ChannelColumns source{reader, file};
@@ -206,7 +209,7 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
       at[i] = found->second;
       ++out.exact;
     }
-    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of its steps"};
+    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of these steps"};
     out.from_start = at[out.exact - 1] < reader->steps() &&
                      std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
                                  [&](std::size_t place) { return place == reader->steps(); });
@@ -216,19 +219,31 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
     for (const bool replace : {false, true})
       for (const StepBlock& block : blocks)
         if (!use_block(file, *reader, block, replace)) return {kOtherRun};
-    for (std::size_t i = 0; i < file.steps.size(); ++i)
-      if (at[i] < reader->steps()) file.steps[i].time = times[at[i]];
+    const std::vector<double> shaft = reader->read("shaft_rotation");
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      if (at[i] >= reader->steps()) continue;
+      SolStep& step = file.steps[i];
+      step.time = times[at[i]];
+      if (const double turns = shaft[at[i]] / kTurn;
+          fits(step.revolutions, turns, kSolDigits, kLeastTurns))
+        step.revolutions = turns;
+    }
 
+    const std::vector<long> numbers = reader->step_numbers();
+    out.end = numbers.empty() ? 0 : numbers.back();
     const std::size_t last = at.back(), rows = reader->steps();
-    if (most_added == 0 || last >= rows) return out;  // the file's end is the later one
+    // The file's end is the later one, or both have the same: an interval may have left it out.
+    const long own_end = std::max(file.last_step, file.steps.back().step);
+    if (most_added == 0 || last >= rows || out.end <= own_end) return out;
     const std::size_t every = distance_of(blocks);
-    const std::size_t behind = (rows - 1 - last) / every;
+    std::size_t first = last + every;
+    while (first < rows && numbers[first] <= own_end) first += every;
+    const std::size_t behind = first < rows ? (rows - 1 - first) / every + 1 : 0;
     out.added = std::min(behind, most_added);
     out.more = out.added < behind;
-    add_steps(file, *reader, times, last + every, out.added, every);
+    add_steps(file, *reader, times, first, out.added, every);
     // The end of a run is stored whatever its distance.
-    if (const std::size_t end = last + out.added * every;
-        !out.more && end + 1 < rows && out.added < most_added) {
+    if (!out.more && file.steps.back().step < out.end && out.added < most_added) {
       add_steps(file, *reader, times, rows - 1, 1, 1);
       ++out.added;
     }
@@ -316,8 +331,10 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
         const auto shown = [&](double value) {
           return columns[c].unit == nullptr ? value : from_si(value, *columns[c].unit, units);
         };
+        // Slip is 0 where nothing touched all the time: no extremes of it.
+        const bool slip = channel.ends_with(".slip");
         for (std::size_t i = 0; i < count; ++i)
-          if (used(first + i))
+          if (used(first + i) && !(slip && high[i * width + at] == 0.0))
             widen(out[c], step_of[first + i], shown(low[i * width + at]),
                   shown(high[i * width + at]));
       }

@@ -16,6 +16,7 @@ namespace adore::results {
 struct FullPrecision {
   std::string why_not;      ///< empty: values were replaced
   std::size_t exact = 0;    ///< of the file's own steps have all digits
+  long end = 0;             ///< the last step of RESULTS.h5
   bool from_start = false;  ///< they are the first ones, without a gap between them
   std::size_t added = 0;    ///< steps behind the file's last one
   bool more = false;        ///< RESULTS.h5 has others behind, for which there was no room
@@ -24,8 +25,8 @@ struct FullPrecision {
 /// Replaces the values of a SOL1-SOL7 file by those of RESULTS.h5 in the same folder: all digits,
 /// and numbers where the file shows stars. Columns without a channel, and steps that RESULTS.h5
 /// does not hold, keep what they have. Up to `most_added` steps that RESULTS.h5 has behind the
-/// file's last one are added, as far apart as the file's own: a run that was killed loses the end
-/// of either.
+/// file's last one are added, as far apart as those of the file that were read: a run that was
+/// killed loses the end of either.
 /// The file is left as it is, `why_not` saying why, for example when there is no RESULTS.h5, or
 /// when it is of another run: its run code differs, or a number beyond the digits that the classic
 /// file shows. Never throws for a bad RESULTS.h5.

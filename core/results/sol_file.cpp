@@ -35,11 +35,12 @@ void check(const SolRange& range) {
                     range.from, range.to, range.every));
 }
 
-/// Calls take(step) for every complete step of the range; returns the note.
+/// Calls take(step) for every complete step of the range; returns the note. `last_step` becomes the
+/// last one that was passed.
 /// @throws InputError when the file ends before the range begins
 template <class Take>
 std::string for_each_step(SolParser& parser, const std::string& name, const SolRange& range,
-                          Take take) {
+                          long& last_step, Take take) {
   SolStep step;
   for (long position = 1; position <= range.to; ++position) {
     const bool kept = position >= range.from && (position - range.from) % range.every == 0;
@@ -50,6 +51,7 @@ std::string for_each_step(SolParser& parser, const std::string& name, const SolR
                         name, range.from, position - 1));
       return parser.note();
     }
+    last_step = step.step;
     if (kept) take(step);
   }
   return {};
@@ -149,7 +151,7 @@ SolFile read_steps(std::istream& stream, const std::string& name, const SolRange
   file.header = parser.header();
   file.columns = range.columns;
   constexpr std::size_t kLook = 1000;  // steps
-  file.note = for_each_step(parser, name, range, [&](SolStep& step) {
+  file.note = for_each_step(parser, name, range, file.last_step, [&](SolStep& step) {
     if (watch && bytes > 0 && file.steps.size() % kLook == 0 &&
         !watch(static_cast<double>(parser.good_bytes()) / static_cast<double>(bytes)))
       throw ReadStopped(fmt::format("reading {} was stopped", name));
@@ -166,6 +168,8 @@ SolFile read_steps(std::istream& stream, const std::string& name, const SolRange
   file.gaps = parser.gaps();
   SolStep behind;
   file.more = file.note.empty() && parser.next(behind, false) == BlockStatus::Complete;
+  file.every = range.every;
+  file.part = file.more || range.every > 1 || range.from > 1;
   if (watch) (void)watch(1.0);
   return file;
 }
@@ -190,7 +194,8 @@ Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange
   file.elements = parser.header().elements;
   file.units = parser.header().units;
   file.geometry = make_geometry(parser.geometry());
-  file.note = for_each_step(parser, name, range, [&](const SolStep& step) {
+  long last_step = 0;
+  file.note = for_each_step(parser, name, range, last_step, [&](const SolStep& step) {
     file.frames.push_back(make_frame(step, file.elements));
   });
   file.gaps = parser.gaps();

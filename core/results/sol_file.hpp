@@ -62,9 +62,13 @@ struct SolFile {
   SolHeader header;
   std::vector<SolStep> steps;
   std::vector<std::size_t> columns;  ///< of each step's values; empty: all of the file's
-  std::string note;   ///< empty, or what was wrong with the file ("cut off in step 120")
-  std::string gaps;   ///< empty, or how many of its values are no numbers (SolParser::gaps)
-  bool more = false;  ///< there are stored steps behind the range
+  std::string note;    ///< empty, or what was wrong with the file ("cut off in step 120")
+  std::string gaps;    ///< empty, or how many of its values are no numbers (SolParser::gaps)
+  bool more = false;   ///< there are stored steps behind the range
+  bool part = false;   ///< it has other stored steps than those that were read
+  long every = 1;      ///< of so many stored steps one was read
+  long last_step = 0;  ///< of those up to the range's end, kept or not: the file's last one but for
+                       ///< `more`; 0: not known, then it is the last that was kept
 
   /// Where in a step's values the column of the file stands; beyond their end when it was not kept.
   [[nodiscard]] std::size_t place(std::size_t column) const;

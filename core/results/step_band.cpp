@@ -31,15 +31,17 @@ void StepBand::look(scene::Looked what, std::span<const double> values) {
   std::vector<Range>& ranges = ranges_[static_cast<std::size_t>(what)];
   // What the scene does not have is 0 all the time.
   if (values.size() > ranges.size()) ranges.resize(values.size());
-  if (looks_ == 0) {
-    for (std::size_t i = 0; i < values.size(); ++i) ranges[i] = {values[i], values[i], values[i]};
-    return;
-  }
+  const bool slip = what == scene::Looked::ContactSlip || what == scene::Looked::FlangeSlip;
   Range* range = ranges.data();
   for (const double value : values) {
-    range->low = std::min(range->low, value);
-    range->high = std::max(range->high, value);
-    range->sum += value;
+    if (range->looks == 0.0) {
+      *range = {value, value, value, slip && value == 0.0 ? 0.0 : 1.0};
+    } else if (!slip || value != 0.0) {
+      range->low = std::min(range->low, value);
+      range->high = std::max(range->high, value);
+      range->sum += value;
+      range->looks += 1.0;
+    }
     ++range;
   }
 }
@@ -67,7 +69,9 @@ double StepBand::high(scene::Looked what, std::size_t place) const {
 double StepBand::mean(scene::Looked what, std::size_t place) const {
   const Range* range = at(what, place);
   // Rounding of the sum must not lead out of the range.
-  return range == nullptr ? kUnknown : std::clamp(range->sum / looks_, range->low, range->high);
+  return range == nullptr
+             ? kUnknown
+             : std::clamp(range->sum / std::max(range->looks, 1.0), range->low, range->high);
 }
 
 void StepBand::save(std::map<std::string, double>& state) const {
@@ -79,6 +83,7 @@ void StepBand::save(std::map<std::string, double>& state) const {
       state[key(what, "low", i)] = ranges_[k][i].low;
       state[key(what, "high", i)] = ranges_[k][i].high;
       state[key(what, "sum", i)] = ranges_[k][i].sum;
+      state[key(what, "looks", i)] = ranges_[k][i].looks;
     }
   }
 }
@@ -97,9 +102,9 @@ void StepBand::restore(const std::map<std::string, double>& state) {
     ranges.clear();
     for (std::size_t i = 0; looks_ > 0.0; ++i) {
       const double *low = number(key(what, "low", i)), *high = number(key(what, "high", i)),
-                   *sum = number(key(what, "sum", i));
-      if (low == nullptr || high == nullptr || sum == nullptr) break;
-      ranges.push_back({*low, *high, *sum});
+                   *sum = number(key(what, "sum", i)), *seen = number(key(what, "looks", i));
+      if (low == nullptr || high == nullptr || sum == nullptr || seen == nullptr) break;
+      ranges.push_back({*low, *high, *sum, *seen});
     }
     any = any || !ranges.empty();
   }

@@ -16,6 +16,9 @@
 /// (nStps) the last state that the stepper evaluated, which lies inside that step and is as
 /// accurate as its stages. A step that is stored is looked at as it is stored, so that low <= value
 /// <= high to the last digit, and a run that stores every step has no width.
+///
+/// Slip is 0 where nothing touches: that is no slip, and looks at it leave no mark on its extremes
+/// and mean, which are 0 only where none of them saw a contact.
 namespace adore::results {
 
 /// The channel of which a look has the values, in the same order.
@@ -43,7 +46,7 @@ class StepBand {
 
  private:
   struct Range {
-    double low = 0.0, high = 0.0, sum = 0.0;
+    double low = 0.0, high = 0.0, sum = 0.0, looks = 0.0;
   };
   /// Null: nobody looked there.
   [[nodiscard]] const Range* at(scene::Looked what, std::size_t place) const {

@@ -118,7 +118,7 @@ TEST_CASE("a page without extremes says that peaks are not in the file",
   TemporaryFolder folder;
   write_run(folder, UnitSystem::SI);
   const PlotDocument document = open_document(folder / "SOL1");
-  const desktop::ChartPage page = document.build(page_named(document, "Race interactions 2"), {});
+  const desktop::ChartPage page = document.build(page_named(document, "Position of the mass"), {});
   for (const auto& panel : page.panels)
     for (const auto& curve : panel.curves) CHECK(curve.high.empty());
   CHECK_THAT(page.note, Contains("is stored: peaks between stored steps are not in the file.") &&
@@ -170,9 +170,10 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   const PlotDocument all = open_document(folder / "SOL4"),
                      few = open_document(folder / "SOL4", range),
                      element = open_document(folder / "SOL1");
-  const int pocket = page_named(all, "Pocket 1"), slip = page_named(element, "Race interactions 2");
+  const int pocket = page_named(all, "Pocket 1"),
+            moves = page_named(element, "Position of the mass");
   const CurvePick force{&all, pocket, 0, 0}, force_of_few{&few, pocket, 0, 0},
-      gap{&all, pocket, 1, 0}, slipping{&element, slip, 0, 0};
+      gap{&all, pocket, 1, 0}, moving{&element, moves, 0, 0};
   const auto said = [](const desktop::ChartPage& page, const std::string& what) {
     return page.note.find(what) != std::string::npos;
   };
@@ -196,9 +197,9 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   }
   CHECK(said(page, "Pale areas reach from"));
   // What one of them says is said of that one; what a curve does not have is not spoken of.
-  CHECK(said(page, "of the file's steps, every 5th one"));
+  CHECK(said(page, "of the file's steps, one of every 5"));
   CHECK_FALSE(said(combine_curves({gap}, Combine::Overlay, {}), "Pale"));
-  const auto two = combine_curves({gap, slipping}, Combine::Overlay, {});
+  const auto two = combine_curves({gap, moving}, Combine::Overlay, {});
   REQUIRE(two.panels.size() == 2);
   CHECK(said(two, two.panels[1].curves[0].name + ": Of every 10 steps of the run one is stored: "
                                                  "peaks between stored steps are not"));
@@ -209,7 +210,7 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
   spectra.domain = Domain::Spectrum;
   const auto lines = combine_curves({force, force_of_few}, Combine::Overlay, spectra);
   CHECK_FALSE(said(lines, "Pale"));
-  CHECK(said(lines, "of the file's steps, every 5th one"));
+  CHECK(said(lines, "of the file's steps, one of every 5"));
 }
 
 TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {

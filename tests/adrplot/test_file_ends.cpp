@@ -4,6 +4,7 @@
 #include "results/sol_writer.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
@@ -88,4 +89,43 @@ TEST_CASE("plot_document: a longer RESULTS.h5 takes no more room than files may"
   CHECK(page.x.size() <= 60);
   CHECK(page.x.size() >= 31);
   CHECK_THAT(page.note, Contains("for which there is no room"));
+}
+
+TEST_CASE("plot_document: an interval or a part of a file is not taken for its end",
+          "[unit][adrplot][h5]") {
+  TemporaryFolder folder;
+  // Both files end with step 41: with every interval that leaves it out nothing is added, and
+  // nothing said of an end. The same where RESULTS.h5 ends first, or is longer.
+  for (const long h5 : {41L, 33L, 60L}) {
+    const auto path = run_of(folder, 41, h5);
+    for (const long from : {1L, 5L, 38L})
+      for (const long every : {1L, 2L, 3L, 7L, 20L}) {
+        const desktop::ChartPage page = first_page(path, {from, results::SolRange{}.to, every});
+        INFO("RESULTS.h5 to " << h5 << ", from " << from << ", every " << every << ": " << page.note
+                              << " | " << page.subtitle);
+        std::vector<double> expected;
+        for (long step = from - 1; step <= 41; step += every)
+          expected.push_back(static_cast<double>(step));
+        const std::size_t own = expected.size();
+        // Behind the file's end as far apart; the run's end whatever its distance.
+        for (long step = static_cast<long>(expected.back()) + every; step <= h5; step += every)
+          expected.push_back(static_cast<double>(step));
+        // Of one step no distance is known.
+        if (h5 > 41 && own > 1 && expected.back() < static_cast<double>(h5))
+          expected.push_back(static_cast<double>(h5));
+        if (own > 1 || h5 <= 41) CHECK(page.x == expected);
+        const std::string& note = page.note;
+        if (h5 > 41)
+          CHECK_THAT(note, Contains("alone: SOL7 ends at step 41."));
+        else
+          CHECK_THAT(note, !Contains("alone"));
+        CHECK(note.find("RESULTS.h5 ends at step") ==
+              (note.find("RESULTS.h5 ends at step 33:") == std::string::npos
+                   ? std::string::npos
+                   : note.find("RESULTS.h5 ends at step 33:")));
+        if (h5 == 41) CHECK_THAT(page.subtitle, Contains("all digits from RESULTS.h5"));
+        if (every > 1) CHECK_THAT(note, Contains(fmt::format("one of every {}", every)));
+        if (from > 1) CHECK_THAT(note, Contains(fmt::format("from number {} on", from)));
+      }
+  }
 }

@@ -454,3 +454,32 @@ TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[
       }
   }
 }
+
+TEST_CASE("pages: what a part of the steps shows is not said of the run", "[unit][adrplot]") {
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    results::SolFile file = test::synthetic_sol(kind);
+    const auto columns = results::sol_columns(file.header);
+    int said = 0;
+    for (const bool part : {false, true})
+      for (const double value : {0.0, 1e30}) {
+        file.part = part;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          for (auto& step : file.steps)
+            step.values.at(c) = columns[c].id.ends_with("spin_to_roll") ? 0.0 : value;
+        const PlotDocument document = make_document(file);
+        for (std::size_t p = 0; p < document.pages.size(); ++p) {
+          const desktop::ChartPage page = document.build(static_cast<int>(p) + 1, {});
+          std::string words = page.note;
+          for (const auto& panel : page.panels) words += " " + panel.message;
+          INFO(page.title << ": " << words);
+          bool of_run = false;
+          for (const char* of : {"in this run", "of this run", "any step", "every step", "never",
+                                 "in all of this file"})
+            of_run = of_run || words.find(of) != std::string::npos;
+          said += of_run && !part ? 1 : 0;
+          CHECK_FALSE((part && of_run));
+        }
+      }
+    if (kind != SolKind::Race) CHECK(said > 0);
+  }
+}

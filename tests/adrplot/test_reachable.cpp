@@ -3,6 +3,7 @@
 #include "support/reachable.hpp"
 #include "support/synthetic_results.hpp"
 
+#include <QTest>
 #include <catch2/catch.hpp>
 
 using namespace adore;
@@ -42,4 +43,13 @@ TEST_CASE("plot_window: a letter with Alt that chooses nothing now is not typed"
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
   window.show();
   CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("plot_window: every key does what the menus promise, wherever the focus is", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.show();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  CHECK(test::keys_without_effect(window).join("; ").toStdString() == "");
 }

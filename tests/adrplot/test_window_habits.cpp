@@ -8,9 +8,10 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QTreeWidget>
 #include <catch2/catch.hpp>
 
@@ -61,21 +62,24 @@ TEST_CASE("plot_window: numbers are all of them or those in view, and the foot s
 }
 
 TEST_CASE(
-    "plot_window: the tree has its own Home and End, and the pointer's line goes with its page",
+    "plot_window: Home in the tree shows all of its page, and the pointer's line goes with its "
+    "page",
     "[gui][adrplot]") {
   test::use_qt();
   PlotWindow window;
   window.addFile(test::synthetic_sol(SolKind::Element));
   window.show();
   auto* tree = window.findChild<QTreeWidget*>("pages");
-  const auto taken_by_tree = [&](int key) {
-    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
-    event.ignore();
-    QCoreApplication::sendEvent(tree, &event);
-    return event.isAccepted();
-  };
-  CHECK(taken_by_tree(Qt::Key_Home));
-  CHECK(taken_by_tree(Qt::Key_End));
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  window.showPage(2);
+  tree->setFocus();
+  desktop::ChartScene& scene = window.view().chartScene();
+  scene.setView(scene.viewLow(), 0.5 * (scene.viewLow() + scene.viewHigh()));
+  REQUIRE(scene.zoomed());
+  QTest::keyClick(tree, Qt::Key_Home);
+  CHECK_FALSE(scene.zoomed());
+  CHECK(window.windowTitle().contains("/SOL1 — page 2 of"));
+  window.showPage(1);
   CHECK(window.windowTitle().contains("/SOL1 — page 1 of"));  // of the run's folder
   const auto picture = [&] { return window.view().grab().toImage(); };
   auto& view = window.view();
@@ -161,4 +165,35 @@ TEST_CASE("plot_window: the name proposed for a picture has the picture's suffix
     CHECK(proposed.baseName().startsWith("SWEEP-page"));
     delete dialog;
   }
+}
+
+TEST_CASE("plot_window: a small window does not grow, whatever it tells", "[gui][adrplot]") {
+  test::use_qt();
+  PlotWindow window;
+  for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Power})
+    window.addFile(test::synthetic_sol(kind));
+  window.show();
+  const QSize small(684, 402);  // the room of a screen of 700x450
+  window.resize(small);
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  auto& view = window.view();
+  int told = 0;
+  for (int file = 0; file < window.fileCount(); ++file)
+    for (int page = 0; page < tree->topLevelItem(file)->childCount(); ++page) {
+      tree->setCurrentItem(tree->topLevelItem(file)->child(page));
+      const auto& areas = view.chartScene().plotAreas();
+      if (!areas.empty() && !view.chartScene().isPlane()) {
+        const QPoint middle = view.mapFromScene(areas[0].center());
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, Qt::ControlModifier, middle);
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier,
+                          middle + QPoint(40, 0));
+        told += view.cursorReport().isEmpty() ? 0 : 1;
+      }
+      for (int round = 0; round < 3; ++round) QCoreApplication::processEvents();
+      INFO(window.windowTitle().toStdString());
+      CHECK(window.width() == small.width());
+      CHECK(window.height() == small.height());
+      CHECK(view.height() >= view.minimumHeight());
+    }
+  CHECK(told > 3);
 }

@@ -168,7 +168,7 @@ TEST_CASE("agore_window: a film goes from a frame or a time to another, and says
     INFO(rate);
     REQUIRE(window.writeFilm(film));
     const QString said = window.statusBar()->currentMessage();
-    CHECK(said.startsWith(QString("Saved %1: %2 pictures").arg(film).arg(count)));
+    CHECK(said.startsWith(QString("Saved %1: %2 picture").arg(film).arg(count)));
     CHECK(said.contains("one of every") == (count < 20));
   }
 }

@@ -54,4 +54,31 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
   };
   check(View::Pocket, 0, force);
   check(View::Section, 0, load);
+  CHECK(animation.source.find("peaks between") == std::string::npos);
+}
+
+TEST_CASE("curves of a file without extremes say that peaks between stored steps are not in it",
+          "[unit][h5][step-band]") {
+  const bearing::Bearing bearing = make_bearing(8);
+  // As an earlier program wrote it: no channel of extremes.
+  std::vector<std::string_view> plain;
+  const results::ChannelTable today = channel_table();
+  for (const results::Channel& channel : today.all())
+    if (!channel.id.ends_with("_low") && !channel.id.ends_with("_high") &&
+        !channel.id.ends_with("_mean"))
+      plain.push_back(channel.id);
+  REQUIRE(plain.size() < today.all().size());
+  const results::ChannelTable earlier = today.only(plain);
+  for (const long every : {1, 3}) {
+    CAPTURE(every);
+    TemporaryFolder folder;
+    results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, earlier);
+    results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, earlier);
+    for (long step = 0; step <= 30; step += every)
+      h5.write(recorder.record(make_snapshot(bearing, step)));
+    h5.close();
+    const Animation animation = open_motion(folder / "RESULTS.h5");
+    CHECK((animation.source.find("peaks between stored steps are not in the file") !=
+           std::string::npos) == (every > 1));
+  }
 }

@@ -74,9 +74,15 @@ TEST_CASE("agore_window: a running solver is followed, at the moment and place t
   CHECK(grows(begun(100), 100));
   CHECK(window.playing());
   window.pause();
+  {
+    AgoreWindow next;  // a program that asked for it did so once
+    CHECK_FALSE(next.findChild<QAction*>("followAction")->isChecked());
+  }
+  window.follow(false);
+  window.findChild<QAction*>("followAction")->trigger();  // as a person does
   AgoreWindow next;
   CHECK(next.findChild<QAction*>("followAction")->isChecked());  // remembered
-  next.follow(false);
+  next.findChild<QAction*>("followAction")->trigger();
   window.follow(false);
   CHECK_FALSE(QSettings("Adore", "agore").value("follow").toBool());
 }

@@ -3,6 +3,7 @@
 #include "support/reachable.hpp"
 #include "support/synthetic_results.hpp"
 
+#include <QTest>
 #include <catch2/catch.hpp>
 
 using namespace adore;
@@ -43,4 +44,13 @@ TEST_CASE("agore_window: a letter with Alt that chooses nothing now is not typed
   window.setAnimation(prepare(test::synthetic_sol8()));
   window.show();
   CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("agore_window: every key does what the menus promise, wherever the focus is", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8()));
+  window.show();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  CHECK(test::keys_without_effect(window).join("; ").toStdString() == "");
 }

@@ -1,4 +1,5 @@
 #include "desktop/launch.hpp"
+#include "desktop/mp4_writer.hpp"
 #include "desktop/one_window.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
@@ -10,9 +11,12 @@
 #include <QTest>
 #include <catch2/catch.hpp>
 
+#include <csignal>
 #include <cstdlib>
 #include <set>
+#include <string>
 #include <sys/stat.h>
+#include <vector>
 
 /// The programs themselves, started headless on the files of one real run.
 namespace {
@@ -121,6 +125,61 @@ TEST_CASE("adore animate --slow draws the film of agore --render --slow", "[gui]
   const Ended alone = start("adore", {"animate", file, "--out", folder.path(), "--slow", "1e-4"});
   CHECK(alone.code == 2);
   CHECK(alone.output.contains("--movie"));
+}
+
+TEST_CASE("an interrupt ends every command alike: a word, exit code 130, no unfinished film",
+          "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir folder;
+  const QString run = run_folder(), out = folder.path();
+  struct Command {
+    const char* program;
+    QStringList words;
+  };
+  std::vector<Command> commands{
+      {"adore", {"check", "-"}},  // waits for a deck
+      {"adore", {"plan", run, "--what-if", "--turns", "50"}},
+      {"adore", {"plot", run + "/SOL1", run + "/SOL4", run + "/SOL7", "--out", out}},
+      {"adore", {"gallery", run, "--out", out}},
+      {"adore", {"animate", run + "/SOL8", "--view", "3d", "--out", out}},
+      {"adrplot", {run + "/SOL1", run + "/SOL4", run + "/SOL7", "--render", out}},
+      {"agore", {run + "/SOL8", "--render", out, "--every", "1", "--view", "3d"}},
+      {"agore", {run + "/SOL8", "--render", out, "--movie", "a.gif", "--view", "3d"}},
+      {"adore", {"animate", run + "/SOL8", "--out", out, "--movie", "b.avi", "--view", "3d"}}};
+  if (adore::desktop::ffmpeg_found())
+    for (const char* program : {"agore", "adore"})
+      commands.push_back(
+          {program, program == std::string("agore")
+                        ? QStringList{run + "/SOL8", "--render", out, "--movie", "c.mp4"}
+                        : QStringList{"animate", run + "/SOL8", "--out", out, "--movie", "c.mp4"}});
+  const auto listens = [](qint64 process) {
+    QFile status(QString("/proc/%1/status").arg(process));
+    if (!status.open(QIODevice::ReadOnly)) return false;
+    for (const QByteArray& line : status.readAll().split('\n'))
+      if (line.startsWith("SigCgt:"))
+        return (line.mid(7).trimmed().toULongLong(nullptr, 16) & 1ULL << (SIGINT - 1)) != 0;
+    return false;
+  };
+  const auto parts = [&] { return QDir(out).entryList({"*.part"}, QDir::Files | QDir::Hidden); };
+  for (const Command& command : commands) {
+    INFO(command.program << " " << command.words.join(' ').toStdString());
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QString::fromStdString(adore::test::program(command.program).string()),
+                  command.words);
+    REQUIRE(process.waitForStarted());
+    const bool mp4 = command.words.contains("c.mp4");
+    REQUIRE(QTest::qWaitFor(
+        [&] { return listens(process.processId()) && (!mp4 || !parts().isEmpty()); }, 60'000));
+    REQUIRE(::kill(static_cast<pid_t>(process.processId()), SIGINT) == 0);
+    REQUIRE(process.waitForFinished(60'000));
+    const QString said = QString::fromUtf8(process.readAll());
+    INFO(said.toStdString());
+    CHECK(process.exitStatus() == QProcess::NormalExit);
+    CHECK(process.exitCode() == 130);
+    CHECK(said.contains("interrupted"));
+    CHECK(parts().isEmpty());
+  }
 }
 
 TEST_CASE("a second viewer of a project hands its files over and ends", "[gui][apps]") {

@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 using namespace adore;
 using namespace adore::desktop;
@@ -67,9 +68,41 @@ TEST_CASE("image_export: names count on, and skip files that exist", "[gui]") {
   image.fill(Qt::red);
   save_image(image, folder.filePath("plot-2.jpg").toStdString());
   CHECK(next_image_name(first) == folder.filePath("plot-3.jpg"));
-  CHECK(proposed_image_name("test-app", "page.jpg") == "page.jpg");
-  remember_image_name("test-app", first);
-  CHECK(proposed_image_name("test-app", "page.jpg") == folder.filePath("plot-3.jpg"));
+}
+
+TEST_CASE("image_export: a picture has the name of what it shows, and a number of its own",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir data, pictures;
+  const auto of = [&](const char* name) { return data.filePath(name); };
+  const auto proposed = [](const QString& shown) { return proposed_image_name("of-what", shown); };
+  const auto save = [](const QString& shown, const QString& name) {
+    QImage image(20, 10, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    save_image(image, name.toStdString());
+    remember_image_name("of-what", shown, name);
+  };
+  // Whatever is shown, and in whatever order: its name, the first number that is free.
+  std::map<QString, int> saved;
+  for (const char* name : {"SOL1-page-6.jpg", "SOL1-page-6.jpg", "SOL3-page-1.jpg",
+                           "SOL1-page-7.jpg", "SOL1-page-6.jpg", "SOL3-page-1.jpg"}) {
+    const QString shown = of(name);
+    const int number = ++saved[shown];
+    const QString expected =
+        number == 1 ? shown : QString(shown).replace(".jpg", QString("-%1.jpg").arg(number));
+    CHECK(proposed(shown).toStdString() == expected.toStdString());
+    save(shown, proposed(shown));
+  }
+  // A folder that was chosen stays chosen for what lies in the same one.
+  save(of("SOL1-page-6.jpg"), pictures.filePath("SOL1-page-6.jpg"));
+  CHECK(proposed(of("SOL3-page-1.jpg")) == pictures.filePath("SOL3-page-1.jpg"));
+  CHECK(proposed(of("SOL1-page-6.jpg")) == pictures.filePath("SOL1-page-6-2.jpg"));
+  const QString elsewhere = pictures.filePath("run/SOL1-page-6.jpg");
+  CHECK(proposed(elsewhere) == elsewhere);
+  // A name of one's own counts on for what it was given to, and for nothing else.
+  save(of("SOL1-page-6.jpg"), pictures.filePath("start.jpg"));
+  CHECK(proposed(of("SOL1-page-6.jpg")) == pictures.filePath("start-2.jpg"));
+  CHECK(proposed(of("SOL3-page-1.jpg")) == pictures.filePath("SOL3-page-1.jpg"));
 }
 
 TEST_CASE("image_export: PNG and JPEG are written, other wishes are refused with a sentence",

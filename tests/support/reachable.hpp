@@ -182,6 +182,52 @@ inline QStringList letters_typed_by_alt(QMainWindow& window) {
   return out;
 }
 
+/// Keys of a window's menus and buttons that do not do what they promise, or do it twice, where
+/// some part of the window has the focus: "Home in pages". Text fields keep what is typed and what
+/// moves in them; they and text that can be selected keep copying. Afterwards the keys do nothing.
+inline QStringList keys_without_effect(QMainWindow& window) {
+  window.activateWindow();
+  QApplication::setActiveWindow(&window);
+  int done = 0;
+  QList<QAction*> actions;
+  for (QAction* action : window.findChildren<QAction*>()) {
+    if (action->shortcuts().isEmpty() || !action->isEnabled() || !action->isVisible()) continue;
+    QObject::disconnect(action, &QAction::triggered, nullptr, nullptr);
+    QObject::disconnect(action, &QAction::toggled, nullptr, nullptr);
+    QObject::connect(action, &QAction::triggered, action, [&done] { ++done; });
+    actions << action;
+  }
+  QStringList out;
+  int places = 0;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (widget->window() != &window || !widget->isVisible() || !widget->isEnabled() ||
+        widget->focusPolicy() == Qt::NoFocus)
+      continue;
+    widget->setFocus();
+    QWidget* const at = QApplication::focusWidget();  // of a compound, its part
+    if (at == nullptr) continue;
+    ++places;
+    const bool field = qobject_cast<QLineEdit*>(at) != nullptr || at->inherits("QAbstractSpinBox");
+    const bool text = field || qobject_cast<QLabel*>(at) != nullptr;
+    for (const QAction* action : actions)
+      for (const QKeySequence& key : action->shortcuts()) {
+        const QKeyCombination pressed = key[0];
+        const Qt::KeyboardModifiers held = pressed.keyboardModifiers();
+        if (field && !(held & (Qt::ControlModifier | Qt::AltModifier))) continue;
+        if (text && key == QKeySequence(QKeySequence::Copy)) continue;
+        done = 0;
+        QTest::keyClick(at, pressed.key(), held);
+        if (done != 1)
+          out << QString("%1 in %2 %3 (%4 times)")
+                     .arg(key.toString(), at->metaObject()->className(), at->objectName())
+                     .arg(done);
+      }
+  }
+  for (const QAction* action : actions) QObject::disconnect(action, nullptr, action, nullptr);
+  if (places < 3 || actions.size() < 10) out << "too few places or keys";
+  return out;
+}
+
 /// The text of the box that an entry of the menu Help shows.
 inline QString help_text(QMainWindow& window, const QString& entry) {
   for (QAction* action : window.findChildren<QAction*>()) {

@@ -566,3 +566,17 @@ TEST_CASE("files: missing, folder, binary, too large, and a good one", "[unit][d
   CHECK_THROWS_AS(write_deck(ball, folder / "none" / "DATA.txt"), adore::InputError);
   fs::remove_all(folder);
 }
+
+TEST_CASE("a repeat count that is too long is told as it was written", "[unit][deck]") {
+  const std::string text = content_of(kFolder / "repeat_too_long.txt");
+  for (const auto& [written, said] : {std::pair{"7*293.15", "1 is ignored"},
+                                      {"9*293.15", "3 are ignored"},
+                                      {"2000000000*293.15", "1999999994 are ignored"}}) {
+    INFO(written);
+    bool found = false;
+    for (const Issue& issue :
+         read_deck_text(replaced(text, "9*293.15", written), "DATA.txt").issues)
+      found = found || issue.message.find(said) != std::string::npos;
+    CHECK(found);
+  }
+}

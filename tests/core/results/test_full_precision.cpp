@@ -52,6 +52,9 @@ double worst(const SolFile& file, UnitSystem units) {
         make_sol_step(file.header, columns, recorder.record(make_snapshot(bearing, step)), units);
     const SolStep& read = file.steps.at(static_cast<std::size_t>(step));
     REQUIRE(read.values.size() == exact.values.size());
+    for (const auto& [had, given] :
+         {std::pair{read.time, exact.time}, {read.revolutions, exact.revolutions}})
+      if (given != 0.0) largest = std::max(largest, std::abs(had / given - 1.0));
     for (std::size_t i = 0; i < exact.values.size(); ++i)
       if (exact.values[i] != 0.0)
         largest = std::max(largest, std::abs(read.values[i] / exact.values[i] - 1.0));

@@ -243,6 +243,39 @@ TEST_CASE("the same run gives the same bytes, whenever it is flushed", "[unit][h
   CHECK(read_bytes(folder / "a.h5") == read_bytes(folder / "b.h5"));
 }
 
+TEST_CASE("a file of many blocks has the same bytes however its rows went out, and when continued",
+          "[unit][h5][slow]") {
+  const bearing::Bearing bearing = make_bearing(3);
+  constexpr long kSteps = 6'000;  // so many blocks that their index grows
+  TemporaryFolder folder;
+  const auto write = [&](H5Writer writer, long from, long to, long every) {
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
+    for (long step = 0; step < to; ++step) {
+      const auto& record = recorder.record(make_snapshot(bearing, step));  // knows the last ones
+      if (step < from) continue;
+      writer.write(record);
+      if (every > 0 && step % every == 5) writer.flush();
+    }
+    writer.close();
+  };
+  write(H5Writer::create(folder / "whole.h5", bearing, channel_table()), 0, kSteps, 0);
+  const std::string whole = read_bytes(folder / "whole.h5");
+  for (const long every : {37L, 300L}) {  // as the clock asks for it in a slow run
+    CAPTURE(every);
+    write(H5Writer::create(folder / "slow.h5", bearing, channel_table()), 0, kSteps, every);
+    CHECK((read_bytes(folder / "slow.h5") == whole));
+  }
+  for (const long end : {100L, 1'400L, 4'096L})
+    for (const long every : {0L, 37L}) {
+      CAPTURE(end, every);
+      const auto path = folder / "joined.h5";
+      write(H5Writer::create(path, bearing, channel_table()), 0, end, every);
+      write(H5Writer::continue_after(path, bearing, channel_table(), end - 10), end - 9, kSteps,
+            every);
+      CHECK((read_bytes(path) == whole));
+    }
+}
+
 TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,30 @@ TEST_CASE("what a scene lacks is 0, and what nobody looked at is no number", "[u
   band.look(Looked::LandForce, std::vector<double>{3.0});
   band.stored();
   CHECK(band.low(Looked::LandForce, 0) == 3.0);
+}
+
+TEST_CASE("a lost contact leaves no mark on the extremes of its slip", "[unit][step-band]") {
+  StepBand band;
+  const auto look = [&](double slip) {
+    adore::scene::Look at;
+    at[Looked::ContactSlip] = {slip, 0.0};
+    at[Looked::ContactLoad] = {slip > 0.0 ? 5.0 : 0.0, 0.0};
+    band.look(at);
+  };
+  for (const double slip : {0.0, 0.3, 0.0, 0.1, 0.0}) look(slip);
+  CHECK(band.low(Looked::ContactSlip, 0) == 0.1);
+  CHECK(band.high(Looked::ContactSlip, 0) == 0.3);
+  CHECK(band.mean(Looked::ContactSlip, 0) == Approx(0.2));
+  CHECK(band.high(Looked::ContactSlip, 1) == 0.0);
+  CHECK(band.low(Looked::ContactLoad, 0) == 0.0);  // no load is a load
+  std::map<std::string, double> kept;
+  band.save(kept);
+  StepBand later;
+  later.restore(kept);
+  later.look(Looked::ContactSlip, std::vector<double>{0.2, 0.0});
+  later.stored();
+  CHECK(later.low(Looked::ContactSlip, 0) == 0.1);
+  CHECK(later.mean(Looked::ContactSlip, 0) == Approx(0.2));
 }
 
 TEST_CASE("the mean of looks that are all alike is that value", "[unit][step-band]") {
