@@ -47,11 +47,14 @@ void DeckWindow::showCharts() {
   charts_->setSolution(*statics_->tables());
   charts_->setStale(statics_->stale());
   if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
-    const bool as_made = std::abs(drawing_dock_->width() - kDrawingWidth) < kDrawingWidth / 10;
+    const int made = width() < kNarrow ? kDrawingWidth * 2 / 3 : kDrawingWidth;
+    const bool as_made = std::abs(drawing_dock_->width() - made) < kDrawingWidth / 10;
     charts_dock_->show();
     charts_dock_->raise();
     // Keys of curves need more room than the drawing; a width that somebody chose stays.
-    if (as_made && width() > kNarrow) resizeDocks({charts_dock_}, {width() / 3}, Qt::Horizontal);
+    const int wanted = width() < kNarrow ? 0 : width() / 3;
+    if (as_made)
+      resizeDocks({charts_dock_}, {std::max(wanted, charts_->wholeWidth())}, Qt::Horizontal);
   }
 }
 

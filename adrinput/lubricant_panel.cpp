@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kPause = 300;                           // ms
 constexpr int kLeastWidth = 400, kLeastHeight = 360;  // of a chart with four lines of notes
-constexpr int kLeastDockWidth = 200, kLeastDockHeight = 120;
+constexpr int kLeastDockWidth = 140, kLeastDockHeight = 120;
 constexpr int kDockTitle = 40;     // its height, at most
 constexpr int kRoomForDock = 640;  // of the window, for list and form beside it
 

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ namespace {
 constexpr int kHead = 150;        // title, note and the axis below
 constexpr int kPanel = 145;       // of several below each other
 constexpr int kOne = 370;         // alone, with a long title
-constexpr int kLeastWidth = 300;  // of a chart with its keys and titles
+constexpr int kLeastWidth = 130;  // of the place in which a chart scrolls
 
 }  // namespace
 
@@ -29,7 +30,7 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   choice_->setObjectName("solution-page");
   choice_->setAccessibleName(tr("Chart of the quasi-static solution"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice_->setMinimumContentsLength(18);
+  choice_->setMinimumContentsLength(6);
   note_->setWordWrap(true);
   note_->setMargin(6);
   view_->setObjectName("solution-chart");
@@ -37,7 +38,6 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   area_ = new QScrollArea(this);
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
-  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area_->setFocusPolicy(Qt::NoFocus);
   area_->setMinimumSize(kLeastWidth, 160);
   area_->setWidget(view_);
@@ -49,6 +49,12 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   layout->addWidget(area_, 1);
   layout->addStretch(0);
   connect(choice_, &QComboBox::activated, this, &SolutionCharts::showPage);
+}
+
+int SolutionCharts::wholeWidth() const {
+  const QMargins margins = layout()->contentsMargins();
+  return view_->minimumWidth() + area_->verticalScrollBar()->sizeHint().width() + margins.left() +
+         margins.right();
 }
 
 QStringList SolutionCharts::pages() const {

@@ -29,6 +29,8 @@ class SolutionCharts : public QWidget {
   void setStale(bool stale);
   [[nodiscard]] QStringList pages() const;
   void choosePage(int index);
+  /// Of this place when a chart is whole in it, without scrolling sideways.
+  [[nodiscard]] int wholeWidth() const;
   [[nodiscard]] desktop::ChartView& view() { return *view_; }
 
  private:
