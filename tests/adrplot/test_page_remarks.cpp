@@ -126,12 +126,12 @@ TEST_CASE("pages: forces on a race say in which directions they hold it", "[unit
 
 TEST_CASE("pages: a flange that the race does not have is not hedged", "[unit][adrplot]") {
   RunFacts facts;
-  CHECK(flange_reason(".inner.2", facts) ==
+  CHECK(flange_reason(".inner.2", facts, false) ==
         "The inner race has no flange at +x, or the roller's end never came near it.");
   CHECK_FALSE(no_flange("flange.gap.inner.2", facts));
   facts.flanges = {"inner.1"};
-  CHECK(flange_reason(".inner.2", facts) == "The inner race has no flange at +x.");
-  CHECK(flange_reason(".inner.1", facts) ==
+  CHECK(flange_reason(".inner.2", facts, false) == "The inner race has no flange at +x.");
+  CHECK(flange_reason(".inner.1", facts, false) ==
         "The roller's end never came near the flange at −x of the inner race.");
   CHECK(no_flange("flange.gap.inner.2", facts));
   CHECK_FALSE(no_flange("flange.gap.inner.1", facts));
