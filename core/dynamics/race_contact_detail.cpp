@@ -157,14 +157,14 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
 RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
                                         std::size_t index, const RaceMotion& race,
                                         const ContactSums& known) {
-  return detail_of(
-      model, race_contact_state(model, balls, index, race), [&](const RaceContactState& at) {
-        tribology::EllipseTraction out;
-        out.heat = known.heat;
-        out.load_slip = known.load_slip;
-        out.max_slip = tribology::largest_slip(at.ellipse, at.motion);
-        return out;
-      });
+  return detail_of(model, race_contact_state(model, balls, index, race),
+                   [&](const RaceContactState& at) {
+                     tribology::EllipseTraction out;
+                     out.heat = known.heat;
+                     out.load_slip = known.load_slip;
+                     out.max_slip = tribology::largest_slip(at.ellipse, at.motion);
+                     return out;
+                   });
 }
 
 RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
