@@ -22,6 +22,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {", with --overwrite", ", and replace what is left"},
     {" with --overwrite", " and replace what is left"},
     {"--until, ", ""},
+    {", or an end with --until", ""},
     {" unless `--until` says how far", ""},
     {", or --tol)", ")"},
     {"; --reproducible gives", "; `adore run --reproducible` gives"},

@@ -4,6 +4,7 @@
 #include "adrplot/sentence_words.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "adrplot/waterfall_page.hpp"
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
 #include "results/channels.hpp"
@@ -43,12 +44,12 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
   const double interval = alias_interval(file, context.fastest_frequency);
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
-  return fmt::format("Aliased: the fastest contact vibrates at {}, and {} at {}",
-                     desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-                     file.every > 1
-                         ? fmt::format("one is drawn of every {} steps stored", file.every)
-                         : "steps are stored",
-                     desktop::pretty_quantity(every / interval, "Hz", 3));
+  return fmt::format(
+      "Aliased: the fastest contact vibrates at {}, and {} at {}",
+      desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+      file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
+                     : "steps are stored",
+      desktop::pretty_quantity(every / interval, "Hz", 3));
 }
 
 /// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
