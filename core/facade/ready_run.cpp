@@ -128,12 +128,12 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   outputs.emplace(prepared, folder, request_digest(request, prepared.input), request.overwrite);
-  if (thermal) outputs->show_thermal(*thermal);
   // Times, limits and estimates above are those of the bearing of the deck, as they were when the
   // run began: a run that was killed goes on in the same steps.
   thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   if (thermal_goes_on) system.emplace(make_system(prepared));
+  if (thermal) outputs->show_thermal(*thermal);
   start = outputs->find_start(*system, how);
 }
 

@@ -289,7 +289,11 @@ RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder, std::st
     : impl_(std::make_unique<Impl>(prepared, folder, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
 
-void RunOutputs::show_thermal(const ThermalRun& thermal) { impl_->thermal = &thermal; }
+void RunOutputs::show_thermal(const ThermalRun& thermal) {
+  impl_->thermal = &thermal;
+  impl_->recorder.set_bearing(impl_->prepared.bearing);
+  impl_->life.follow_bearing();
+}
 
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;

@@ -74,7 +74,8 @@ class RunOutputs {
   [[nodiscard]] StartPoint find_start(dynamics::System& system, setup::StartState start);
   /// Opens every file for a run from there, and writes the front part of PRINT.txt.
   void open(dynamics::System& system, const StartPoint& start);
-  /// The thermal analysis whose last step every instant shows; outlives these outputs.
+  /// The thermal analysis whose last step every instant shows, and the bearing that it has left;
+  /// outlives these outputs.
   void show_thermal(const ThermalRun& thermal);
   /// A thermal step is done: into PRINT.txt, and its temperatures into all that is stored later.
   void thermal_step(const ThermalRun::Step& step, double time);
