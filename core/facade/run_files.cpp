@@ -32,6 +32,7 @@ listing::RaceFriction race_friction(const Prepared& prepared) {
 
 RunFiles::RunFiles(const Prepared& prepared, fs::path folder)
     : prepared_(prepared),
+      begun_(prepared.bearing),
       control_(prepared.control),
       folder_(std::move(folder)),
       units_(prepared.input.deck.units()),
@@ -67,8 +68,7 @@ void RunFiles::check() const {
   for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
     check(k + 1, control_.monitored[k]);
   check(7, 0);
-  if (prepared_.options.results_h5)
-    results::H5Writer::check(path("RESULTS.h5"), prepared_.bearing, channels_);
+  if (prepared_.options.results_h5) results::H5Writer::check(path("RESULTS.h5"), begun_, channels_);
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
@@ -116,9 +116,9 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   power_->collect();
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared_.bearing,
-                                                        channels_, steps.saved)
-                    : results::H5Writer::create(path("RESULTS.h5"), prepared_.bearing, channels_);
+    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), begun_, channels_,
+                                                        steps.saved)
+                    : results::H5Writer::create(path("RESULTS.h5"), begun_, channels_);
   }
   print->show_friction(race_friction(prepared_));
   if (prepared_.user && !prepared_.user->version().empty())

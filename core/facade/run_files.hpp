@@ -85,6 +85,7 @@ class RunFiles {
   void flush_classic();  ///< SOL1 to SOL8
 
   const Prepared& prepared_;
+  bearing::Bearing begun_;  ///< before thermal steps: RESULTS.h5 tells its geometry
   const setup::RunControl& control_;
   std::filesystem::path folder_;
   deck::UnitSystem units_;

@@ -2,6 +2,7 @@
 #include "deck/templates.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/thermal_run.hpp"
+#include "results/results_h5.hpp"
 #include "results/sol_file.hpp"
 #include "results/static_tables.hpp"
 
@@ -248,6 +249,8 @@ TEST_CASE("a run with thermal steps that was cut goes on in the steps of an unbr
     // Temperatures, too, from the first step on that is stored after the cut.
     const results::SolFile a = results::read_sol(one / "SOL7"), b = results::read_sol(two / "SOL7");
     const auto columns = results::sol_columns(a.header);
+    const results::H5Reader own(one / "RESULTS.h5"), joined(two / "RESULTS.h5");
+    CHECK(own.geometry() == joined.geometry());
     std::size_t compared = 0;
     for (const auto& there : b.steps)
       for (const auto& here : a.steps)
