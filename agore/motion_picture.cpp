@@ -47,7 +47,11 @@ QStringList present_values(const desktop::ChartPage& page, double time, double w
     }
   const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
   const QString whole = parts.join("   ");
-  if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) return {whole};
+  if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) {
+    const QString note = QString::fromStdString(page.note);  // on pale areas
+    if (note.isEmpty() || small.horizontalAdvance(note) > width) return {whole};
+    return {whole, note};
+  }
   QStringList lines;
   for (const QString& part : parts) {
     const QString longer = lines.isEmpty() ? part : lines.back() + "   " + part;

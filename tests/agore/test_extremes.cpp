@@ -55,6 +55,10 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
   check(View::Pocket, 0, force);
   check(View::Section, 0, load);
   CHECK(animation.source.find("peaks between") == std::string::npos);
+  options.view = View::Pocket;  // whose peaks stand out
+  CHECK(data_page(animation, options).note == "Pale: extremes between stored steps.");
+  options.view = View::Element;  // of speeds, which have none
+  CHECK(data_page(animation, options).note.empty());
 }
 
 TEST_CASE("curves of a file without extremes say that peaks between stored steps are not in it",
