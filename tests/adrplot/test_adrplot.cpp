@@ -155,6 +155,27 @@ TEST_CASE("spectrum: two tones come out at their frequencies and relative height
   CHECK(*std::max_element(still.amplitude.begin(), still.amplitude.end()) == 0.0);
 }
 
+TEST_CASE("spectrum: where nearly all stored steps are equal a fast wave keeps its height",
+          "[unit][adrplot]") {
+  // As a run has them: shorter ones at its start, a few on the way, and the last one.
+  constexpr double kStep = 1.7e-5, kFrequency = 25e3;
+  std::vector<double> times{0.0, 0.36 * kStep, 1.17 * kStep}, values;
+  for (int i = 0; i < 1750; ++i)
+    times.push_back(times.back() + (i % 400 == 399 ? 0.99 : 1.0) * kStep);
+  times.push_back(times.back() + 0.5 * kStep);
+  for (const double t : times) values.push_back(std::sin(2.0 * std::numbers::pi * kFrequency * t));
+  const Samples samples = equal_samples(times, values);
+  CHECK(samples.resampled);
+  CHECK(samples.step == Approx(kStep).epsilon(1e-4));
+  const std::size_t third = samples.values.size() / 3;
+  for (std::size_t part = 0; part < 3; ++part) {  // in no part of the run it fades
+    double square = 0.0;
+    for (std::size_t i = part * third; i < (part + 1) * third; ++i)
+      square += samples.values[i] * samples.values[i] / static_cast<double>(third);
+    CHECK(std::sqrt(2.0 * square) > 0.9);
+  }
+}
+
 TEST_CASE("spectrum: a shorter last step is left out, unequal steps are resampled and said so",
           "[unit]") {
   std::vector<double> times, values;
