@@ -283,6 +283,8 @@ Animation finish(Animation animation) {
     for (const char* name : {"contact.load", "contact.slip", "contact.heat", "contact.temperature"})
       if (const auto* channel = animation.motion->channel(name))
         animation.run_ranges[name] = run_range(*channel);
+    if (const auto* load = animation.motion->channel("contact.load"))
+      animation.some_free = loses_contact(*load);
     animation.source =
         animation.motion->every() > 1
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
@@ -389,6 +391,12 @@ RunRange run_range(const results::MotionChannel& channel) {
   std::nth_element(above.begin(), at, above.end());
   out.usual = *at;
   return out;
+}
+
+bool loses_contact(const results::MotionChannel& load) {
+  for (std::size_t i = 0; i + 1 < load.values.size(); i += 2)
+    if (load.values[i] == 0.0 && load.values[i + 1] == 0.0) return true;
+  return false;
 }
 
 const results::Sol8Body& Animation::part(std::size_t i, int segment) const {

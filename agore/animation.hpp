@@ -51,6 +51,8 @@ struct RunRange {
   double usual = 0.0;  ///< that 19 of 20 values above 0 stay below
 };
 [[nodiscard]] RunRange run_range(const results::MotionChannel& channel);
+/// Is there an element that touches neither race at some step? Of the loads of a run.
+[[nodiscard]] bool loses_contact(const results::MotionChannel& load);
 
 /// Contacts of all elements at the frames of a SOL8 file.
 struct ContactFrames {
@@ -82,6 +84,7 @@ struct Animation {
   std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 beside the file
   std::string no_contacts;                        ///< why there are none
   std::map<std::string, RunRange> run_ranges;     ///< of quantities that colour, by channel
+  bool some_free = false;                         ///< an element touches neither race at some step
   std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
   std::vector<double> turned;  ///< by the races since the frame before, at least [rev]
   /// Ways of centres, of elements about the axis, and of elements past each other.

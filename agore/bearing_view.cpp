@@ -68,9 +68,8 @@ void draw_land_arrows(const Scene& s) {
 /// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
 /// have is named so, in the same place, without a mark.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
-  const QColor& red = s.sketch.theme().red;
   const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
-    key.push_back({red, now ? there : none, now ? mark : KeyMark::None, now ? none : there});
+    key.push_back(now_and_then(s.sketch.theme().red, now, there, none, mark));
   };
   const auto& elements = s.frame.elements;
   entry(std::any_of(elements.begin(), elements.end(),
@@ -89,22 +88,28 @@ QString frame_name(const Scene& s) {
                                   : QString("cage frame");
 }
 
-void draw_trails(const Scene& s) {
+/// @return are there any?
+bool draw_trails(const Scene& s) {
   std::vector<std::vector<WayPoint>> ways;
+  bool any = false;
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
     std::vector<WayPoint>& way = ways.emplace_back();
     for (const TrailPoint& point : element_trail(s, k))
       way.push_back({s.sketch.at(point.centre.x(), point.centre.y()), point.joined});
+    any = any || !way.empty();
   }
   draw_ways(s.sketch.painter(), s.sketch.area(), ways,
             {trail_colour(s), 2.0, s.sketch.theme().surface});
+  return any;
 }
 
 /// Forces of both races on every element, the largest of the run as long as an element's radius
 /// where the outer race is as thick: its arrows end below the elements' numbers.
-void draw_all_loads(const Scene& s) {
+/// @return are there any, by race?
+std::array<bool, 2> draw_all_loads(const Scene& s) {
+  std::array<bool, 2> any{};
   const auto* const all = s.animation.contacts_at(s.index);
-  if (all == nullptr || !(s.animation.contacts->largest_load > 0.0)) return;
+  if (all == nullptr || !(s.animation.contacts->largest_load > 0.0)) return any;
   const auto& contacts = *all;
   const double radius = s.geometry().element_radius;
   const double longest = longest_load_arrow(s, radius, outer_rim(s.geometry()));
@@ -117,10 +122,12 @@ void draw_all_loads(const Scene& s) {
       if (!(part > 0.0)) continue;
       const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
       const QPointF tip = centre + radius * outward, tail = tip + part * longest * outward;
-      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
-                     s.sketch.theme().curves[j], 2.6);
+      any[j] = load_arrow(s, s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
+                          s.sketch.theme().curves[j], 2.6) ||
+               any[j];
     }
   }
+  return any;
 }
 
 /// The guiding surface is drawn at the exaggerated clearance, so that the cage touches it in the
@@ -148,9 +155,20 @@ double away_from(QPointF place, QPointF from, QPointF to) {
   return QLineF(place, from + part * way).length();
 }
 
-/// Frames about the bearing's axis, the names of each on that side of its arms where they stand
-/// farther from those before, and from all the other arms.
-void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
+/// Arms of frames about the bearing's axis. All of a picture have names, or none, so that what the
+/// key says of arms is true of all. @return have they names?
+bool draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
+  const bool named = std::all_of(frames.begin(), frames.end(), [&](const TurningFrame& frame) {
+    return s.sketch.frame_named(frame.length);
+  });
+  for (const TurningFrame& frame : frames)
+    s.sketch.frame({0, 0}, frame.angle, frame.length, frame.colour, named);
+  return named;
+}
+
+/// Their names, of each on that side of its arms where they stand farther from those before, and
+/// from all the other arms.
+void name_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
   const auto heads_of = [&](const TurningFrame& frame) {
     return std::array<QPointF, 2>{s.sketch.around({0, 0}, frame.length, frame.angle),
@@ -169,7 +187,7 @@ void draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
       return least;
     };
     const double side = room(-1.0) > room(1.0) ? -1.0 : 1.0;
-    s.sketch.frame({0, 0}, frame.angle, frame.length, frame.colour, side);
+    s.sketch.name_frame({0, 0}, frame.angle, frame.length, frame.colour, side);
     for (const QPointF& name : s.sketch.frame_names({0, 0}, frame.angle, frame.length, side))
       taken.push_back(name);
   }
@@ -208,27 +226,30 @@ void bearing_view(const Scene& s) {
                              guide_radius, t.red, 1.6);
   }
   const double bore = g.inner_race_inner_radius;
-  std::vector<TurningFrame> frames{{s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue},
-                                   {s.animation.race_angle[1][s.index], 0.62 * bore, t.blue}};
+  std::vector<TurningFrame> frames{
+      {s.animation.race_angle[0][s.index], 0.78 * bore, race_colour(t, 0)},
+      {s.animation.race_angle[1][s.index], 0.62 * bore, race_colour(t, 1)}};
   if (s.animation.has_cage) frames.push_back({s.cage_angle(), 0.46 * bore, t.green});
-  draw_frames(s, frames);
+  const bool named = draw_frames(s, frames);
   draw_land_arrows(s);
-  if (s.options.trails) draw_trails(s);
-  if (s.options.contacts) draw_all_loads(s);
+  const bool trails = s.options.trails && draw_trails(s);
+  if (s.options.trails) draw_turning_marks(s);  // paths run through the middle of elements
+  std::array<bool, 2> loads{};
+  if (s.options.contacts) loads = draw_all_loads(s);
   draw_contact_marks(s);
-  std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
+  if (named) name_frames(s, frames);
+  std::vector<KeyEntry> key{{race_colour(t, 0), "outer race frame"},
+                            {race_colour(t, 1), "inner race frame"}};
   if (s.animation.has_cage) {
     key.push_back({t.green, frame_name(s)});
     add_cage_contacts(s, key);
     if (guide_radius > 0.0) key.push_back({t.red, kGuideLands, KeyMark::Dashed});
   }
-  name_arms(s, 0.46 * bore, key);
+  name_arms(s, named, key);
   name_turning_mark(s, std::nullopt, key);
-  if (s.options.trails) key.push_back(trail_entry(s));
+  if (s.options.trails) key.push_back(trail_entry(s, trails));
   if (s.options.contacts && s.animation.contacts_at(s.index) != nullptr) {
-    const auto& largest = s.animation.contacts->largest_of_race;
-    key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
-    key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
+    for (const std::size_t race : {0U, 1U}) key.push_back(loads_entry(s, race, loads[race]));
   } else if (s.options.contacts) {
     key.push_back({t.muted,
                    QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
@@ -255,20 +276,25 @@ void cage_view(const Scene& s) {
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   // Where the orbit is, so that one picture has one centre of the cage.
   const double arm = 0.5 * g.cage_inner_radius;
-  s.sketch.frame(enlargement > 0.0 ? now : cage, s.cage_angle(), arm, t.green);
+  const QPointF origin = enlargement > 0.0 ? now : cage;
+  const bool named = s.sketch.frame_named(arm);
+  s.sketch.frame(origin, s.cage_angle(), arm, t.green, named);
   draw_land_arrows(s);
   draw_contact_marks(s);
+  if (named) s.sketch.name_frame(origin, s.cage_angle(), arm, t.green);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
                                                : QString("orbit of the mass centre");
   std::vector<KeyEntry> key{{t.green, frame_name(s)}};
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
   if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
-  key.push_back(way_entry(
-      t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
-      s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
-  if (enlargement > 0.0) key.push_back(later_entry(s));
-  name_arms(s, arm, key);
+  if (enlargement > 0.0) {
+    key.push_back(way_entry(
+        t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
+        s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
+    key.push_back(later_entry(s));
+  }
+  name_arms(s, named, key);
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

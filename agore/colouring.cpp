@@ -225,13 +225,20 @@ std::vector<KeyEntry> scale_entries(const Scene& s) {
     if (!scale_room(s.options, s.sketch.area().size()).isEmpty()) return {};  // said there
     return {{s.sketch.theme().muted, QString::fromStdString(colours.why_none), KeyMark::None}};
   }
-  const KeyEntry none{no_contact_colour(), "no contact", KeyMark::Disc};
-  if (!too_low(s.options, s.sketch.area().height()) || !s.options.one_of_several) return {none};
-  return {{scale_colour(0.5),
-           QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title, colours.low_end(),
-                                              colours.high_end(), colours.scale)),
-           KeyMark::Scale},
-          none};
+  std::vector<KeyEntry> out;
+  if (too_low(s.options, s.sketch.area().height()) && s.options.one_of_several)
+    out.push_back(
+        {scale_colour(0.5),
+         QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title, colours.low_end(),
+                                            colours.high_end(), colours.scale)),
+         KeyMark::Scale});
+  // Of a run without such elements it would speak of what nobody ever sees.
+  if (s.animation.some_free)
+    out.push_back(now_and_then(
+        no_contact_colour(),
+        std::any_of(colours.touches.begin(), colours.touches.end(), [](bool on) { return !on; }),
+        "no contact", "all in contact now", KeyMark::Disc));
+  return out;
 }
 
 }  // namespace adore::agore

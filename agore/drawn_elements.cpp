@@ -42,12 +42,11 @@ QString longest_load(const Scene& s, double load) {
                                 desktop::pretty_quantity(load, s.animation.contacts->load_unit, 3));
 }
 
-std::string load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour,
-                       double width) {
-  constexpr double kSeen = 4.0;  // pixels
-  if (QLineF(tail, tip).length() < kSeen) return ", too small to draw";
+bool load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour, double width) {
+  constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the colour
+  if (QLineF(tail, tip).length() < kSeen) return false;
   s.sketch.arrow(tail, tip, colour, width);
-  return {};
+  return true;
 }
 
 std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
@@ -83,9 +82,26 @@ KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const
   return {colour, what};
 }
 
-void name_arms(const Scene& s, double length, std::vector<KeyEntry>& key) {
-  if (!s.sketch.frame_named(length))
-    key.push_back({s.sketch.theme().muted, "longer arm of a frame: z", KeyMark::None});
+KeyEntry now_and_then(const QColor& colour, bool now, const QString& there, const QString& none,
+                      KeyMark mark) {
+  return {colour, now ? there : none, now ? mark : KeyMark::None, now ? none : there};
+}
+
+QColor flange_colour(const desktop::Theme& theme) { return theme.curves[2]; }
+
+QColor race_colour(const desktop::Theme& theme, std::size_t race) {
+  return race == 0 ? theme.light_blue : theme.blue;
+}
+
+KeyEntry loads_entry(const Scene& s, std::size_t race, bool any) {
+  const QString name = race == 0 ? "outer race loads" : "inner race loads";
+  return now_and_then(s.sketch.theme().curves[race], any,
+                      name + longest_load(s, s.animation.contacts->largest_of_race[race]),
+                      QString("no %1 now").arg(name));
+}
+
+void name_arms(const Scene& s, bool named, std::vector<KeyEntry>& key) {
+  if (!named) key.push_back({s.sketch.theme().muted, "longer arm: z", KeyMark::Frame});
 }
 
 void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
@@ -101,38 +117,50 @@ void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
                  ball ? "turns with the ball" : "turns with the roller", KeyMark::Turning});
 }
 
-KeyEntry trail_entry(const Scene& s) {
-  return way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
-                   "earlier frames");
+KeyEntry trail_entry(const Scene& s, bool any) {
+  KeyEntry way = way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
+                           "earlier frames");
+  return now_and_then(
+      way.colour, any, way.text,
+      s.animation.known_trails == Known::None ? "way between frames unknown" : "no paths so far",
+      way.mark);
 }
 
 namespace {
 
 /// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
 /// seen from +X.
-std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
+std::array<double, 3> mark_from_axis(const Scene& s, std::size_t k) {
+  const results::Sol8Element& element = s.frame.elements.at(k);
   if (element.angles == std::array<double, 3>{}) return {};  // its turning was not followed
   const Vec3 z = rotation(element.angles).col(2);
-  return {z.y(), z.z(), z.x()};
+  // Of a roller on the end that is seen, however it leans.
+  return {z.y(), z.z(), s.animation.file.bearing_type == 1 ? z.x() : 0.0};
 }
 
 }  // namespace
 
-void draw_element(const Scene& s, std::size_t k, const QColor& tint) {
-  auto mark = mark_from_axis(s.frame.elements.at(k));
+void draw_element(const Scene& s, std::size_t k, const QColor& tint, bool marked) {
+  const auto mark = marked ? mark_from_axis(s, k) : std::array<double, 3>{};
   const double radius = s.animation.file.geometry.element_radius;
-  if (s.animation.file.bearing_type == 1) {
+  if (s.animation.file.bearing_type == 1)
     s.sketch.ball(element_centre(s, k), radius, mark, tint);
-    return;
-  }
-  mark[2] = 0.0;  // on the end that is seen, however the roller leans
-  s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
+  else
+    s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
 }
 
 void draw_elements(const Scene& s) {
   const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) draw_element(s, k, colours.of(k));
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
+    draw_element(s, k, colours.of(k), !s.options.trails);
   if (s.options.colour != ColourBy::None) draw_scale(s, colours);
+}
+
+void draw_turning_marks(const Scene& s) {
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
+    s.sketch.turning_mark(element_centre(s, k), s.geometry().element_radius, mark_from_axis(s, k),
+                          colours.of(k));
 }
 
 void draw_contact_marks(const Scene& s) {

@@ -3,8 +3,10 @@
 #include "agore/ways.hpp"
 #include "desktop/even_digits.hpp"
 
+#include <QLineF>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -33,16 +35,16 @@ void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vect
         all.largest_load > 0.0 ? longest * contact.load[j] / all.largest_load : 0.0;
     const QPointF tip = centre + side * radius * outward;
     const QPointF tail = tip + side * length * outward;
-    const std::string remark =
+    const bool drawn =
         load_arrow(s, s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
-    key.push_back(
-        {contact.load[j] > 0.0 ? colour : QColor(),
-         QString::fromStdString(
-             contact.load[j] > 0.0
-                 ? fmt::format("{}: load {}{}, slip {}", names[j],
-                               desktop::even_quantity(contact.load[j], all.load_unit, 4), remark,
-                               desktop::even_quantity(contact.slip[j], all.slip_unit, 3))
-                 : fmt::format("{}: no contact", names[j]))});
+    key.push_back({drawn ? colour : QColor(),
+                   QString::fromStdString(
+                       contact.load[j] > 0.0
+                           ? fmt::format("{}: load {}{}, slip {}", names[j],
+                                         desktop::even_quantity(contact.load[j], all.load_unit, 4),
+                                         drawn ? "" : kTooSmall,
+                                         desktop::even_quantity(contact.slip[j], all.slip_unit, 3))
+                           : fmt::format("{}: no contact", names[j]))});
   }
 }
 
@@ -55,7 +57,7 @@ void element_rings(const Scene& s) {
                 t.steel_light, t.steel_dark);
   s.sketch.ring(s.place(s.frame.races[1]), g.inner_race_inner_radius, g.inner_race_outer_radius,
                 t.steel_light, t.steel_dark);
-  s.sketch.circle({0, 0}, s.pitch_radius(), QPen(t.frame, 1.2, Qt::DotLine));
+  s.sketch.circle({0, 0}, s.pitch_radius(), QPen(t.muted, 1.2, Qt::DotLine));
 }
 
 void element_view(const Scene& s) {
@@ -77,24 +79,34 @@ void element_view(const Scene& s) {
   draw_way(s.sketch.painter(), s.sketch.area(), way, {trail_colour(s), 2.4, t.surface});
   const QPointF centre = element_centre(s, k);
   draw_element(s, k);
-  const double arm = 0.62 * g.inner_race_inner_radius;
-  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], arm, t.blue);
+  const double arm = 0.62 * g.inner_race_inner_radius, turned = s.animation.race_angle[1][s.index];
+  const bool named = s.sketch.frame_named(arm);
+  s.sketch.frame({0, 0}, turned, arm, race_colour(t, 1), named);
   // Beside the arrow of the outer race, where there is one.
   const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   const bool loads = s.animation.contacts_at(s.index) != nullptr;
   const double aside = loads ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);
-  std::vector<KeyEntry> key{{t.blue, "inner race frame"},
-                            way_entry(trail_colour(s), s.animation.known_elements,
-                                      "path of the element", "earlier frames")};
-  name_arms(s, arm, key);
+  // The element lies over the path's end.
+  const QPointF over = s.sketch.at(centre.x(), centre.y());
+  const bool seen = std::any_of(way.begin(), way.end(), [&](const WayPoint& point) {
+    return QLineF(point.at, over).length() > g.element_radius * s.sketch.scale() + 2.0;
+  });
+  const KeyEntry path = way_entry(trail_colour(s), s.animation.known_elements,
+                                  "path of the element", "earlier frames");
+  std::vector<KeyEntry> key{
+      {race_colour(t, 1), "inner race frame"},
+      now_and_then(path.colour, seen, path.text, "no path seen so far", path.mark),
+      {t.muted, "pitch circle", KeyMark::Dotted}};
+  name_arms(s, named, key);
   name_turning_mark(s, k, key);
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);
     remark = "loads and largest slip in the contacts, from RESULTS.h5";
   }
+  if (named) s.sketch.name_frame({0, 0}, turned, arm, race_colour(t, 1));
   draw_key(s, key, remark);
 }
 

@@ -70,12 +70,14 @@ void flange_view(const Scene& s) {
     p.setPen(QPen(t.steel_dark.darker(150), 1.2));
     p.setBrush(colour);
     p.drawPath(to_picture.map(flange));
+    bool drawn = false;
     if (force > 0.0 && largest > 0.0) {
       const double tail = way * (0.5 * length + 0.35 * length * force / largest);
-      s.sketch.arrow(s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0), t.red, 3.2);
+      drawn = load_arrow(s, s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0),
+                         flange_colour(t), 3.2);
     }
     const std::string unit = s.animation.file.units[0];
-    key.push_back({force > 0.0 ? t.red : QColor(),
+    key.push_back({drawn ? flange_colour(t) : QColor(),
                    QString::fromStdString(fmt::format(
                        "flange at {}x: {}", side == 0 ? "−" : "+",
                        s.animation.behind(s.index) ? "not known " + s.animation.behind_words()

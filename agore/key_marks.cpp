@@ -73,10 +73,23 @@ void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& the
       desktop::arrow_head(p, end, {1.0, 0.0}, kHead, colour);
       return;
     }
+    case KeyMark::Frame: {
+      constexpr double kLong = 11.0, kHead = 5.0;
+      const QPointF origin = at + QPointF(4.0, 0.5 * kLong);
+      for (const auto& [way, arm] :
+           {std::pair{QPointF(0.0, -1.0), kLong}, {QPointF(1.0, 0.0), kShorterArm * kLong}}) {
+        p.setPen(QPen(colour, 1.4, Qt::SolidLine, Qt::FlatCap));
+        p.drawLine(origin, origin + (arm - 0.8 * kHead) * way);
+        desktop::arrow_head(p, origin + arm * way, way, kHead, colour);
+      }
+      return;
+    }
     case KeyMark::Line:
-    case KeyMark::Dashed: {
-      QPen pen(colour, entry.mark == KeyMark::Dashed ? 1.6 : 3.0, Qt::SolidLine, Qt::FlatCap);
+    case KeyMark::Dashed:
+    case KeyMark::Dotted: {
+      QPen pen(colour, entry.mark == KeyMark::Line ? 3.0 : 1.6, Qt::SolidLine, Qt::FlatCap);
       if (entry.mark == KeyMark::Dashed) pen.setDashPattern({4.0, 2.0});
+      if (entry.mark == KeyMark::Dotted) pen.setDashPattern({1.0, 1.5});
       p.setPen(pen);
       p.drawLine(at, end);
     }

@@ -18,9 +18,8 @@ QColor later_colour(const desktop::Theme& theme) {
 
 KeyEntry later_entry(const Scene& s) {
   const bool later = s.index + 1 < s.animation.frames();
-  const QString there = "still to come", none = "nothing still to come";
-  return {later_colour(s.sketch.theme()), later ? there : none,
-          later ? KeyMark::Line : KeyMark::None, later ? none : there};
+  return now_and_then(later_colour(s.sketch.theme()), later, "still to come",
+                      "nothing still to come");
 }
 
 DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {

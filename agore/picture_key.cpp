@@ -55,6 +55,7 @@ QStringList in_lines(const QString& text, double width, const QFontMetricsF& met
 
 namespace {
 
+constexpr std::size_t kMany = 6;  // entries of a key that stands in columns wherever it has room
 constexpr double kKeyIndent = 26.0;
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
 
@@ -81,9 +82,22 @@ QStringList wrapped(const QString& remark, double width, const QFontMetricsF& me
 
 int key_columns(std::size_t entries, QSizeF size) {
   constexpr double kSmall = 420.0, kTwoColumns = 2.0 * kKeyColumn;
-  constexpr std::size_t kMany = 7;
   const bool high = entries > kMany || (entries > 2 && size.height() < kSmall);
   return high && size.width() >= kTwoColumns ? 2 : 1;
+}
+
+int key_letters(std::size_t entries, QSizeF size) {
+  constexpr double kMostOfHeight = 0.25;
+  constexpr int kUsual = 12, kLeast = 10;
+  const auto columns = static_cast<std::size_t>(key_columns(entries, size));
+  const auto lines = static_cast<double>((entries + columns - 1) / columns + 1);
+  int letters = kUsual;
+  while (letters > kLeast && lines * key_line(letters) > kMostOfHeight * size.height()) --letters;
+  return letters;
+}
+
+double key_line(int letters) {
+  return QFontMetricsF(desktop::ui_font(letters)).height() + (letters < 12 ? 1.0 : 2.0);
 }
 
 void draw_key(const Scene& s, const std::vector<KeyEntry>& all, const QString& remark) {
@@ -138,12 +152,7 @@ struct Layout {
   [[nodiscard]] double height() const { return line * static_cast<double>(rows); }
 };
 
-Layout empty_layout(int letters) {
-  return {letters,
-          QFontMetricsF(desktop::ui_font(letters)).height() + (letters < 12 ? 1.0 : 2.0),
-          0,
-          {}};
-}
+Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 
 /// Entries beside each other in lines that they fill, each whole: what is longer than a line goes
 /// on in the next ones.
@@ -189,16 +198,20 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
   return out;
 }
 
-/// Two columns in a small picture, one in others; flowing, and in smaller letters, where those cut
-/// an entry or take too much of the picture.
+/// Two columns in a small picture or of many entries, one of others; in smaller letters, and
+/// flowing, where those cut an entry or take too much of the picture.
 Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;
   const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
-  if (const auto plain = in_columns(entries, columns, width, 12))
-    if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
+  const int usual = key_letters(entries.size(), area);
+  constexpr int kLeast = 10;
+  // Few long entries read better in lines that they fill than in small letters.
+  for (int letters = usual; letters >= (entries.size() > kMany ? kLeast : usual); --letters)
+    if (const auto plain = in_columns(entries, columns, width, letters))
+      if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
   Layout out;
-  for (const int letters : {12, 11, 10}) {
+  for (int letters = usual; letters >= kLeast; --letters) {
     out = flowing(entries, width, letters);
     if (out.height() < kMostOfHeight * area.height()) break;
   }

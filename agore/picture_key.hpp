@@ -22,10 +22,12 @@ class Sketch;
 enum class KeyMark {
   Line,
   Dashed,
+  Dotted,
   Star,
   Dots,
   Spot,     ///< on the face of a race
   Arrow,    ///< a broad one
+  Frame,    ///< two arms, the longer one up
   Turning,  ///< the mark of a body that turns, on steel
   Disc,     ///< a body of that colour
   Scale,    ///< the colours of a scale, from end to end
@@ -50,6 +52,11 @@ void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Them
 /// Columns in which a key of so many entries stands in a picture of a size: two of many, and in a
 /// small one, of which one would take half.
 [[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
+/// Letters of a key of so many entries and a line of remarks [pixels]: smaller ones where it would
+/// take more than a quarter of the picture's height from what it explains.
+[[nodiscard]] int key_letters(std::size_t entries, QSizeF size);
+/// Height of its lines [pixels].
+[[nodiscard]] double key_line(int letters = 12);
 
 /// The key in a picture's lower left corner. Setting its lines takes longer than all else of a
 /// quick picture, so on a screen they are kept as an image until they say something else.

@@ -225,7 +225,7 @@ void pocket_view(const Scene& s) {
   const double wanted = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
   const double top = s.options.zoom == 1.0 ? std::min(wanted, most) : wanted;
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
-                 s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
+                 s.sketch.at(direction * g.element_radius, top), t.green, 7.0);
   // A small picture has no room for it below the view's title.
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
@@ -255,7 +255,7 @@ void pocket_view(const Scene& s) {
     key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
   const bool low = too_low(s.options, s.sketch.area().height());
-  if (!arrow_named) key.push_back({t.red, "cage rotation", KeyMark::Arrow});
+  if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),
                                    s.options.exaggeration > 0.0 ? " (this view's own)" : "");

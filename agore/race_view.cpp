@@ -40,21 +40,24 @@ void race_view(const Scene& s) {
   const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
   const auto [low, high] = radii_of(s);
   // A bright spot on the ring shows its rotation even when the frame is hidden by the orbit.
-  s.sketch.asterisk(s.sketch.around({0, 0}, 0.5 * (low + high), s.animation.race_angle[r][s.index]),
-                    6.0, t.blue);
+  const QColor colour = race_colour(t, r);
+  const double angle = s.animation.race_angle[r][s.index], arm = 0.7 * low;
+  s.sketch.asterisk(s.sketch.around({0, 0}, 0.5 * (low + high), angle), 6.0, colour);
   std::vector<QPointF> orbit;
   for (const auto& frame : s.animation.file.frames)
     orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
   const auto [enlargement, now] = draw_orbit(s, 0.45 * low, 0.0, orbit);
-  s.sketch.frame(now, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
-  std::vector<KeyEntry> key{{t.blue, "frame of the race"},
-                            {t.blue, "spot that turns with it", KeyMark::Star}};
+  const bool named = s.sketch.frame_named(arm);
+  s.sketch.frame(now, angle, arm, colour, named);
+  if (named) s.sketch.name_frame(now, angle, arm, colour);
+  std::vector<KeyEntry> key{{colour, r == 0 ? "outer race frame" : "inner race frame"},
+                            {colour, "spot that turns with it", KeyMark::Star}};
   if (enlargement > 0.0)
     for (const KeyEntry& entry : {way_entry(t.curves[0], s.animation.known_centres,
                                             "path of the race centre", "race centre at the frames"),
                                   later_entry(s)})
       key.push_back(entry);
-  name_arms(s, 0.7 * low, key);
+  name_arms(s, named, key);
   draw_key(s, key,
            QString::fromStdString(
                (enlargement > 0.0 ? fmt::format("path about its middle × {}",

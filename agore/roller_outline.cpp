@@ -116,12 +116,23 @@ QPainterPath RollerProfile::outline(double lean) const {
 
 QPainterPath RollerProfile::end_seen(double lean) const {
   QPainterPath path;
-  constexpr double kSeen = 1e-3;
+  constexpr double kSeen = 0.02;  // below it an end is a line, which nobody takes for an end
   if (std::abs(std::sin(lean)) < kSeen) return path;
   const bool far_end = lean > 0.0;  // the end at +u looks towards the viewer
   const double way = far_end ? 1.0 : -1.0, round = corner[far_end ? 1 : 0];
   const double rim = line(way * half) - round;
-  path.addEllipse(QPointF(way * half * std::cos(lean), 0.0), rim * std::abs(std::sin(lean)), rim);
+  // A dome's rim stands back from its middle, which hides the far half of it until the end leans
+  // more than the dome does there.
+  const double bulge = dome[far_end ? 1 : 0], u = way * (half - sagitta(bulge, rim));
+  const double thin = rim * std::abs(std::sin(lean));
+  const QRectF box(u * std::cos(lean) - thin, -rim, 2.0 * thin, 2.0 * rim);
+  if (bulge > 0.0 && std::abs(std::sin(lean)) < rim / bulge) {
+    const double start = far_end ? 90.0 : -90.0;  // the half towards the body
+    path.arcMoveTo(box, start);
+    path.arcTo(box, start, 180.0);
+  } else {
+    path.addEllipse(box);
+  }
   return path;
 }
 

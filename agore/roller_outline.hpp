@@ -29,7 +29,7 @@ struct RollerProfile {
   [[nodiscard]] QPainterPath outline() const;
   /// The same of a roller whose axis leans by an angle towards the viewer: the hull of its discs.
   [[nodiscard]] QPainterPath outline(double lean) const;
-  /// The rim of the end that such a roller shows; empty for one that does not lean.
+  /// What is seen of the rim of the end that such a roller shows; empty for one that hardly leans.
   [[nodiscard]] QPainterPath end_seen(double lean) const;
 };
 [[nodiscard]] RollerProfile roller_profile(const Animation& animation);

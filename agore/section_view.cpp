@@ -157,16 +157,16 @@ void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vect
       const double length = 0.75 * shape.radius * factor * force / longest;
       const QPointF tip = leaned(e.x, e.r, lean, u, across),
                     tail = leaned(e.x, e.r, lean, u + way * length, across);
-      const std::string remark =
-          load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[2], 3.2);
+      const bool drawn = load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()),
+                                    flange_colour(t), 3.2);
       key.push_back(
-          {t.curves[2],
+          {drawn ? flange_colour(t) : QColor(),
            QString::fromStdString(fmt::format(
                "{} flange at {}x: {}{}", race == 0 ? "outer" : "inner", side == 0 ? "−" : "+",
                desktop::even_quantity(force, s.animation.contacts->load_unit, 4),
-               !remark.empty() ? remark
-               : factor > 1.0  ? fmt::format(", arrow × {}", desktop::pretty_number(factor, 3))
-                               : std::string()))});
+               !drawn         ? std::string(kTooSmall)
+               : factor > 1.0 ? fmt::format(", arrow × {}", desktop::pretty_number(factor, 3))
+                              : std::string()))});
     }
 }
 
@@ -216,14 +216,15 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
                                      {cut.at(tip.x(), tip.y()), true, false}};
-    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 1.8, t.surface, true});
-    const std::string remark =
+    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true});
+    const bool drawn =
         load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
     key.push_back({t.curves[j],
                    QString::fromStdString(fmt::format(
                        "{}: {} at {}°{}", names[j],
                        desktop::even_quantity(contact.load[j], s.animation.contacts->load_unit, 4),
-                       desktop::tick_text(angle * 180.0 / kPi, 2), remark))});
+                       desktop::tick_text(angle * 180.0 / kPi, 2), drawn ? "" : kTooSmall)),
+                   drawn ? KeyMark::Line : KeyMark::Dashed});
   }
   draw_flange_forces(s, cut, k, key);
   if (s.animation.has_cage) draw_lands(s, cut, k, key);

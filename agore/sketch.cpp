@@ -178,7 +178,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
     draw(painter_, there);
   else
     stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
-  orientation_mark(there, r, mark, tint);
+  turning_mark(centre, radius, mark, tint);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -198,12 +198,13 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
     draw(painter_, there);
   else
     stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
-  orientation_mark(there, r, mark, tint);
+  turning_mark(centre, radius, mark, tint);
 }
 
-void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
-                              const QColor& tint) const {
-  draw_turning_mark(painter_, middle, r, mark, turning_mark_colour(theme_, tint));
+void Sketch::turning_mark(QPointF centre, double radius, const std::array<double, 3>& mark,
+                          const QColor& tint) const {
+  draw_turning_mark(painter_, at(centre.x(), centre.y()), radius * scale_, mark,
+                    turning_mark_colour(theme_, tint));
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
@@ -272,9 +273,8 @@ bool Sketch::frame_named(double length) const {
   return length * scale_ >= kLeast;
 }
 
-std::vector<QPointF> Sketch::frame_names(QPointF centre, double angle, double length,
-                                         double side) const {
-  if (!frame_named(length)) return {};
+std::array<QPointF, 2> Sketch::frame_names(QPointF centre, double angle, double length,
+                                           double side) const {
   // Beside the tips: frames that point the same way lie on one line.
   const double beside = (0.7 * letters_of(length * scale_) + 5.0) / scale_;
   const double tip = std::hypot(length, beside), turn = side * std::atan2(beside, length);
@@ -283,15 +283,18 @@ std::vector<QPointF> Sketch::frame_names(QPointF centre, double angle, double le
 }
 
 void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour,
-                   double side) const {
+                   bool named) const {
   const QPointF origin = at(centre.x(), centre.y());
-  constexpr double kShorter = 0.6;  // y of arms without names
-  const double y = (frame_named(length) ? 1.0 : kShorter) * length;
+  const double y = (named ? 1.0 : kShorterArm) * length;
   arrow(origin, around(centre, y, angle - 0.5 * std::numbers::pi), colour, 2.4);
   arrow(origin, around(centre, length, angle), colour, 2.4);
-  const std::vector<QPointF> names = frame_names(centre, angle, length, side);
+}
+
+void Sketch::name_frame(QPointF centre, double angle, double length, const QColor& colour,
+                        double side) const {
+  const std::array<QPointF, 2> names = frame_names(centre, angle, length, side);
   for (std::size_t i = 0; i < names.size(); ++i)
-    label(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_), true);
+    label_over(names[i], i == 0 ? "z" : "y", colour, letters_of(length * scale_));
 }
 
 void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width) const {
@@ -337,6 +340,21 @@ void Sketch::label(QPointF where, const QString& text, const QColor& colour, int
   painter_.drawText(QPointF(where.x() - 0.5 * metrics.horizontalAdvance(text),
                             where.y() + 0.5 * metrics.capHeight()),
                     text);
+}
+
+void Sketch::label_over(QPointF where, const QString& text, const QColor& colour,
+                        int pixel_size) const {
+  const QFont font = desktop::ui_font(pixel_size, true);
+  const QFontMetricsF metrics(font);
+  QPainterPath letters;
+  letters.addText(QPointF(where.x() - 0.5 * metrics.horizontalAdvance(text),
+                          where.y() + 0.5 * metrics.capHeight()),
+                  font, text);
+  painter_.setPen(
+      QPen(theme_.surface, 2.0 * kCasing + 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter_.setBrush(Qt::NoBrush);
+  painter_.drawPath(letters);
+  label(where, text, colour, pixel_size, true);
 }
 
 }  // namespace adore::agore

@@ -18,9 +18,14 @@ bool on_pixels(const QPainter& painter);
 /// it adds nothing to be seen.
 void append_seen(QPolygonF& line, QPointF next);
 
+/// Length of y of a frame without names, in that of z.
+inline constexpr double kShorterArm = 0.6;
+
 /// Of the edge in the paper's colour that marks over bodies have [pixels on each side]: whatever
 /// they lie on, they are told from it.
 inline constexpr double kCasing = 1.2;
+/// Of dashes, which have so little ink of their own that a wide edge would be what is seen.
+inline constexpr double kDashCasing = 0.7;
 
 /// The mark of a contact, about a place of the picture, with a rim that keeps it readable on steel.
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
@@ -73,28 +78,35 @@ class Sketch {
   /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
   void cage(QPointF centre_yz, double angle, double outer_radius,
             const CageOutlines::Outline& outline) const;
-  /// Two arms along the body's y and z axes; their names stand outside of them (`side` 1) or
-  /// between them (-1). Where they are too short for names, z is the longer one.
+  /// Two arms along the body's y and z axes. Without names z is told by being the longer one.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour,
-             double side = 1.0) const;
+             bool named) const;
   /// Are the arms long enough for their names?
   [[nodiscard]] bool frame_named(double length) const;
-  /// Where those names stand in the picture; none of axes that are too short for them.
-  [[nodiscard]] std::vector<QPointF> frame_names(QPointF centre_yz, double angle, double length,
-                                                 double side) const;
+  /// Where those names stand in the picture, z first: outside of the arms (`side` 1) or between
+  /// them (-1).
+  [[nodiscard]] std::array<QPointF, 2> frame_names(QPointF centre_yz, double angle, double length,
+                                                   double side) const;
+  /// Writes them, over whatever lies there.
+  void name_frame(QPointF centre_yz, double angle, double length, const QColor& colour,
+                  double side = 1.0) const;
   /// Between picture positions; its casing keeps it apart from what it lies on.
   void arrow(QPointF from, QPointF to, const QColor& colour, double width) const;
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
   void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
              bool bold = false) const;  ///< centred
+  /// The same in bold letters with an edge of the paper's colour, for places over marks.
+  void label_over(QPointF where, const QString& text, const QColor& colour, int pixel_size) const;
+
+  /// The mark of a ball or a roller alone.
+  void turning_mark(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
+                    const QColor& tint) const;
 
  private:
   /// A drawing about `middle` that is the same wherever that is, kept on a screen.
   void stamp(QPointF middle, double reach, const Stamps::Look& look,
              const std::function<void(QPainter&, QPointF)>& paint) const;
   void pale_cage(QPainter& painter, const QPainterPath& path) const;
-  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark,
-                        const QColor& tint) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;

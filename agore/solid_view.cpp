@@ -2,7 +2,6 @@
 
 #include "agore/solid_model.hpp"
 #include "agore/view_layout.hpp"
-#include "agore/ways.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -38,96 +37,48 @@ QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint) {
 
 namespace {
 
-/// The way of an element's centre in the picture, cut where bodies begin and end to hide it.
-struct CutWay {
-  std::vector<std::vector<WayPoint>> seen, hidden;
-};
-
-class WayCutter {
- public:
-  WayCutter(const SolidLayer& layer, CutWay& out) : layer_(layer), out_(out) {}
-  struct Place {
-    QPointF at;
-    double depth;  ///< towards the viewer [pixels]
-  };
-  void begin() { last_.reset(); }
-  void add(const Place& to, bool joined) {
-    if (last_ && joined) {
-      // As fine as a body's edge is seen.
-      constexpr double kStep = 3.0;  // pixels
-      const QPointF way = to.at - last_->at;
-      const int parts = std::max(
-          1, static_cast<int>(std::ceil(std::min(1e4, std::hypot(way.x(), way.y())) / kStep)));
-      const Place from = *last_;
-      for (int i = 1; i <= parts; ++i) {
-        const double part = static_cast<double>(i) / parts;
-        step({from.at + part * way, from.depth + part * (to.depth - from.depth)}, i == parts);
-      }
-      return;
-    }
-    // Where the way before is unknown this one is marked, in the same list as that.
-    const bool hidden = layer_.hides(to.at, to.depth);
-    const bool on = last_ && hidden == hidden_;
-    hidden_ = hidden;
-    if (!on) piece().emplace_back();
-    piece().back().push_back({to.at, false});
-    last_ = to;
-  }
-
- private:
-  [[nodiscard]] std::vector<std::vector<WayPoint>>& piece() {
-    return hidden_ ? out_.hidden : out_.seen;
-  }
-  void step(const Place& to, bool frame) {
-    const bool hidden = layer_.hides(to.at, to.depth);
-    if (hidden != hidden_) {
-      piece().back().push_back({to.at, true, false});
-      hidden_ = hidden;
-      piece().push_back({{to.at, false, frame}});
-    } else if (frame) {
-      piece().back().push_back({to.at, true});
-    }
-    last_ = to;
-  }
-  const SolidLayer& layer_;
-  CutWay& out_;
-  std::optional<Place> last_;
-  bool hidden_ = false;
-};
-
-/// Paths of the elements, in dashes where bodies hide them. Returns whether any of it is hidden.
-bool draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
-  CutWay ways;
-  WayCutter cutter(layer, ways);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-    cutter.begin();
-    for (const TrailPoint& point : element_trail(s, k)) {
-      const Vec3 place(point.x, point.centre.x(), point.centre.y());
-      cutter.add({s.sketch.at(place.dot(eye.right), place.dot(eye.up)),
-                  s.sketch.scale() * place.dot(eye.toward)},
-                 point.joined);
-    }
-  }
-  QPainter& p = s.sketch.painter();
-  const QColor colour = trail_colour(s), edge = s.sketch.theme().surface;
-  draw_ways(p, s.sketch.area(), ways.hidden, {colour, 1.2, edge, true});
-  draw_ways(p, s.sketch.area(), ways.seen, {colour, 1.8, edge});
-  return !ways.hidden.empty();
-}
-
-/// Those that no body hides, over the arrows of loads.
-void draw_spots(const Scene& s, const SolidLayer& layer, const Eye& eye) {
+/// Those that no body hides, over the arrows of loads. @return is there one, by race?
+std::array<bool, 2> draw_spots(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   QPainter& p = s.sketch.painter();
   const desktop::Theme& t = s.sketch.theme();
+  std::array<bool, 2> out{};
   for (const RaceSpot& spot : race_spots(s, eye)) {
     const QPointF at = s.sketch.at(spot.centre.dot(eye.right), spot.centre.dot(eye.up));
     const double radius = race_spot_radius(s) * s.sketch.scale();
     const double front = s.sketch.scale() * spot.centre.dot(eye.toward) + radius;
     if (layer.hides(at, front)) continue;
     p.setPen(QPen(t.surface, kCasing));
-    p.setBrush(spot.race == 0 ? t.light_blue : t.blue);
+    p.setBrush(race_colour(t, spot.race));
     p.drawEllipse(at, radius + 0.5 * kCasing, radius + 0.5 * kCasing);
+    out[spot.race] = true;
   }
+  return out;
+}
+
+/// Paths and loads, each by how it is drawn: dashes alone where all of it is behind bodies. What
+/// dashes are is said once for all of them.
+void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnLines, 2>& loads,
+                std::vector<KeyEntry>& key) {
+  const desktop::Theme& t = s.sketch.theme();
+  QColor dashed;
+  const auto name = [&](KeyEntry entry, const DrawnLines& drawn) {
+    if (entry.mark == KeyMark::Line && !drawn.seen && drawn.hidden) entry.mark = KeyMark::Dashed;
+    if (drawn.hidden && !dashed.isValid()) dashed = entry.colour;
+    key.push_back(std::move(entry));
+  };
+  const bool lines = s.options.trails && s.animation.known_trails != Known::None;  // not dots
+  if (s.options.trails)
+    name(trail_entry(s, paths.seen || paths.hidden), lines ? paths : DrawnLines{});
+  const bool known = s.options.contacts && s.animation.contacts_at(s.index) != nullptr;
+  if (s.options.contacts && !known)
+    key.push_back({t.muted,
+                   QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
+                   KeyMark::None});
+  for (std::size_t j = 0; j < 2 && known; ++j)
+    name(loads_entry(s, j, loads[j].seen || loads[j].hidden), loads[j]);
+  if (lines || known)
+    key.push_back(now_and_then(dashed.isValid() ? dashed : t.muted, dashed.isValid(),
+                               "dashed: behind a body", "nothing behind a body", KeyMark::Dashed));
 }
 
 /// Of the marks in space: purple on steel, grey on the colours of a scale.
@@ -154,41 +105,21 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   constexpr int kStill = 2;
   layer.draw(s, s.options.moving ? 1 : kStill, p.device()->devicePixelRatioF());
   const Eye eye(s.options.yaw, s.options.elevation);
-  const auto at = [&](const Vec3& v) { return s.sketch.at(v.dot(eye.right), v.dot(eye.up)); };
-  const bool hidden = s.options.trails && draw_paths(s, layer, eye);
+  DrawnLines paths;
+  std::array<DrawnLines, 2> loads{};
+  if (s.options.trails) paths = draw_paths(s, layer, eye);
+  if (s.options.contacts) loads = draw_loads(s, layer, eye);
+  const std::array<bool, 2> spots = draw_spots(s, layer, eye);  // no arrow hides them
   std::vector<KeyEntry> key;
-  if (outer_spot_shown(s, eye))
-    key.push_back({t.light_blue, "spot of the outer race", KeyMark::Spot});
-  key.push_back({t.blue, "spot of the inner race", KeyMark::Spot});
+  key.push_back(
+      now_and_then(race_colour(t, 0), spots[0], "spot of the outer race",
+                   outer_spot_shown(s, eye) ? "outer spot hidden now" : "outer spot cut off now",
+                   KeyMark::Spot));
+  key.push_back(now_and_then(race_colour(t, 1), spots[1], "spot of the inner race",
+                             "inner spot hidden now", KeyMark::Spot));
   if (!land_places(s.animation).empty()) key.push_back({t.red, kGuideLands});
   name_solid_mark(s, key);
-  if (s.options.trails) key.push_back(trail_entry(s));
-  if (hidden && s.animation.known_trails != Known::None)
-    key.push_back({trail_colour(s), "behind a body", KeyMark::Dashed});
-  const auto* const loads = s.options.contacts ? s.animation.contacts_at(s.index) : nullptr;
-  if (s.options.contacts && loads == nullptr)
-    key.push_back({t.muted,
-                   QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
-                   KeyMark::None});
-  if (loads != nullptr && s.animation.contacts->largest_load > 0.0) {
-    const auto& contacts = *loads;
-    const double radius = s.geometry().element_radius;
-    for (std::size_t k = 0; k < contacts.size(); ++k)
-      for (std::size_t j = 0; j < 2; ++j) {
-        const double part = contacts[k].load[j] / s.animation.contacts->largest_load;
-        const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
-        if (!(part > 0.0) || !std::isfinite(angle)) continue;
-        const double way = j == 0 ? 1.0 : -1.0;
-        const Vec3 u = way * (Vec3(std::sin(angle), 0.0, 0.0) +
-                              std::cos(angle) * outwards(s.frame.elements.at(k).theta));
-        const Vec3 tip = element_place(s, k) + radius * u, tail = tip + 1.3 * part * radius * u;
-        s.sketch.arrow(at(tail), at(tip), t.curves[j], 2.6);
-      }
-    const auto& largest = s.animation.contacts->largest_of_race;
-    key.push_back({t.curves[0], "outer race loads" + longest_load(s, largest[0])});
-    key.push_back({t.curves[1], "inner race loads" + longest_load(s, largest[1])});
-  }
-  draw_spots(s, layer, eye);  // no arrow hides them
+  name_lines(s, paths, loads, key);
   if (s.options.colour != ColourBy::None)
     draw_scale(s, colouring(s.animation, s.index, s.options.colour, s.options.scale));
   // The bearing's axes, in the upper left corner.

@@ -74,4 +74,13 @@ class SolidLayer {
   std::optional<double> roller_factor_;
 };
 
+/// What is drawn of lines of one kind: before bodies, and behind them.
+struct DrawnLines {
+  bool seen = false, hidden = false;
+};
+/// Paths of the elements; arrows of the loads of both races. In dashes where bodies hide them,
+/// heads hollow.
+DrawnLines draw_paths(const Scene& scene, const SolidLayer& layer, const Eye& eye);
+std::array<DrawnLines, 2> draw_loads(const Scene& scene, const SolidLayer& layer, const Eye& eye);
+
 }  // namespace adore::agore

@@ -11,8 +11,6 @@
 
 namespace adore::agore {
 
-double key_line() { return QFontMetricsF(desktop::ui_font(12)).height() + 2.0; }
-
 double outer_rim(const results::Sol8Geometry& g) {
   return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
 }
@@ -69,47 +67,51 @@ bool has_turning_marks(const Animation& animation) {
 std::size_t key_entries(const Animation& animation, const ViewOptions& options, QSizeF size) {
   const std::size_t loads = options.contacts ? 2 : 0, trails = options.trails ? 1 : 0;
   const std::size_t guide = animation.guide != Guide::None ? 2 : 0;
-  const std::size_t scale = options.colour != ColourBy::None ? 1 : 0;
+  const std::size_t scale = options.colour != ColourBy::None && animation.some_free ? 1 : 0;
   const std::size_t arms = short_arms(animation, options, size) ? 1 : 0;
   const std::size_t turning = has_turning_marks(animation) ? 1 : 0;
   switch (options.view) {
     case View::Cage:
       return 4 + guide + arms;
     case View::Solid:
-      return 3 + turning + scale + loads + 2 * trails;
+      return 2 + (animation.guide != Guide::None ? 1 : 0) + turning + scale + loads + trails +
+             std::min<std::size_t>(1, loads + trails);  // and what dashes are
     default:
       return 2 + (animation.has_cage ? 2 + guide : 0) + arms + turning + scale + loads + trails;
   }
 }
 
-/// Lines that the key of a view has at most, about 260 pixels wide.
-int key_lines(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  switch (options.view) {
-    case View::Bearing:
-    case View::Solid:
-    case View::Cage: {
-      const auto entries = static_cast<int>(key_entries(animation, options, size));
-      const int columns = key_columns(static_cast<std::size_t>(entries), size);
-      return (entries + columns - 1) / columns + 1;
-    }
-    case View::Element:
-      return 6;
-    case View::Pocket:
-    case View::OuterRace:
-    case View::InnerRace:
-      return 4;
-    case View::Section:
-    case View::Flange:
-      return 3;
+/// Do its keys have many entries, in columns?
+bool many(View view) { return view == View::Bearing || view == View::Cage || view == View::Solid; }
+
+/// Height of the key of a view at most [pixels].
+double key_height(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  if (many(options.view)) {
+    const std::size_t entries = key_entries(animation, options, size);
+    const auto columns = static_cast<std::size_t>(key_columns(entries, size));
+    return static_cast<double>((entries + columns - 1) / columns + 1) *
+           key_line(key_letters(entries, size));
   }
-  return 0;
+  constexpr double kWide = 520.0;  // remarks of narrower ones take a line more
+  const auto lines = [&] {
+    switch (options.view) {
+      case View::Element:
+        return 6;
+      case View::Section:
+      case View::Flange:
+        return 3;
+      default:
+        return 4;
+    }
+  };
+  return (lines() + (size.width() < kWide ? 1 : 0)) * key_line();
 }
 
 /// Width of a view's key [pixels], as its longest line needs it.
 double key_width(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  const bool many =
-      options.view == View::Bearing || options.view == View::Cage || options.view == View::Solid;
-  if (many && key_columns(key_entries(animation, options, size), size) == 2) return size.width();
+  constexpr double kTwoColumns = 400.0;
+  if (many(options.view) && key_columns(key_entries(animation, options, size), size) == 2)
+    return std::min(size.width(), kTwoColumns);
   switch (options.view) {
     case View::Solid:
       return 290.0;
@@ -130,19 +132,18 @@ namespace {
 /// Of a picture that leaves `head` free at its top.
 double foot_below(const Animation& animation, const ViewOptions& options, QSizeF size,
                   double head) {
-  constexpr double kWide = 520.0;
   const bool low = too_low(options, size.height());
   const bool round =
       options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
-  double lines = key_lines(animation, options, size) + (size.width() < kWide ? 1 : 0);
-  if (low) lines = options.view == View::Bearing ? 1.0 : 2.0;
-  const double height = std::min(lines * key_line() + 4.0, 0.45 * size.height());
+  const double lines = low ? (options.view == View::Bearing ? 1.0 : 2.0) * key_line()
+                           : key_height(animation, options, size);
+  const double height = std::min(lines + 4.0, 0.45 * size.height());
   if (!round || (low && options.view == View::Solid)) return height;
   const double beside = std::max(0.0, 0.5 * size.width() - key_width(animation, options, size));
   // Rings end a margin before the picture does; the numbers of elements stand in it.
   const double half = 0.5 * std::min(size.width(), size.height());
   const bool numbers = options.view == View::Bearing || options.view == View::Cage;
-  const double rim = options.view == View::Solid ? 0.13 * half : numbers ? 0.0 : 20.0;
+  const double rim = options.view == View::Solid ? 0.05 * half : numbers ? 0.0 : 20.0;
   for (double foot = 0.0; foot < height; foot += 4.0) {
     const double high = size.height() - foot - head;
     const double radius = 0.5 * std::min(size.width(), high);

@@ -14,9 +14,6 @@ inline constexpr double kTooLow = 200.0, kTooLowBeside = 330.0;
   return height < (options.one_of_several ? kTooLowBeside : kTooLow);
 }
 
-/// Height of a line of the key [pixels].
-double key_line();
-
 /// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
 double outer_rim(const results::Sol8Geometry& geometry);
 

@@ -69,8 +69,12 @@ struct TrailPoint {
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
 /// Lands that guide the cage, in whatever view.
 inline constexpr const char* kGuideLands = "guide lands";
-/// Says which arm of frames is z, where the shortest of them is too short for its names.
-void name_arms(const Scene& scene, double length, std::vector<KeyEntry>& key);
+/// Says which arm of the frames is z, where they are without names.
+void name_arms(const Scene& scene, bool named, std::vector<KeyEntry>& key);
+/// What the run has and this frame may not have: named `there` with its mark, or `none` without, in
+/// the same place, so that no key jumps.
+[[nodiscard]] KeyEntry now_and_then(const QColor& colour, bool now, const QString& there,
+                                    const QString& none, KeyMark mark = KeyMark::Line);
 /// Names the mark that turns with an element, or with all of them, where it is drawn: where a run
 /// followed the turning.
 void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
@@ -81,8 +85,10 @@ void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
 /// Of a way in a key; `what`: "path" or the like, `places`: what its marks are where it is unknown.
 [[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
                                  const QString& places);
-/// Of the ways that element_trail() makes.
-[[nodiscard]] KeyEntry trail_entry(const Scene& scene);
+/// What the key adds then.
+inline constexpr const char* kTooSmall = ", arrow too small to draw";
+/// Of the ways that element_trail() makes, if there are any.
+[[nodiscard]] KeyEntry trail_entry(const Scene& scene, bool any);
 /// Told apart from loads, frames and marks with every colour vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
 
@@ -90,15 +96,17 @@ void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
 /// not be in the frame that is drawn.
 [[nodiscard]] QString longest_load(const Scene& scene, double load);
 
-/// Draws the arrow of a load onto the place `tip` from `tail` in the picture where it is long
-/// enough to be seen; returns what the key adds where it is not.
-std::string load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& colour,
-                       double width);
+/// Draws the arrow of a load onto the place `tip` from `tail` in the picture. @return false: it is
+/// too short to be seen, which the key says
+bool load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& colour, double width);
 
 /// Seen along the bearing axis; `tint` invalid: steel.
-void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});
-/// All of them, coloured as the options ask, with the scale.
+void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {}, bool marked = true);
+/// All of them, coloured as the options ask, with the scale. Where paths are to run over them,
+/// without the marks that turn with them, which would lie below.
 void draw_elements(const Scene& scene);
+/// Those marks.
+void draw_turning_marks(const Scene& scene);
 /// Marks where the cage touches them, and their numbers.
 void draw_contact_marks(const Scene& scene);
 struct DrawnOrbit {
@@ -158,6 +166,12 @@ struct Colouring {
 /// Bar with its ends, and what lies beyond them, in the upper right corner of the picture. One of
 /// several small pictures has no room for it: the key below them names its ends.
 void draw_scale(const Scene& scene, const Colouring& colouring);
+/// Of forces of flanges, in whatever view.
+[[nodiscard]] QColor flange_colour(const desktop::Theme& theme);
+/// Of the frame of a race, and of what turns with it, in whatever view.
+[[nodiscard]] QColor race_colour(const desktop::Theme& theme, std::size_t race);
+/// Of the race loads on all elements, if there are any arrows of them.
+[[nodiscard]] KeyEntry loads_entry(const Scene& scene, std::size_t race, bool any);
 /// Those names, and that of elements without contact, for the key.
 [[nodiscard]] std::vector<KeyEntry> scale_entries(const Scene& scene);
 

@@ -121,6 +121,8 @@ TEST_CASE("marks: an element without contact has a colour of its own, which the 
   auto& load = const_cast<results::MotionChannel&>(*animation.motion->channel("contact.load"));
   for (const std::size_t at : {2 * kFree, 2 * kFree + 1})
     load.values.at(frame * load.width + at) = 0.0;
+  CHECK_FALSE(animation.some_free);
+  animation.some_free = loses_contact(load);
   int coloured = 0;
   for (const ColourBy by : {ColourBy::Load, ColourBy::Slip, ColourBy::Heat}) {
     const Colouring colours = colouring(animation, frame, by);
@@ -147,6 +149,10 @@ TEST_CASE("marks: an element without contact has a colour of its own, which the 
     options.beside = {{View::Section}, {View::Pocket}, {View::Cage}};
     CHECK(picture.svg({700, 450}, frame, options).contains("no contact<"));
     options.beside.clear();
+    // Where all are in contact nothing else is said; a run that never loses one says nothing.
+    const QByteArray before = picture.svg({1280, 800}, frame - 1, options);
+    CHECK_FALSE(before.contains("no contact<"));
+    CHECK(before.contains("all in contact now"));
   }
 }
 
@@ -209,7 +215,7 @@ TEST_CASE("marks: frames too short for letters have a longer arm for z, and the 
   ViewOptions options;
   options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
   const QByteArray small = picture.svg({700, 450}, 5, options);
-  CHECK(small.contains("longer arm of a frame: z"));
+  CHECK(small.contains("longer arm: z"));
   CHECK(small.contains("cage rotation"));
   CHECK(small.count("guide lands") == 1);
   CHECK_FALSE(small.contains("guide land<"));

@@ -6,6 +6,7 @@
 #include "support/qt_app.hpp"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -148,7 +149,7 @@ TEST_CASE("ways: paths beside each other are not told from steps that pass the n
     const QString key = QString::fromUtf8(picture.svg(kSize, animation.frames() - 1, options));
     INFO(stride);
     CHECK(key.contains("paths of the elements") == known);
-    CHECK(key.contains("earlier frames, way between unknown") == !known);
+    CHECK(key.contains(QRegularExpression("way between (frames )?unknown")) == !known);
   }
 }
 

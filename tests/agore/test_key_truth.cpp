@@ -1,0 +1,240 @@
+#include "agore/example_run.hpp"
+#include "agore/kept.hpp"
+#include "agore/made_run.hpp"
+#include "agore/motion_picture.hpp"
+#include "agore/picture_words.hpp"
+#include "agore/short_run.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/svg_writer.hpp"
+#include "support/qt_app.hpp"
+
+#include <QImage>
+#include <QPainter>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+/// Keys against pictures: what one names the other shows, and in one colour everywhere.
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+constexpr std::array<View, 9> kViews{View::Bearing, View::Cage,      View::Pocket,
+                                     View::Element, View::OuterRace, View::InnerRace,
+                                     View::Flange,  View::Section,   View::Solid};
+
+/// A picture alone, in a small window, and what its key says.
+struct Shown {
+  QImage image;  ///< without the marks of the key
+  std::vector<KeyEntry> key;
+  QString words;
+  double key_top = 0.0;  ///< of its first entry
+};
+
+Shown show(const Animation& animation, std::size_t frame, const ViewOptions& options) {
+  const QSizeF size = MotionPicture::pictureAreas({0, 0, 700, 450}, 1).front().size();
+  const QRectF area(QPointF(0, 0), QSizeF(size.toSize()));
+  const QColor paper = theme_of(options).surface;
+  Shown out;
+  Kept kept;
+  const auto paint = [&](QPainter& painter, Kept& of) {
+    paint_picture(painter, area, animation, frame, options, &of);
+  };
+  out.image = QImage(area.size().toSize(), QImage::Format_RGB32);
+  out.image.fill(paper);
+  QPainter painter(&out.image);
+  paint(painter, kept);
+  out.key = kept.key.entries();
+  Kept again;
+  const QByteArray svg =
+      desktop::svg_of(area.size().toSize(), [&](QPainter& p) { paint(p, again); });
+  out.words = test::all_words(svg);
+  out.key_top = area.height();
+  for (const test::Words& words : test::words_of(svg))
+    for (const KeyEntry& entry : out.key) {
+      if (words.text != entry.text && !entry.text.startsWith(words.text + " ")) continue;
+      const QRectF mark(words.place.left() - 27.0, words.place.top() - 4.0, 27.0,
+                        words.place.height() + 8.0);
+      painter.fillRect(mark, paper);
+      out.key_top = std::min(out.key_top, words.place.top());
+    }
+  return out;
+}
+
+/// Pixels that are nearly of a colour.
+int inked(const QImage& image, const QColor& colour, int within) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb c = image.pixel(x, y);
+      count += std::abs(qRed(c) - colour.red()) + std::abs(qGreen(c) - colour.green()) +
+                   std::abs(qBlue(c) - colour.blue()) <=
+               within;
+    }
+  return count;
+}
+
+/// Calls for all that can be seen: of five types, of balls without a cage and of SOL8 alone, in
+/// every view, with and without all marks, light and dark, at the beginning, within and at the end.
+void for_each_state(const std::function<void(const Animation&, std::size_t, const ViewOptions&,
+                                             const std::string&)>& look) {
+  std::vector<std::pair<std::string, Animation>> runs;
+  for (const std::string& type : test::kTypes)
+    runs.emplace_back(type, open_motion(test::example_run(type) / "RESULTS.h5"));
+  runs.emplace_back("SOL8 alone", prepare(test::synthetic_sol8(test::short_run(40))));
+  const testing::TemporaryFolder folder;
+  {
+    using namespace adore::testing;
+    const bearing::Bearing bearing = make_bearing(8, false);
+    results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+    results::H5Writer h5 =
+        results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+    for (long step = 0; step <= 10; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+    h5.close();
+  }
+  runs.emplace_back("no cage", open_motion(folder / "RESULTS.h5"));
+  for (const auto& [name, animation] : runs)
+    for (const View view : kViews) {
+      if (!why_not(view, animation).empty()) continue;
+      for (const bool all : {false, true})
+        for (const bool dark : {false, true})
+          for (const std::size_t frame :
+               {std::size_t{0}, animation.frames() / 2, animation.frames() - 1}) {
+            ViewOptions options;
+            options.view = view;
+            options.dark = dark;
+            options.contacts = options.trails = all;
+            options.colour = all ? ColourBy::Load : ColourBy::None;
+            options.element = 1 + static_cast<int>(frame) % animation.file.elements;
+            choose_flange_race(animation, options);
+            look(animation, frame, options,
+                 name + ", " + view_title(view) + (all ? ", all marks" : "") +
+                     (dark ? ", dark" : "") + ", frame " + std::to_string(frame + 1));
+          }
+    }
+}
+
+bool drawn(const KeyEntry& entry) { return entry.colour.isValid() && entry.mark != KeyMark::None; }
+
+/// What an entry is about, in whatever view; none: nobody knows, which is a fault of this list.
+std::optional<std::string> quantity_of(const QString& text, View view) {
+  const auto has = [&](const char* words) { return text.contains(words); };
+  const std::string race = view == View::OuterRace ? "outer" : "inner";
+  if (has("flange")) return "force of flanges";
+  if (has("guide lands") || has("clearance about")) return "guide lands";
+  for (const char* const side : {"outer", "inner"}) {
+    const QString name = QString("%1 race").arg(side);
+    if (text.startsWith(name + " frame") || text == "spot of the " + name)
+      return std::string(side) + " race";
+    if (text.startsWith(name + ":") || text.startsWith(name + " loads"))
+      return std::string(side) + " loads";
+  }
+  if (has("spot that turns with it")) return race + " race";
+  if (has("cage frame") || has("frame of segment") || has("cage rotation")) return "cage";
+  if (has("contact in the pocket")) return "contact in the pocket";
+  if (has("land contact")) return "land contact";
+  if (has("path of the race") || has("orbit ") || has(" at the frames")) return "orbit";
+  if (has("path") || has("earlier frames")) return "way of an element";
+  for (const char* const same : {"still to come", "turns with the", "no contact", "pitch circle",
+                                 "longer arm", "dashed: behind a body"})
+    if (has(same)) return same;
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named",
+          "[gui][keys][slow]") {
+  test::use_qt();
+  int named = 0;
+  for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
+                     const std::string& state) {
+    const Shown shown = show(animation, frame, options);
+    const desktop::Theme& t = theme_of(options);
+    const bool solid = options.view == View::Solid;
+    INFO(state);
+    std::set<QRgb> key;
+    for (const KeyEntry& entry : shown.key) {
+      if (!drawn(entry)) continue;
+      key.insert(entry.colour.rgb());
+      ++named;
+      INFO(entry.text.toStdString());
+      // In space bodies, and what is painted on them, have light and shade.
+      if (solid && (entry.mark == KeyMark::Disc || entry.mark == KeyMark::Turning)) continue;
+      if (solid && entry.text == kGuideLands) continue;
+      const bool thin = entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted;
+      CHECK(inked(shown.image, entry.colour, thin ? 120 : 40) > 0);
+    }
+    // Steel has the grey of elements without contact: those are told from the run.
+    const auto* const loads = animation.contacts_at(frame);
+    const bool grey = (options.view == View::Bearing || solid) &&
+                      options.colour != ColourBy::None && loads &&
+                      std::any_of(loads->begin(), loads->end(), [](const ContactFrame& contact) {
+                        return contact.load == std::array<double, 2>{};
+                      });
+    CHECK((key.count(no_contact_colour().rgb()) > 0) == grey);
+    constexpr int kMark = 12;  // pixels
+    for (const QColor& colour : {t.red, t.green, t.blue, t.light_blue, t.curves[0], t.curves[1],
+                                 t.curves[2], t.curves[3]}) {
+      if (key.count(colour.rgb()) > 0) continue;
+      if (colour == t.green && shown.words.contains("cage rotation")) continue;
+      INFO(colour.name().toStdString() << " is in no key");
+      CHECK(inked(shown.image, colour, 0) < kMark);
+    }
+  });
+  CHECK(named > 1000);
+}
+
+TEST_CASE("keys: one quantity has one colour in all views", "[gui][keys][slow]") {
+  test::use_qt();
+  std::map<std::pair<std::string, bool>, std::set<QString>> colours;
+  for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
+                     const std::string& state) {
+    for (const KeyEntry& entry : show(animation, frame, options).key) {
+      if (!drawn(entry)) continue;
+      const auto quantity = quantity_of(entry.text, options.view);
+      INFO(state << ": " << entry.text.toStdString());
+      REQUIRE(quantity);
+      // Has the colour of what is dashed; and in space a colour of its own, with light and shade.
+      if (*quantity == "dashed: behind a body") continue;
+      if (*quantity == "turns with the" && options.view == View::Solid) continue;
+      colours[{*quantity, options.dark}].insert(entry.colour.name());
+    }
+  });
+  for (const auto& [quantity, names] : colours) {
+    INFO(quantity.first << (quantity.second ? ", dark: " : ": ")
+                        << QStringList(names.begin(), names.end()).join(" ").toStdString());
+    CHECK(names.size() == 1);
+  }
+  CHECK(colours.size() > 24);
+}
+
+TEST_CASE("keys: in a small window the bearing has half of its picture's height, beside any key",
+          "[gui][keys][slow]") {
+  test::use_qt();
+  for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
+                     const std::string& state) {
+    const bool round = options.view == View::Bearing || options.view == View::Solid ||
+                       options.view == View::Element || options.view == View::OuterRace;
+    if (!round || options.dark || frame == 0) return;
+    const Shown shown = show(animation, frame, options);
+    // From the highest to the lowest of its rows that is no line of letters.
+    const QRgb paper = theme_of(options).surface.rgb();
+    int first = shown.image.height(), last = -1;
+    for (int y = 0; y < static_cast<int>(shown.key_top) - 3; ++y) {
+      int longest = 0, run = 0;
+      for (int x = 60; x < 284; ++x) {  // beside the axes and the scale in the corners
+        run = shown.image.pixel(x, y) != paper ? run + 1 : 0;
+        longest = std::max(longest, run);
+      }
+      if (longest > 16) first = std::min(first, y), last = y;
+    }
+    INFO(state << ": rows " << first << " to " << last << " of " << shown.image.height());
+    CHECK(2 * (last - first + 1) >= shown.image.height());
+  });
+}
