@@ -104,7 +104,9 @@ void element_view(const Scene& s) {
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);
-    remark = "loads and largest slip in the contacts, from RESULTS.h5";
+    remark = too_low(s.options, s.sketch.area().height())
+                 ? "slip: the largest"
+                 : "loads and largest slip in the contacts, from RESULTS.h5";
   }
   if (named) s.sketch.name_frame({0, 0}, turned, arm, race_colour(t, 1));
   draw_key(s, key, remark);

@@ -58,14 +58,19 @@ void race_view(const Scene& s) {
                                   later_entry(s)})
       key.push_back(entry);
   name_arms(s, named, key);
-  draw_key(s, key,
-           QString::fromStdString(
-               (enlargement > 0.0 ? fmt::format("path about its middle × {}",
-                                                desktop::pretty_number(enlargement, 3))
-                                  : std::string("the race centre does not move")) +
-               fmt::format("  ·  it stands at y = {}, z = {}",
-                           desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
-                           desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
+  const bool small = too_low(s.options, s.sketch.area().height());
+  const std::string path =
+      enlargement > 0.0
+          ? fmt::format(fmt::runtime(small ? "path × {}" : "path about its middle × {}"),
+                        desktop::pretty_number(enlargement, 3))
+          : std::string(small ? "at rest" : "the race centre does not move");
+  draw_key(
+      s, key,
+      QString::fromStdString(
+          path + fmt::format(fmt::runtime(small ? "  ·  y {}  ·  z {}"
+                                                : "  ·  it stands at y = {}, z = {}"),
+                             desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
+                             desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
 }
 
 }  // namespace adore::agore

@@ -334,7 +334,7 @@ void ChartScene::rebuild() {
     return;
   }
   constexpr qreal kLabelWidth = 45.0;  // of a number beside others [px]
-  const Metrics m = metrics();
+  Metrics m = metrics();
   addHeading(m);
   const QRectF space = this->space(m);
   if (page_.panels.empty()) {
@@ -350,7 +350,13 @@ void ChartScene::rebuild() {
                                      std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
   const qreal rise = mark_rise(page_, m.tick_font, size_.width());
-  const qreal height = (space.height() - m.gap * (count - 1) - m.legend - rise) / count;
+  const auto share = [&] {
+    return (space.height() - m.gap * (count - 1) - m.legend - rise) / count;
+  };
+  // Low panels of a small picture need the room between them more than the eye does.
+  constexpr qreal kLow = 24.0, kLeastGap = 14.0;
+  if (style_ == ChartStyle::Compact && share() < kLow) m.gap = std::min(m.gap, kLeastGap);
+  const qreal height = share();
   for (std::size_t i = 0; i < page_.panels.size(); ++i) {
     const QRectF area(space.left(),
                       space.top() + m.legend + rise + static_cast<qreal>(i) * (height + m.gap),

@@ -238,3 +238,31 @@ TEST_CASE("keys: in a small window the bearing has half of its picture's height,
     CHECK(2 * (last - first + 1) >= shown.image.height());
   });
 }
+
+TEST_CASE("views: beside four small pictures no numbers of the curves lie on each other",
+          "[gui][agore][slow]") {
+  test::use_qt();
+  constexpr QSize kSize(700, 450);
+  for (const std::string& type : test::kTypes) {
+    MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
+    for (const View view : kViews) {
+      if (!why_not(view, picture.animation()).empty()) continue;
+      ViewOptions options;
+      options.view = view;
+      options.beside = {{View::Solid}, {View::Section}, {View::Element}};
+      choose_flange_race(picture.animation(), options);
+      const QRectF data = MotionPicture::dataArea(QRectF({0, 0}, kSize), 4);
+      std::vector<test::Words> words;
+      for (const test::Words& one :
+           test::words_of(picture.svg(kSize, picture.frames() - 1, options)))
+        if (data.contains(one.place.center())) words.push_back(one);
+      INFO(type << ", " << view_title(view));
+      CHECK(words.size() > 6);
+      for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::size_t k = i + 1; k < words.size(); ++k) {
+          INFO(words[i].text.toStdString() << " and " << words[k].text.toStdString());
+          CHECK_FALSE(words[i].place.intersects(words[k].place));
+        }
+    }
+  }
+}

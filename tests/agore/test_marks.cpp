@@ -225,3 +225,56 @@ TEST_CASE("marks: frames too short for letters have a longer arm for z, and the 
   options.view = View::Pocket;
   CHECK(picture.svg({1280, 800}, 5, options).contains("cage rotation"));
 }
+
+TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][agore]") {
+  test::use_qt();
+  for (const char* const type : {"ball", "cylindrical"}) {
+    const Animation animation = open_motion(test::example_run(type) / "RESULTS.h5");
+    const std::size_t frame = animation.frames() - 1;
+    ViewOptions options;
+    const QColor mark = turning_mark_colour(theme_of(options));
+    const auto inked = [&](bool trails) {
+      options.trails = trails;
+      QImage image(394, 348, QImage::Format_RGB32);
+      image.fill(theme_of(options).surface);
+      QPainter painter(&image);
+      // Alike in size, whatever the key takes.
+      const Sketch sketch(painter, QRectF(0, 0, 394, 348),
+                          1.1 * animation.file.geometry.outer_race_inner_radius, theme_of(options));
+      Kept kept;
+      bearing_view(Scene{sketch, animation, frame, animation.frame(frame), 1.0, options, kept.cages,
+                         kept.key});
+      painter.end();
+      return seen_of(image.copy(0, 0, 394, 240), mark).all;
+    };
+    const int whole = inked(false);
+    INFO(type);
+    CHECK(whole > 20);
+    CHECK(inked(true) == whole);
+  }
+}
+
+TEST_CASE("marks: loads behind bodies are dashed in 3D, and the key says what dashes are",
+          "[gui][agore]") {
+  test::use_qt();
+  const Animation animation = open_motion(test::example_run("cylindrical") / "RESULTS.h5");
+  MotionPicture picture(animation);
+  const std::size_t frame = animation.frames() - 1;
+  ViewOptions options;
+  options.view = View::Solid;
+  options.contacts = true;
+  const QColor outer = theme_of(options).curves[0];
+  const auto look = [&](double yaw) {
+    options.yaw = yaw;
+    return std::pair{seen_of(picture_of(animation, frame, options), outer).all,
+                     picture.svg({1280, 800}, frame, options).contains("dashed: behind a body")};
+  };
+  // From the side of the loaded rollers, where the outer race is cut open, and from behind them.
+  options.elevation = 70.0;
+  const int before = look(20.0).first;
+  options.elevation = -70.0;
+  const auto [behind, behind_said] = look(20.0);
+  CHECK(before > 2 * behind);
+  CHECK(behind_said);
+  CHECK(before > 100);
+}

@@ -85,6 +85,18 @@ TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it it
     CHECK(end.center().x() == Approx((lean > 0.0 ? 7.0 : -7.0) * cosine));
     CHECK(end.width() == Approx(10.0 * sine));
   }
+  // What is drawn of an end is never outside of the roller, as a dome's rim was that was drawn
+  // where its middle is; and no line stands for an end that is none to the eye.
+  for (const double bulge : {0.0, 6.0, 12.0, 120.0})
+    for (const double lean : {0.01, 0.03, 0.1, 0.4, -0.05, -0.4}) {
+      const agore::RollerProfile domed{
+          .half = 7.0, .radius = 5.0, .corner = {0.5, 0.5}, .dome = {bulge, bulge}};
+      const QRectF seen = domed.outline(lean).boundingRect(),
+                   end = domed.end_seen(lean).boundingRect();
+      INFO("dome " << bulge << ", lean " << lean);
+      CHECK(end.isEmpty() == (lean == 0.01));
+      if (!end.isEmpty()) CHECK(seen.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(end));
+    }
   // Cones with corners: what the section's walls leave room for is what is seen here.
   shape.slope = -0.1;
   shape.corner = {0.5, 1.0};
