@@ -17,6 +17,7 @@
 #include <QPointer>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStringList>
 #include <QTabBar>
@@ -33,12 +34,11 @@ inline QStringList nameless_widgets(const QMainWindow& window) {
   QStringList out;
   const auto labels = window.findChildren<QLabel*>();
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    const bool used = qobject_cast<const QComboBox*>(widget) != nullptr ||
-                      qobject_cast<const QLineEdit*>(widget) != nullptr ||
-                      qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
-                      qobject_cast<const QAbstractButton*>(widget) != nullptr ||
-                      widget->inherits("QGraphicsView") ||
-                      widget->inherits("adore::agore::PictureWidget");
+    // Whatever the keyboard can reach, and buttons that it cannot. A scroll area takes the focus for
+    // what is in it, which has its own name.
+    const bool used = (widget->focusPolicy() != Qt::NoFocus &&
+                       qobject_cast<const QScrollArea*>(widget) == nullptr) ||
+                      qobject_cast<const QAbstractButton*>(widget) != nullptr;
     if (!used || !widget->isVisible() || !widget->accessibleName().isEmpty()) continue;
     if (widget->objectName().startsWith("qt_")) continue;  // parts of a tool bar
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
