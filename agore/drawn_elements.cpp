@@ -87,7 +87,7 @@ KeyEntry now_and_then(const QColor& colour, bool now, const QString& there, cons
   return {colour, now ? there : none, now ? mark : KeyMark::None, now ? none : there};
 }
 
-QColor flange_colour(const desktop::Theme& theme) { return theme.curves[2]; }
+QColor flange_colour(const desktop::Theme& theme) { return theme.curves[4]; }
 
 QColor race_colour(const desktop::Theme& theme, std::size_t race) {
   return race == 0 ? theme.light_blue : theme.blue;

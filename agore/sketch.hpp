@@ -24,8 +24,6 @@ inline constexpr double kShorterArm = 0.6;
 /// Of the edge in the paper's colour that marks over bodies have [pixels on each side]: whatever
 /// they lie on, they are told from it.
 inline constexpr double kCasing = 1.2;
-/// Of dashes, which have so little ink of their own that a wide edge would be what is seen.
-inline constexpr double kDashCasing = 0.7;
 
 /// The mark of a contact, about a place of the picture, with a rim that keeps it readable on steel.
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,

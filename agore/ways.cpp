@@ -115,7 +115,7 @@ void draw_ways(QPainter& painter, const QRectF& area,
                const std::vector<std::vector<WayPoint>>& ways, const WayLook& look) {
   if (look.casing.isValid())
     for (const std::vector<WayPoint>& way : ways)
-      stroke(painter, area, way, look, look.casing, 2.0 * (look.dashed ? kDashCasing : kCasing));
+      stroke(painter, area, way, look, look.casing, 2.0 * kCasing);
   for (const std::vector<WayPoint>& way : ways) stroke(painter, area, way, look, look.colour, 0.0);
 }
 

@@ -180,7 +180,7 @@ TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named"
     CHECK((key.count(no_contact_colour().rgb()) > 0) == grey);
     constexpr int kMark = 12;  // pixels
     for (const QColor& colour : {t.red, t.green, t.blue, t.light_blue, t.curves[0], t.curves[1],
-                                 t.curves[2], t.curves[3]}) {
+                                 t.curves[2], t.curves[3], t.curves[4]}) {
       if (key.count(colour.rgb()) > 0) continue;
       if (colour == t.green && shown.words.contains("cage rotation")) continue;
       INFO(colour.name().toStdString() << " is in no key");
