@@ -1,6 +1,5 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_scene_parts.hpp"
-#include "desktop/dense_way.hpp"
 
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
@@ -35,14 +34,24 @@ bool ChartScene::isPlane() const {
   return page_.equal_axes && !page_.schematic && !page_.panels.empty();
 }
 
+void ChartScene::studyPlane() {
+  plane_curves_.clear();
+  if (page_.panels.empty()) return;
+  for (const ChartCurve& curve : page_.panels.front().curves) {
+    PlaneCurve& known = plane_curves_.emplace_back();
+    for (const double x : curve.x) known.across.include(x);
+    for (const double y : curve.y) known.up.include(y);
+  }
+}
+
 ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   const QRectF space = this->space(m);
   const ChartPanel& panel = page_.panels.front();
   Extent across, up;
-  for (const auto& curve : panel.curves) {
-    if (curve.hidden) continue;
-    for (const double x : curve.x) across.include(x);
-    for (const double y : curve.y) up.include(y);
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    if (panel.curves[c].hidden) continue;
+    across.include(plane_curves_[c].across);
+    up.include(plane_curves_[c].up);
   }
   for (const ChartLabel& label : page_.labels) {
     if (!page_.schematic) break;
@@ -272,7 +281,8 @@ void ChartScene::addOrbit(const Metrics& m) {
                    y_per = -area.height() / (y_axis.max - y_axis.min);
       const PlaneScale scale{area.left() - x_axis.min * x_per, x_per / x_axis.factor,
                              area.bottom() - y_axis.min * y_per, y_per / y_axis.factor};
-      addWay(seen_way(curve.x, curve.y, scale, area), area, pen);
+      KeptWay& way = plane_curves_[static_cast<std::size_t>(colour)].way;
+      addWay(way.inside(curve.x, curve.y, scale, area), area, pen);
       if (!lines_.empty()) ++lines_.back();
     }
     for (std::size_t i = first; i < last && !by_what_is_seen; ++i) {
