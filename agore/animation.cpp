@@ -296,6 +296,7 @@ Animation finish(Animation animation) {
     animation.source = curves_beside(animation)
                            ? "frames of SOL8: three digits, nothing between; curves of SOL files"
                            : "SOL8 alone: three digits, nothing between its frames";
+    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 beside it is not used";
   }
   return animation;
 }
@@ -340,6 +341,9 @@ Animation prepare(results::Sol8File file, long most_frames) {
   }
   animation.file = std::move(file);
   animation.no_contacts = why_not;
+  std::error_code ignored;
+  if (std::filesystem::exists(animation.file.path.parent_path() / "RESULTS.h5", ignored))
+    animation.unused = why_not;
   return finish(std::move(animation));
 }
 
@@ -352,7 +356,8 @@ Animation prepare(results::MotionFile motion) {
   return finish(std::move(animation));
 }
 
-Animation open_motion(const std::filesystem::path& path, long most_frames) {
+Animation open_motion(const std::filesystem::path& named, long most_frames) {
+  const std::filesystem::path path = results::animation_file(named);
   if (path.extension() != ".h5") {
     // The whole run all the same, as from RESULTS.h5.
     const long stored = results::stored_steps(path), most = std::max(most_frames, 1L);
