@@ -298,6 +298,7 @@ Animation finish(Animation animation) {
                            : "SOL8 alone: three digits, nothing between its frames";
     if (!animation.unused.empty()) animation.source += "; RESULTS.h5 beside it is not used";
   }
+  if (!animation.file.gaps.empty()) animation.source += "; " + animation.file.gaps;
   return animation;
 }
 
@@ -393,6 +394,14 @@ RunRange run_range(const results::MotionChannel& channel) {
   const auto at = above.begin() + static_cast<std::ptrdiff_t>((above.size() - 1) * 19 / 20);
   std::nth_element(above.begin(), at, above.end());
   out.usual = *at;
+  return out;
+}
+
+std::vector<std::string> Animation::notes() const {
+  std::vector<std::string> out;
+  for (const std::string& note : {file.note, file.gaps})
+    if (!note.empty()) out.push_back(note);
+  if (!unused.empty()) out.push_back("RESULTS.h5 is not used: " + unused);
   return out;
 }
 

@@ -83,6 +83,8 @@ struct Animation {
   std::string no_contacts;                        ///< why there are none
   /// Why a RESULTS.h5 that stands beside the file is not used; empty: it is, or there is none.
   std::string unused;
+  /// What is wrong with the files, as sentences without their ends.
+  [[nodiscard]] std::vector<std::string> notes() const;
   std::map<std::string, RunRange> run_ranges;  ///< of quantities that colour, by channel
   std::vector<double> pocket_angle;            ///< of each pocket centre in the cage [rad]
   std::vector<double> turned;  ///< by the races since the frame before, at least [rev]

@@ -43,10 +43,8 @@ int render(int& argc, char** argv, Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
-  const auto& note = picture.animation().file.note;
-  if (!note.empty()) fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
-  if (const std::string& why = picture.animation().unused; !why.empty())
-    fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), why);
+  for (const std::string& note : picture.animation().notes())
+    fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
   if (!request.film.empty()) {
     const auto film = request.folder / request.film;
     agore::render_movie(picture, std::max(1, request.every), request.rate, film, request.options);

@@ -1,6 +1,7 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_scene_parts.hpp"
 
+#include <QAbstractGraphicsShapeItem>
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
 
@@ -303,16 +304,22 @@ void ChartScene::addOrbit(const Metrics& m) {
                                             (y_axis.max - y_axis.min) * area.height();
       return QPointF(px, py);
     };
-    const auto dot = [&](const QPointF& at, const QColor& fill) {
+    // Of two shapes: who does not see green and red apart sees which is which.
+    const auto mark = [&](const QPointF& at, const QColor& fill, bool square) {
       if (!area.adjusted(-1, -1, 1, 1).contains(at)) return;
-      addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), QPen(theme_->surface, 1.5), fill)
-          ->setZValue(5);
+      const QPen edge(theme_->surface, 1.5);
+      QAbstractGraphicsShapeItem* item;
+      if (square)
+        item = addRect(QRectF(at.x() - 4.5, at.y() - 4.5, 9, 9), edge, fill);
+      else
+        item = addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), edge, fill);
+      item->setZValue(5);
     };
     const QPointF start = place(0), end = place(line.x.size() - 1);
     constexpr qreal kSame = 1.0;
     one_place = one_place && QLineF(start, end).length() < kSame;
-    dot(start, theme_->green);
-    dot(end, theme_->red);
+    mark(start, theme_->green, false);
+    mark(end, theme_->red, true);
   }
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
@@ -336,9 +343,9 @@ void ChartScene::addOrbit(const Metrics& m) {
   };
   QStringList entries;
   if (one_place)
-    entries << entry("●", theme_->red, "start and end");
+    entries << entry("■", theme_->red, "start and end");
   else
-    entries << entry("●", theme_->green, "start") << entry("●", theme_->red, "end");
+    entries << entry("●", theme_->green, "start") << entry("■", theme_->red, "end");
   if (page_.guide_radius > 0.0) entries << entry("– –", theme_->curves[1], "clearance");
   key->setHtml(entries.join(" &nbsp; "));
   key->setPos(area.right() - key->boundingRect().width(),

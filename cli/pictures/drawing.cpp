@@ -86,8 +86,8 @@ void animate(const AnimateRequest& request) {
   render.progress = make_count_progress("frame", request.progress);
   const std::filesystem::path source = results::animation_file(request.file);
   agore::MotionPicture picture = agore::open_animation(source);
-  for (const std::string& note : {picture.animation().file.note, picture.animation().unused})
-    if (!note.empty()) fmt::print(stderr, "adore: note: {}: {}\n", source.string(), note);
+  for (const std::string& note : picture.animation().notes())
+    fmt::print(stderr, "adore: note: {}: {}\n", source.string(), note);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
   if (!request.movie.empty()) {

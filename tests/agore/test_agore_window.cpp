@@ -206,6 +206,29 @@ TEST_CASE("agore_window: a run that goes on is read again at the same moment", "
   CHECK(window.frameCount() == 35);
 }
 
+TEST_CASE("agore_window: a picture is saved as pixels or as lines and text, by its name", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  AgoreWindow window;
+  test::show_painted(window);
+  click(window, "save");
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  for (const auto& [ending, begins] : {std::pair{"jpg", "\xff\xd8"}, std::pair{"png", "\x89PNG"},
+                                       std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
+    const QString name = folder.filePath(QString("moment.") + ending);
+    emit dialog->fileSelected(name);
+    QFile file(name);
+    INFO(ending);
+    REQUIRE(file.open(QIODevice::ReadOnly));
+    CHECK(file.read(5).startsWith(begins));
+    CHECK(file.size() > 5000);
+  }
+  emit dialog->fileSelected(folder.filePath("moment.bmp"));
+  CHECK(test::take_message(window).contains(".svg or .pdf"));
+  CHECK_FALSE(QFile::exists(folder.filePath("moment.bmp")));
+}
+
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
   test::use_qt();
   AgoreWindow window;

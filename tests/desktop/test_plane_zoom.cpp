@@ -2,6 +2,8 @@
 #include "support/qt_app.hpp"
 
 #include <QApplication>
+#include <QGraphicsEllipseItem>
+#include <QGraphicsTextItem>
 #include <QImage>
 #include <QMouseEvent>
 #include <QTest>
@@ -253,4 +255,27 @@ TEST_CASE("chart_scene: values under the mouse have the digits that their panel 
   CHECK(read().contains("123.4 nm"));
   scene.setPanelView(0, std::pair(1.2339e-7, 1.2341e-7));
   CHECK(scene.digitsOf(0, 0) == 8);
+}
+
+TEST_CASE("plane_zoom: start and end of an orbit are of two shapes, in the picture and in its key",
+          "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page = orbit_page();
+  page.panels[0].curves[0].x.back() += 0.5;  // ends elsewhere
+  ChartScene scene;
+  scene.setPage(page);
+  const Theme& theme = current_theme();
+  int starts = 0, ends = 0;
+  QString key;
+  for (const QGraphicsItem* item : scene.items()) {
+    if (const auto* round = dynamic_cast<const QGraphicsEllipseItem*>(item))
+      starts += round->brush().color() == theme.green ? 1 : 0;
+    if (const auto* square = dynamic_cast<const QGraphicsRectItem*>(item))
+      ends += square->brush().color() == theme.red ? 1 : 0;
+    if (const auto* text = dynamic_cast<const QGraphicsTextItem*>(item)) key += text->toPlainText();
+  }
+  CHECK(starts == 1);
+  CHECK(ends == 1);
+  CHECK(key.contains(QString::fromUtf8("● start")));
+  CHECK(key.contains(QString::fromUtf8("■ end")));
 }
