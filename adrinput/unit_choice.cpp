@@ -1,10 +1,10 @@
 #include "adrinput/unit_choice.hpp"
 
-#include "adrinput/run_times.hpp"
 #include "adrinput/typed.hpp"
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
+#include "facade/check.hpp"
 
 #include <QRegularExpression>
 #include <QSettings>
@@ -123,12 +123,13 @@ QString run_time(const Document& document, const Cell& cell) {
   const double* value = std::get_if<double>(&typed.value);
   if (!scales || typed.problem || value == nullptr) return {};
   const double seconds = *value * scales->time;
+  // An end that no step comes near is no promise of a length.
+  const std::string none = variable->name == "fTime" ? facade::why_no_step(document.deck()) : "";
+  if (!none.empty()) return QString::fromStdString(none + ": no step is made");
   std::string text = fmt::format("{:.4g} s", seconds);
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
     text +=
         " = " + counted(fmt::format("{:.4g}", seconds * scales->turns_per_second), "revolution");
-  if (variable->name == "fTime" && makes_no_step(document.deck()))
-    text += ", but maxStps is 0: no step is made";
   return QString::fromStdString(text);
 }
 
