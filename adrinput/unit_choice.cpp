@@ -122,15 +122,20 @@ QString run_time(const Document& document, const Cell& cell) {
   const Typed typed = document.parse(cell, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (!scales || typed.problem || value == nullptr) return {};
+  if (!no_run_time(document, cell).isEmpty()) return {};
   const double seconds = *value * scales->time;
-  // An end that no step comes near is no promise of a length.
-  const std::string none = variable->name == "fTime" ? facade::why_no_step(document.deck()) : "";
-  if (!none.empty()) return QString::fromStdString(none + ": no step is made");
   std::string text = fmt::format("{:.4g} s", seconds);
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
     text +=
         " = " + counted(fmt::format("{:.4g}", seconds * scales->turns_per_second), "revolution");
   return QString::fromStdString(text);
+}
+
+QString no_run_time(const Document& document, const Cell& cell) {
+  const deck::VariableSpec* variable = variable_of(cell);
+  if (variable == nullptr || variable->name != "fTime") return {};
+  const std::string why = facade::why_no_step(document.deck());
+  return why.empty() ? QString() : QString::fromStdString(why + ": no step is made");
 }
 
 QString typed_value(const Document& document, const Cell& cell) {

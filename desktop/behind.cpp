@@ -3,20 +3,23 @@
 #include <QApplication>
 #include <QEvent>
 #include <QWidget>
+#include <QWindow>
 
 namespace adore::desktop {
 
 OpensBehind::OpensBehind() { qApp->installEventFilter(this); }
 
 bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
-  // Before a window is shown; from the first one that is chosen on, the others come to the front.
+  // From the first window that is chosen on, the others come to the front.
   if (event->type() == QEvent::WindowActivate) qApp->removeEventFilter(this);
-  if (event->type() == QEvent::Polish && object->isWidgetType() &&
-      static_cast<QWidget*>(object)->isWindow())
-    static_cast<QWidget*>(object)->setAttribute(Qt::WA_ShowWithoutActivating);
-  if (event->type() == QEvent::Show && object->isWidgetType() &&
-      static_cast<QWidget*>(object)->isWindow())
-    QApplication::alert(static_cast<QWidget*>(object));
+  if (!object->isWidgetType() || !static_cast<QWidget*>(object)->isWindow()) return false;
+  auto* window = static_cast<QWidget*>(object);
+  if (event->type() == QEvent::Polish) {  // before it is shown
+    window->setAttribute(Qt::WA_ShowWithoutActivating);
+    // One that was made before, when its place was restored, is told itself what Qt tells others.
+    if (QWindow* made = window->windowHandle()) made->setProperty("_q_showWithoutActivating", true);
+  }
+  if (event->type() == QEvent::Show) QApplication::alert(window);
   return false;
 }
 

@@ -21,12 +21,8 @@ namespace fs = std::filesystem;
 
 TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of the results",
           "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   shorten(window.document(), "60");
   press(window, "run-deck");  // has no name yet
   CHECK_FALSE(window.runPanel().busy());
@@ -117,12 +113,8 @@ TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
 }
 
 TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   shorten(window.document(), "1000000");
   window.document().save(folder.filePath("DATA.txt").toStdString());
   auto* bar = window.findChild<QProgressBar*>("progress");
@@ -164,12 +156,8 @@ TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[
 
 TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says why",
           "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   window.newDeck("cylindrical-nu209");
   window.document().save(folder.filePath("NU209.txt").toStdString());
   run_to_end(window);
@@ -194,12 +182,8 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
 
 TEST_CASE("a run that is complete and continued says that nothing is left to do",
           "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   shorten(window.document(), "3");
   window.document().save(folder.filePath("DATA.txt").toStdString());
   run_to_end(window);
@@ -353,12 +337,8 @@ TEST_CASE("the buttons of results follow what is on the disk, whoever put it the
 
 TEST_CASE("a run that a full disk ended tells how far it came and opens what it stored",
           "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   shorten(window.document(), "100000");
   window.document().save(folder.filePath("DATA.txt").toStdString());
   {

@@ -231,7 +231,8 @@ TEST_CASE("a study that asks for what runs do not have, or for too much, does no
   write(file, std::string(text).replace(text.find("life_lp_hours"), 13, "power_loss_W"));
   const Result missing = run_adore("study run " + file);
   CHECK(missing.code == 2);
-  CHECK(contains(missing.out, "power_loss_W: a quasi-static run (mode = -1) has no motion; a run may have"));
+  CHECK(contains(missing.out,
+                 "power_loss_W: a quasi-static run (mode = -1) has no motion; a run may have"));
   write(file, std::string(text).insert(text.find("\"deck\""), "\"budget\": {\"runs\": 100}, "));
   const Result large = run_adore("study run " + file);
   CHECK(large.code == 2);
