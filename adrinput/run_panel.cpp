@@ -272,8 +272,15 @@ void RunPanel::show(const RunEnd& end) {
       (end.sweep && end.sweep->exit_code == 0)) {
     const RunResults found = results();
     // Nobody asked at this moment: somebody may be typing here.
-    if (plots_at_end_->isChecked() && !found.plots.isEmpty()) showPlots(true);
-    if (animation_at_end_->isChecked() && !found.animation.isEmpty()) showAnimation(true);
+    const bool plots = plots_at_end_->isChecked() && !found.plots.isEmpty();
+    const bool animation = animation_at_end_->isChecked() && !found.animation.isEmpty();
+    if (plots) showPlots(true);
+    if (animation) showAnimation(true);
+    if (plots || animation)
+      view_->appendPlainText(tr("Open behind this window: %1. The buttons bring them to the front.")
+                                 .arg(plots && animation ? tr("plots and animation")
+                                      : plots            ? tr("plots")
+                                                         : tr("animation")));
   }
   emit finished();
 }

@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
   bool follow = false;
   cli.add_flag("--follow", follow, "read the files again while a run goes on")->excludes(folder);
   bool behind = false;
-  cli.add_flag("--behind", behind, "open without taking the keyboard from the window in use")
+  cli.add_flag("--behind", behind, "open behind the window in use, which keeps the keyboard")
       ->excludes(folder);
   cli.add_flag("--dark", options.dark, "dark colours");
   command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")

@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--follow", request.follow, "read the files again while a run goes on")
       ->excludes(folder);
   cli.add_flag("--behind", request.behind,
-               "open without taking the keyboard from the window in use")
+               "open behind the window in use, which keeps the keyboard")
       ->excludes(folder);
   cli.add_flag("--dark", request.options.view.dark, "dark colours");
   // A window that is there takes files alone.

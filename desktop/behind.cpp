@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QTimer>
 #include <QWidget>
 #include <QWindow>
 
@@ -19,7 +20,11 @@ bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
     // One that was made before, when its place was restored, is told itself what Qt tells others.
     if (QWindow* made = window->windowHandle()) made->setProperty("_q_showWithoutActivating", true);
   }
-  if (event->type() == QEvent::Show) QApplication::alert(window);
+  if (event->type() == QEvent::Show) {
+    QApplication::alert(window);
+    // Above the one that is typed in it would hide what is typed.
+    QTimer::singleShot(0, window, [window] { window->lower(); });
+  }
   return false;
 }
 

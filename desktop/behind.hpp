@@ -9,7 +9,7 @@ namespace adore::desktop {
 inline constexpr const char* kBehind = "--behind";
 
 /// As long as it lives, and until a window of this program is chosen, windows open without taking
-/// the keyboard.
+/// the keyboard, behind those that are there.
 class OpensBehind : public QObject {
  public:
   OpensBehind();

@@ -48,6 +48,7 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(launches[0].second.mid(0, 2) == project);
   // Somebody may be typing here when a run ends: nothing takes the keyboard then.
   CHECK(launches[0].second.value(2) == "--behind");
+  CHECK(window.runPanel().text().contains("Open behind this window: plots and animation."));
   CHECK(launches[1] ==
         std::pair(QString("agore"), project + QStringList{"--behind", folder.filePath("SOL8")}));
   press(window, "listing");
