@@ -1,5 +1,6 @@
 #include "adrplot/render.hpp"
 
+#include "adrplot/folder_files.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/image_export.hpp"
@@ -34,8 +35,11 @@ std::vector<fs::path> render_document(const PlotDocument& document, const std::s
   return written;
 }
 
-std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
+std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
                                    const RenderOptions& options) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths)
+    for (fs::path& file : files_of(path)) files.push_back(std::move(file));
   desktop::make_folder(options.folder);
   std::vector<fs::path> written;
   for (const auto& path : files) {
