@@ -42,6 +42,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   story_->setWordWrap(true);
   story_->setTextFormat(Qt::PlainText);
   area_ = new QScrollArea(this);
+  area_->setAccessibleName(tr("What is told of the designation"));
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
   area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -134,6 +134,7 @@ void DeckWindow::makeCentre() {
   list_ = new RecordList(document_, this);
   scroll_ = new QScrollArea(this);
   scroll_->setObjectName("form");
+  scroll_->setAccessibleName(tr("Fields of the record"));
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // below 1000 pixels
@@ -152,10 +153,12 @@ void DeckWindow::makeCentre() {
       &plan_of, tr("What this deck turns on and why, its unknowns and the expected cost: F5."),
       this);
   plan_->setObjectName("plan");
+  plan_->setTextName(tr("Plan"));
   statics_ = new EvaluationPanel(
       &quasi_static_of, tr("The quasi-static equilibrium of this deck and its fatigue life: F6."),
       this);
   statics_->setObjectName("statics");
+  statics_->setTextName(tr("Quasi-static solution"));
   run_ = new RunPanel(this);
   connect(run_, &RunPanel::wanted, this, &DeckWindow::runDeck);
   connect(run_, &RunPanel::newFolderWanted, this, &DeckWindow::runInNewFolder);
@@ -170,6 +173,7 @@ void DeckWindow::makeCentre() {
   connect(accuracy_, &AccuracyPanel::applyWanted, this, &DeckWindow::applyAccuracy);
   original_ = new QPlainTextEdit(this);
   original_->setObjectName("original");
+  original_->setAccessibleName(tr("The deck as it is in its file"));
   original_->setReadOnly(true);
   original_->setLineWrapMode(QPlainTextEdit::NoWrap);
   original_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -3,10 +3,10 @@
 #include "adrinput/evaluation.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
-#include "adrinput/run_times.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/sweep_range.hpp"
 #include "desktop/dialogs.hpp"
+#include "facade/check.hpp"
 
 #include <QDockWidget>
 #include <QInputDialog>
@@ -121,10 +121,12 @@ void DeckWindow::askForSweep() {
       const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
       if (!unit.isEmpty()) told = tr("a number without a unit is in %1").arg(unit);
     }
-    if (makes_no_step(document_.deck()) && !typed.trimmed().startsWith("maxStps"))
-      told +=
-          tr("\nNo step is made (maxStps is 0): the table will have loads at rest, and no "
-             "means, ratios or heat.");
+    const std::string none = facade::why_no_step(document_.deck());
+    const QString end = QString::fromStdString(none.substr(0, none.find(' ')));
+    if (!none.empty() && !typed.trimmed().startsWith(end))
+      told += tr("\nNo step is made (%1): the table will have loads at rest, and no means, ratios "
+                 "or heat.")
+                  .arg(QString::fromStdString(none));
     dialog->setLabelText(tr("Variable, first and last value and number of runs:\n%1").arg(told));
   };
   tell({});

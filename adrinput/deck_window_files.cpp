@@ -22,6 +22,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -59,6 +60,15 @@ QAction* dock_action(QDockWidget* dock, const QString& text) {
   });
   return action;
 }
+
+/// The pointer's sign that a deck of many megabytes takes its time.
+class Waiting {
+ public:
+  Waiting() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
+  ~Waiting() { QGuiApplication::restoreOverrideCursor(); }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+};
 
 }  // namespace
 
@@ -177,6 +187,7 @@ void DeckWindow::forgetResults(bool reread) {
 }
 
 bool DeckWindow::openFile(const std::filesystem::path& path) {
+  const Waiting sign;
   try {
     // A name from where the program was started means nothing in its dialogs.
     const std::filesystem::path file = whole_path(facade::deck_path(path));
@@ -291,6 +302,7 @@ void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()>
 }
 
 bool DeckWindow::writeTo(const std::filesystem::path& path) {
+  const Waiting sign;
   try {
     document_.save(path);
     remember(document_.path());

@@ -57,10 +57,6 @@ std::vector<std::pair<Cell, std::string>> typed_times(const Document& document) 
 
 }  // namespace
 
-bool makes_no_step(const deck::Deck& deck) {
-  return deck.integer("mode") >= 0 && deck.integer("maxStps") == 0;
-}
-
 bool has_waiting_times(const Document& document) {
   return !document.typing() && !typed_times(document).empty();
 }

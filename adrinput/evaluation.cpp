@@ -129,6 +129,8 @@ void EvaluationPanel::show(const Evaluation& result, bool failed) {
   showNote();
 }
 
+void EvaluationPanel::setTextName(const QString& name) { view_->setAccessibleName(name); }
+
 void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path,
                             const RunOptionValues& options) {
   if (busy()) return;

@@ -39,6 +39,8 @@ class EvaluationPanel : public QWidget {
   using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&,
                                   const RunOptionValues&);
   EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
+  /// What a screen reader calls its text.
+  void setTextName(const QString& name);
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);

@@ -46,6 +46,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   chart_->setMinimumSize(kLeastWidth, kLeastHeight);
   conditions_ = new QLabel(this);
   conditions_->setObjectName("lubricant-conditions");
+  conditions_->setAccessibleName(tr("Conditions of the chart"));
   conditions_->setWordWrap(true);
   conditions_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // Docks ask no label how high it is at its width: three lines at the least width.
@@ -66,6 +67,7 @@ LubricantPanel* LubricantPanel::inDockOf(QMainWindow* window) {
   dock->setObjectName("lubricant-dock");
   auto* panel = new LubricantPanel;
   auto* scroll = new QScrollArea(dock);  // narrower than its charts can be read, it scrolls
+  scroll->setAccessibleName(tr("Lubricant"));
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setWidget(panel);
@@ -83,7 +85,7 @@ LubricantPanel* LubricantPanel::inDockOf(QMainWindow* window) {
     for (QDockWidget* other : window->findChildren<QDockWidget*>())
       if (other != dock && other->isVisible() && !other->isFloating()) {
         docks.append(other);
-        heights.append(std::max(0, window->centralWidget()->height() - whole.height()));
+        heights.append(std::max(1, window->centralWidget()->height() - whole.height()));
       }
     window->resizeDocks(docks, heights, Qt::Vertical);
   });

@@ -4,6 +4,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/search.hpp"
 #include "desktop/theme.hpp"
+#include "facade/check.hpp"
 
 #include <QIcon>
 #include <QKeyEvent>
@@ -223,6 +224,16 @@ void RecordList::syncState() {
       more = tr("Finding out whether a run of this deck begins");
       break;
     case DeckState::Ready:
+      if (const std::string none = facade::why_no_step(document_.deck()); !none.empty()) {
+        sign = RecordState::Doubtful;
+        text = tr("Ready: no motion");
+        more = tr("A run computes the quasi-static solution and makes no step: %1.")
+                   .arg(QString::fromStdString(none));
+      } else if (document_.deck().integer("mode") < 0) {
+        text = tr("Ready: quasi-static");
+        more = tr("A run computes the quasi-static solution only: mode is %1.")
+                   .arg(document_.deck().integer("mode"));
+      }
       break;
   }
   state_->setIcon(state_icon(sign));

@@ -105,8 +105,11 @@ void RecordPage::showAside(Row& row) {
     texts << run_time(document_, cell);
     if (row.combo != nullptr && is_cut(*row.combo)) texts << row.combo->currentText();
     texts.removeAll(QString());
-    row.other->setText(texts.isEmpty() ? QString() : "= " + texts.join(" = "));
-    row.other->setVisible(!texts.isEmpty());
+    QString text = texts.isEmpty() ? QString() : "= " + texts.join(" = ");
+    const QString none = no_run_time(document_, cell);
+    if (!none.isEmpty()) text += (text.isEmpty() ? QString() : QString("; ")) + none;
+    row.other->setText(text);
+    row.other->setVisible(!text.isEmpty());
   }
   if (row.unused == nullptr || row.name == nullptr) return;
   const std::string because = document_.unused_because(cell);

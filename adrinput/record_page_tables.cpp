@@ -15,6 +15,7 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
   const desktop::Theme& theme = desktop::current_theme();
   auto* table = new CellTable(document_, record_, this);
   table->setObjectName("instances");
+  table->setAccessibleName(text_of(spec_.title));
   table->installEventFilter(this);
   connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
   layout->addWidget(table);

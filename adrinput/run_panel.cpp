@@ -3,6 +3,7 @@
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
 #include "base/duration.hpp"
+#include "desktop/behind.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/launch.hpp"
@@ -142,6 +143,7 @@ RunPanel::RunPanel(QWidget* parent)
   const auto box = [&](const QString& text, const char* name) {
     auto* check = new QCheckBox(text, this);
     check->setObjectName(name);
+    check->setToolTip(tr("Without taking the keyboard; the button brings it to the front"));
     check->setChecked(settings().value(QString("open/%1").arg(name), true).toBool());
     connect(check, &QCheckBox::toggled, this,
             [name](bool on) { settings().setValue(QString("open/%1").arg(name), on); });
@@ -269,8 +271,16 @@ void RunPanel::show(const RunEnd& end) {
   if ((end.outcome && end.outcome->status == facade::RunStatus::Done) ||
       (end.sweep && end.sweep->exit_code == 0)) {
     const RunResults found = results();
-    if (plots_at_end_->isChecked() && !found.plots.isEmpty()) openPlots();
-    if (animation_at_end_->isChecked() && !found.animation.isEmpty()) openAnimation();
+    // Nobody asked at this moment: somebody may be typing here.
+    const bool plots = plots_at_end_->isChecked() && !found.plots.isEmpty();
+    const bool animation = animation_at_end_->isChecked() && !found.animation.isEmpty();
+    if (plots) showPlots(true);
+    if (animation) showAnimation(true);
+    if (plots || animation)
+      view_->appendPlainText(tr("Open behind this window: %1. The buttons bring them to the front.")
+                                 .arg(plots && animation ? tr("plots and animation")
+                                      : plots            ? tr("plots")
+                                                         : tr("animation")));
   }
   emit finished();
 }
@@ -302,23 +312,28 @@ void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck
   showNote();
 }
 
-void RunPanel::view(const QString& program, const QStringList& files) {
+void RunPanel::view(const QString& program, QStringList files, bool behind) {
+  if (behind) files.prepend(desktop::kBehind);
   // New folders of runs are part of it.
   const bool ran = !computed_.records.empty();
   show_in_viewer(this, launch, program, desktop::folder_of(ran ? file_ : shown_file_), files);
 }
 
-void RunPanel::openPlots() {
+void RunPanel::openPlots() { showPlots(false); }
+
+void RunPanel::openAnimation() { showAnimation(false); }
+
+void RunPanel::showPlots(bool behind) {
   QStringList arguments = results().plots;
   if (arguments.isEmpty()) return enableViewers();  // gone a moment ago
   if (busy()) arguments.prepend("--follow");
-  view("adrplot", arguments);
+  view("adrplot", arguments, behind);
 }
 
-void RunPanel::openAnimation() {
+void RunPanel::showAnimation(bool behind) {
   const QString file = results().animation;
   if (file.isEmpty()) return enableViewers();
-  view("agore", {file});
+  view("agore", {file}, behind);
 }
 
 void RunPanel::showListing() {

@@ -111,7 +111,10 @@ class RunPanel : public QWidget {
   void enableButtons();
   void enableViewers();
   void watchResults();
-  void view(const QString& program, const QStringList& files);
+  /// @param behind the keyboard stays in this window
+  void showPlots(bool behind);
+  void showAnimation(bool behind);
+  void view(const QString& program, QStringList files, bool behind);
   /// Of the run that is told here; where there was none, of the deck in the form.
   [[nodiscard]] RunResults results() const;
 

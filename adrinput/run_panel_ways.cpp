@@ -2,6 +2,7 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/unfinished_runs.hpp"
 #include "adrinput/window_words.hpp"
+#include "base/counted.hpp"
 #include "desktop/dialogs.hpp"
 #include "facade/sweep_mark.hpp"
 
@@ -180,7 +181,8 @@ void RunPanel::nameContinuation(QAction& action) const {
     const QString place = place_of(ways.front().folder, shown_file_);
     action.setText(ways.front().sweep ? tr("&Continue the sweep %1").arg(place)
                                       : tr("&Continue the run %1").arg(place));
-    action.setToolTip(from(ways.front().folder));
+    action.setToolTip(ways.front().sweep ? from(ways.front().folder) + ": " + ways.front().state
+                                         : from(ways.front().folder));
   } else if (!shown_file_.empty() && can_go_on(beside, shown_)) {
     action.setText(tr("&Continue the run %1").arg(place_of(beside, shown_file_)));
     action.setToolTip(from(beside));
@@ -291,8 +293,13 @@ void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
   QString text = tr("Table: %1\n").arg(from(sweep.table));
   if (!cancelled) {
     bar_->setValue(bar_->maximum());
-    headline_ = sweep.exit_code == 0 ? tr("The sweep is done.")
-                                     : tr("The sweep is over; some of its runs have no result.");
+    headline_ = sweep.failed == 0
+                    ? tr("The sweep is done.")
+                    : tr("The sweep is over; %1 no result: the table says why. Run > Continue the "
+                         "sweep %2 makes them again.")
+                          .arg(QString::fromStdString(
+                              counted(sweep.failed, "of its runs has", "of its runs have")))
+                          .arg(place_of(resultFolder(), file_));
   } else {
     headline_ = tr("The sweep was cancelled; the table holds what is done. Run > Continue the "
                    "sweep %1 goes on with it, later, too.")

@@ -8,9 +8,6 @@
 /// equilibrium has given the scale of time.
 namespace adore::adrinput {
 
-/// Does the deck ask for a motion, and for no step of it?
-[[nodiscard]] bool makes_no_step(const deck::Deck& deck);
-
 /// Is there a time in seconds or turns that is no value, because nobody knew its scale?
 [[nodiscard]] bool has_waiting_times(const Document& document);
 

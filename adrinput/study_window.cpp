@@ -54,6 +54,7 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   form_ = new StudyForm(document_, this);
   scroll_ = new QScrollArea(this);
   scroll_->setObjectName("study-form");
+  scroll_->setAccessibleName(tr("Fields of the study"));
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidget(form_);

@@ -1,5 +1,6 @@
 #include "adrinput/unfinished_runs.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "facade/sweep_mark.hpp"
@@ -79,9 +80,13 @@ std::vector<UnfinishedSweep> unfinished_sweeps(const fs::path& deck_file) {
   std::vector<UnfinishedSweep> out;
   for (const fs::path& folder : folders_of(deck_file, "sweep-")) {
     const auto mark = facade::read_sweep_mark(folder);
-    if (!mark || mark->status == "done" || mark->deck != deck_file.filename().string()) continue;
-    out.push_back({folder, "sweep of " + mark->range + ", " +
-                               (mark->status == "interrupted" ? "cancelled" : kCutOff)});
+    if (!mark || mark->deck != deck_file.filename().string()) continue;
+    const bool whole = mark->status == "done";
+    if (whole && mark->failed == 0) continue;
+    const std::string state = whole ? counted(mark->failed, "run") + " without a result"
+                              : mark->status == "interrupted" ? "cancelled"
+                                                              : kCutOff;
+    out.push_back({folder, "sweep of " + mark->range + ", " + state});
   }
   return out;
 }

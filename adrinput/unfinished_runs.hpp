@@ -21,7 +21,7 @@ struct UnfinishedRun {
                                                          const deck::Deck& deck);
 
 /// The sweep beside the deck and those in "sweep-001" and on, whoever made them, that did not come
-/// to their end; in the order of their names.
+/// to their end, or have runs without a result; in the order of their names.
 struct UnfinishedSweep {
   std::filesystem::path folder;
   std::string state;  ///< "sweep of appLoadZ=500:1500:5, cancelled"

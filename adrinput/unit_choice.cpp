@@ -1,10 +1,10 @@
 #include "adrinput/unit_choice.hpp"
 
-#include "adrinput/run_times.hpp"
 #include "adrinput/typed.hpp"
 #include "base/counted.hpp"
 #include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
+#include "facade/check.hpp"
 
 #include <QRegularExpression>
 #include <QSettings>
@@ -122,14 +122,20 @@ QString run_time(const Document& document, const Cell& cell) {
   const Typed typed = document.parse(cell, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (!scales || typed.problem || value == nullptr) return {};
+  if (!no_run_time(document, cell).isEmpty()) return {};
   const double seconds = *value * scales->time;
   std::string text = fmt::format("{:.4g} s", seconds);
   if (variable->name == "fTime" && scales->turns_per_second > 0.0)
     text +=
         " = " + counted(fmt::format("{:.4g}", seconds * scales->turns_per_second), "revolution");
-  if (variable->name == "fTime" && makes_no_step(document.deck()))
-    text += ", but maxStps is 0: no step is made";
   return QString::fromStdString(text);
+}
+
+QString no_run_time(const Document& document, const Cell& cell) {
+  const deck::VariableSpec* variable = variable_of(cell);
+  if (variable == nullptr || variable->name != "fTime") return {};
+  const std::string why = facade::why_no_step(document.deck());
+  return why.empty() ? QString() : QString::fromStdString(why + ": no step is made");
 }
 
 QString typed_value(const Document& document, const Cell& cell) {

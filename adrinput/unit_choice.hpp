@@ -36,6 +36,8 @@ void choose_unit(std::string_view si, const QString& unit);
 /// Of a time of a run what it is in seconds and turns: "0.0256 s = 4.27 revolutions"; empty while
 /// nobody knows.
 [[nodiscard]] QString run_time(const Document& document, const Cell& cell);
+/// Of the end of a run that no step comes near, why: "maxStps is 0: no step is made".
+[[nodiscard]] QString no_run_time(const Document& document, const Cell& cell);
 
 /// Of a text that is being typed and is no number in the deck's own unit: what it will be in the
 /// deck, "0.0127 m". Empty while it cannot be understood.

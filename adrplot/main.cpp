@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
+#include "desktop/behind.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/dialogs.hpp"
@@ -35,8 +36,11 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
 }
 
 int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
-         const adrplot::RenderOptions& options, bool follow, const std::string& project) {
+         const adrplot::RenderOptions& options, bool follow, bool behind,
+         const std::string& project) {
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Window);
+  std::optional<desktop::OpensBehind> unasked;
+  if (behind) unasked.emplace();
   const QString folder = !project.empty() ? QString::fromStdString(project)
                          : !files.empty() ? desktop::folder_of(files.front())
                                           : QString();
@@ -44,6 +48,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   const auto left_to_another = [&] {
     QStringList names;
     if (follow) names << "--follow";
+    if (behind) names << desktop::kBehind;
     for (const auto& file : files)
       names << QString::fromStdString(std::filesystem::absolute(file).string());
     return !project.empty() && !files.empty() && desktop::hand_over("adrplot", folder, names);
@@ -56,7 +61,8 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   if (!files.empty())
     one.emplace("adrplot", folder, nullptr, [&window](QStringList names) {
       const bool grows = names.removeAll("--follow") > 0;
-      window.showFiles(names);
+      const bool to_front = names.removeAll(desktop::kBehind) == 0;
+      window.showFiles(names, to_front);
       if (grows) window.follow(true);
     });
   if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
@@ -123,6 +129,9 @@ int main(int argc, char** argv) {
       ->needs(folder);
   bool follow = false;
   cli.add_flag("--follow", follow, "read the files again while a run goes on")->excludes(folder);
+  bool behind = false;
+  cli.add_flag("--behind", behind, "open behind the window in use, which keeps the keyboard")
+      ->excludes(folder);
   cli.add_flag("--dark", options.dark, "dark colours");
   command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")
                            ->capture_default_str()
@@ -140,6 +149,6 @@ int main(int argc, char** argv) {
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
     if (!options.folder.empty()) return render(argc, argv, files, options);
-    return show(argc, argv, files, options, follow, project);
+    return show(argc, argv, files, options, follow, behind, project);
   });
 }

@@ -46,7 +46,7 @@ class PlotWindow : public QMainWindow {
   void openSeveral(const QStringList& paths);
   /// Files that another program wants shown: read again where they are open, and brought to the
   /// front.
-  void showFiles(const QStringList& paths);
+  void showFiles(const QStringList& paths, bool to_front = true);
   /// Curves of open files as one chart of its own in the tree.
   void addChart(const std::vector<CurvePick>& picks, Combine how);
 

@@ -10,6 +10,7 @@
 #include "desktop/window_place.hpp"
 
 #include <QAction>
+#include <QApplication>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QStatusBar>
@@ -171,10 +172,10 @@ void PlotWindow::openSeveral(const QStringList& paths) {
   }
 }
 
-void PlotWindow::showFiles(const QStringList& paths) {
+void PlotWindow::showFiles(const QStringList& paths, bool to_front) {
   if (reading_) {                // it comes while another file is read: that one goes first
     constexpr int kLater = 300;  // ms
-    QTimer::singleShot(kLater, this, [this, paths] { showFiles(paths); });
+    QTimer::singleShot(kLater, this, [this, paths, to_front] { showFiles(paths, to_front); });
     return;
   }
   for (const QString& name : paths) {
@@ -194,6 +195,7 @@ void PlotWindow::showFiles(const QStringList& paths) {
     current_ = static_cast<int>(open - documents_.begin());
     reload();
   }
+  if (!to_front) return QApplication::alert(this);
   raise();
   activateWindow();
 }

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
+#include "desktop/behind.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
@@ -13,6 +14,7 @@
 #include "desktop/window_place.hpp"
 #include "results/run_folder.hpp"
 
+#include <QApplication>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QTimer>
@@ -33,7 +35,7 @@ struct Request {
   std::string view = "bearing", race, size = "1280x800", film, colour = "none", scale = "usual";
   std::string beside, project;
   int frame = 0, every = 0, rate = 25;
-  bool follow = false;
+  bool follow = false, behind = false;
   agore::RenderOptions options;
 };
 
@@ -68,26 +70,31 @@ int render(int& argc, char** argv, Request& request) {
 }
 
 /// A file that another program hands over waits while a film of the last one is written.
-void show_file(agore::AgoreWindow& window, const QString& name) {
+void show_file(agore::AgoreWindow& window, const QString& name, bool to_front) {
   constexpr int kLater = 300;  // ms
   if (window.findChild<QProgressDialog*>() != nullptr) {
-    QTimer::singleShot(kLater, &window, [&window, name] { show_file(window, name); });
+    QTimer::singleShot(kLater, &window, [=, &window] { show_file(window, name, to_front); });
     return;
   }
   window.openFile(name.toStdString());
+  if (!to_front) return QApplication::alert(&window);
   window.raise();
   window.activateWindow();
 }
 
 int show(int& argc, char** argv, const Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Window);
+  std::optional<desktop::OpensBehind> unasked;
+  if (request.behind) unasked.emplace();
   const QString folder = request.project.empty() ? desktop::folder_of(request.file)
                                                  : QString::fromStdString(request.project);
   // Whoever is the second one for a project leaves it to the first.
   const auto left_to_another = [&] {
+    QStringList names;
+    if (request.behind) names << desktop::kBehind;
+    names << QFileInfo(QString::fromStdString(request.file)).absoluteFilePath();
     return !request.project.empty() && !request.file.empty() &&
-           desktop::hand_over("agore", folder,
-                              {QFileInfo(QString::fromStdString(request.file)).absoluteFilePath()});
+           desktop::hand_over("agore", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AGORE")) return 0;
   // For this time: what was chosen in a window stays chosen.
@@ -95,8 +102,9 @@ int show(int& argc, char** argv, const Request& request) {
   agore::AgoreWindow window;
   std::optional<desktop::OneWindow> one;
   if (!request.file.empty())
-    one.emplace("agore", folder, nullptr,
-                [&window](const QStringList& names) { show_file(window, names.front()); });
+    one.emplace("agore", folder, nullptr, [&window](const QStringList& names) {
+      show_file(window, names.back(), !names.contains(desktop::kBehind));
+    });
   if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
   const desktop::WindowMemory memory(window, "agore");
   window.show();
@@ -195,6 +203,9 @@ int main(int argc, char** argv) {
   cli.add_flag("--trails", request.options.view.trails,
                "the path of every element, back over 0.8 of their spacing");
   cli.add_flag("--follow", request.follow, "read the files again while a run goes on")
+      ->excludes(folder);
+  cli.add_flag("--behind", request.behind,
+               "open behind the window in use, which keeps the keyboard")
       ->excludes(folder);
   cli.add_flag("--dark", request.options.view.dark, "dark colours");
   // A window that is there takes files alone.

@@ -233,6 +233,10 @@ void pocket_view(const Scene& s) {
   // Each contact of the side walls; a ball has the one that the frame tells.
   SideWalls walls = pose.walls;
   if (!rollers) walls.force[0] = element.pocket_force, walls.angle[0] = element.pocket_angle;
+  const auto degrees = [](double angle) {  // 0 to 360, as the plot files tell it
+    const double turn = 2.0 * kPi, rest = std::fmod(angle, turn);
+    return std::fmod(std::round((rest < 0.0 ? rest + turn : rest) * 180.0 / kPi), 360.0);
+  };
   std::string contacts;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!(walls.force[i] > 0.0)) continue;
@@ -241,10 +245,9 @@ void pocket_view(const Scene& s) {
         s.sketch.at(centre.x(), centre.y()),
         s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
         t.red, 2.6);
-    contacts +=
-        fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
-                    desktop::pretty_quantity(walls.force[i], s.animation.file.units[2], 3),
-                    desktop::tick_text(std::remainder(walls.angle[i], 2.0 * kPi) * 180.0 / kPi, 0));
+    contacts += fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
+                            desktop::pretty_quantity(walls.force[i], s.animation.file.units[2], 3),
+                            desktop::tick_text(degrees(walls.angle[i]), 0));
   }
   std::vector<KeyEntry> key{
       {contacts.empty() ? QColor() : t.red,

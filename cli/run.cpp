@@ -105,7 +105,7 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
   else if (!options.quiet)
     write_text(
         "", "",
-        summary_text(outcome, outcome.status == facade::RunStatus::Done
+        summary_text(outcome, outcome.status == facade::RunStatus::Done && outcome.steps > 0
                                   ? options.continuation(tolerance_given, twice_as_far(outcome))
                                   : ""));
   return exit_code(outcome);
@@ -176,7 +176,10 @@ int run(const RunOptions& options, bool tolerance_given) {
     if (options.json)
       write_text("", "", summary_json(sweep).dump(2) + "\n");
     else if (!options.quiet)
-      write_text("", "", sweep_text(sweep));
+      write_text("", "",
+                 sweep_text(sweep, watch.token().stop_requested()
+                                       ? ""
+                                       : options.continuation(tolerance_given, options.until)));
     return sweep.exit_code;
   }
   if (options.threads > 0)
@@ -242,7 +245,7 @@ void add_run(CLI::App& app, int& exit_code) {
   command
       ->add_flag("--continue", options->go_on,
                  "go on with the run whose results are in the output folder, interrupted, killed "
-                 "or complete; of a sweep, run what is missing")
+                 "or complete; of a sweep, run what is missing and what failed")
       ->excludes(overwrite);
   command->add_flag(
       "--reproducible", options->reproducible,

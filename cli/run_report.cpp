@@ -95,12 +95,16 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
   return text;
 }
 
-std::string sweep_text(const facade::SweepOutcome& outcome) {
+std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& again) {
   const std::string table = quoted_path(outcome.table);
   std::string text = outcome.table.string() + "\n";
   if (has_pictures())
     text += fmt::format("pictures:  adore plot {} --out {}\n", table,
                         quoted_path(outcome.table.parent_path() / "pictures"));
+  if (outcome.failed > 0 && !again.empty())
+    text += fmt::format("again:     {} no result; make {} again with\n           {}\n",
+                        counted(outcome.failed, "run has", "runs have"),
+                        outcome.failed == 1 ? "it" : "them", again);
   return text;
 }
 
@@ -129,7 +133,8 @@ nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
 }
 
 nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome) {
-  nlohmann::ordered_json out{{"table", outcome.table.string()}, {"exit", outcome.exit_code}};
+  nlohmann::ordered_json out{
+      {"table", outcome.table.string()}, {"exit", outcome.exit_code}, {"failed", outcome.failed}};
   out["remarks"] = nlohmann::ordered_json::array();
   for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());
   return out;

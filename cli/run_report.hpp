@@ -24,7 +24,8 @@ namespace adore::cli {
 /// An end for --until that is twice as far as the run came.
 [[nodiscard]] std::string twice_as_far(const facade::RunOutcome& outcome);
 
-[[nodiscard]] std::string sweep_text(const facade::SweepOutcome& outcome);
+/// @param again the command that makes failed runs again; empty: it is told elsewhere
+[[nodiscard]] std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& again);
 /// The same as one JSON object.
 [[nodiscard]] nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome);
 [[nodiscard]] nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome);

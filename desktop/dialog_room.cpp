@@ -66,6 +66,7 @@ void DialogRoom::letTextScroll(QMessageBox& box) {
   grid->getItemPosition(grid->indexOf(label), &row, &column, &rows, &columns);
   auto* area = new QScrollArea(&box);
   area->setObjectName("message-text");
+  area->setAccessibleName("Message");
   area->setFrameShape(QFrame::NoFrame);
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

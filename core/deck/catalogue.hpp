@@ -34,7 +34,7 @@ struct CatalogueBearing {
                        ///< the clearance
   bool angle_given = false;      ///< by the designation or a standard, not by a habit
   std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
-  bool tapered_bore = false;     ///< "K", of rollers: no deck has it, and its groups are others
+  bool tapered_bore = false;     ///< "K", of rollers: no deck has it; its groups are others
   std::string left_out;          ///< what else the designation says, "-2RS": no deck has it
 };
 
@@ -55,9 +55,10 @@ struct InnerGeometry {
   std::string reasons;  ///< where the figures come from, in one sentence
 };
 /// @param group of the clearance (ISO 5753-1): C2, CN, C3, C4, of balls C5
+/// @param tapered_bore of spherical rollers, whose groups are others; unknown for cylindrical ones
 /// @throws InputError when no elements fit between bore and outside, or the group is none of them
 [[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                                          std::string_view group = "CN");
+                                          std::string_view group = "CN", bool tapered_bore = false);
 
 /// The same for the bearing of a deck, from its own bore, outside diameter and race widths, in the
 /// deck's units. Contact or cup angles of the deck are kept. @throws InputError for

@@ -78,8 +78,8 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
   const TypeInfo& info = info_of(bearing.type);
   const std::string text(template_text(info.template_name));
   const Deck example = read_deck_text(text, "example").deck;
-  const InnerGeometry inner =
-      propose_inner(bearing.type, bearing.envelope, bearing.angle, bearing.clearance);
+  const InnerGeometry inner = propose_inner(bearing.type, bearing.envelope, bearing.angle,
+                                            bearing.clearance, bearing.tapered_bore);
   Deck deck = example;
   deck.set_all(changes(bearing, inner, example));
   const bool standard = bearing.designation.find('x') == std::string::npos;
@@ -126,7 +126,8 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
 
 std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
   const Envelope& e = bearing.envelope;
-  const InnerGeometry inner = propose_inner(bearing.type, e, bearing.angle, bearing.clearance);
+  const InnerGeometry inner =
+      propose_inner(bearing.type, e, bearing.angle, bearing.clearance, bearing.tapered_bore);
   std::vector<std::string> out;
   const bool standard = bearing.designation.find('x') == std::string::npos;
   out.push_back(fmt::format("{}, {}: bore {:g} mm, outside diameter {:g} mm, width {:g} mm ({}).",
@@ -154,7 +155,14 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
                     "clearance group of deep groove, cylindrical and spherical bearings "
                     "go into it.",
                     bearing.left_out));
-  if (bearing.tapered_bore)
+  if (bearing.tapered_bore && bearing.type == BearingType::Spherical)
+    out.push_back(
+        fmt::format("A tapered bore (K) has clearance groups of its own: the clearance is that of "
+                    "{} for tapered bores before mounting, and driving the bearing up its taper "
+                    "takes part of it away. The deck's bore is cylindrical: give its fit, or the "
+                    "clearance that is left.",
+                    bearing.clearance));
+  else if (bearing.tapered_bore)
     out.push_back(
         fmt::format("A tapered bore (K) has clearance groups of its own, which are not known here: "
                     "the clearance is that of {} for cylindrical bores.",

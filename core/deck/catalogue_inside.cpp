@@ -128,7 +128,7 @@ InnerGeometry cones(const Envelope& e, double cup) {
       "the cone angle follows from the cup's, crown and rib typical"};
 }
 
-InnerGeometry barrels(const Envelope& e, double angle, std::string_view group) {
+InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, bool tapered_bore) {
   const double pitch = 0.502 * (e.bore + e.outside);
   const double roller = nearest(0.275 * (e.outside - e.bore), 0.1 * kMm);
   const double sphere =
@@ -141,14 +141,14 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group) {
   sets.length("bReCorRad1", 0.036 * roller);
   sets.length("bReCorRad2", 0.036 * roller);
   sets.length("pitchDia", pitch);
-  sets.length("freeIntCls", middle_clearance(BearingType::Spherical, group, e.bore));
+  sets.length("freeIntCls", middle_clearance(BearingType::Spherical, group, e.bore, tapered_bore));
   sets.real("raceCurFac1", 0.5133);
   sets.real("raceCurFac2", 0.5133);
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
   return {sets.take(),
           "D = 0.275 (OD - bore), L = 0.413 of the width, rollers over 0.87 of the pitch circle, "
           "angle from the distance of the rows; play: " +
-              clearance_reason(group)};
+              clearance_reason(group) + (tapered_bore ? " of tapered bores" : "")};
 }
 
 /// Record 7.1 in proportion to the cage of the example of the type: diameters about the pitch
@@ -172,7 +172,7 @@ void propose_cage(std::string_view example_name, const Envelope& e, double diame
 }  // namespace
 
 InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle,
-                            std::string_view group) {
+                            std::string_view group, bool tapered_bore) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
     throw InputError(fmt::format(
@@ -185,7 +185,8 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
     case BearingType::Tapered:
       return cones(envelope, angle > 0.0 ? angle : usual_angle(type, envelope));
     case BearingType::Spherical:
-      return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group);
+      return barrels(envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group,
+                     tapered_bore);
     default:
       return balls(type, envelope, angle > 0.0 ? angle : usual_angle(type, envelope), group);
   }

@@ -65,11 +65,13 @@ bool has_group(BearingType type, std::string_view group) {
              catalogue_table()["clearance"][std::string(kind)][0].size();
 }
 
-double middle_clearance(BearingType type, std::string_view group, double bore) {
+double middle_clearance(BearingType type, std::string_view group, double bore, bool tapered_bore) {
   if (!has_group(type, group))
     throw InputError(
         fmt::format("there is no clearance group {} of a {}", group, info_of(type).name));
-  const Json& rows = catalogue_table()["clearance"][std::string(clearance_kind(type))];
+  const bool of_taper = tapered_bore && type == BearingType::Spherical;  // of others none is known
+  const Json& rows = catalogue_table()["clearance"][std::string(clearance_kind(type)) +
+                                                    (of_taper ? ", tapered bore" : "")];
   const auto column = static_cast<std::size_t>(
       2 + (std::find(kGroups.begin(), kGroups.end(), group) - kGroups.begin()));
   const auto middle = [&](const Json& row) {

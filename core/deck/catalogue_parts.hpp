@@ -41,7 +41,9 @@ inline constexpr std::array<std::string_view, 5> kGroups = {"C2", "CN", "C3", "C
 [[nodiscard]] bool has_group(BearingType type, std::string_view group);
 /// Middle of a clearance group [m]; beyond the table in proportion to its last row.
 /// @throws InputError when the type has no such group
-[[nodiscard]] double middle_clearance(BearingType type, std::string_view group, double bore);
+/// @param tapered_bore of spherical rollers: before mounting; it plays no part for others
+[[nodiscard]] double middle_clearance(BearingType type, std::string_view group, double bore,
+                                      bool tapered_bore = false);
 
 /// A proposed value; 0: it is not among them.
 [[nodiscard]] double number(const InnerGeometry& inner, std::string_view name);

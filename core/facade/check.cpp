@@ -43,16 +43,19 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
 
 /// Who asks for motion and gives no step sees one point in every chart: that has to be said.
 std::optional<Issue> nothing_moves(const deck::Deck& deck) {
-  if (deck.integer("mode") < 0 || deck.integer("maxStps") > 0) return std::nullopt;
+  const std::string why = why_no_step(deck);
+  if (why.empty()) return std::nullopt;
+  const bool steps = why.rfind("maxStps", 0) == 0;
   Issue out;
   out.severity = Severity::Note;
   out.file = deck.file;
-  out.record = "1";
-  out.variable = "maxStps";
+  out.record = steps ? "1" : "2.1";
+  out.variable = steps ? "maxStps" : "fTime";
   out.value = "0";
   out.message = "no step is made, so that nothing moves unless `--until` says how far";
-  out.remedy =
-      "give the number of steps, such as 2000, and kPltFreq = 1 and kAGraf = 1 to see them";
+  out.remedy = std::string(steps ? "give the number of steps, such as 2000"
+                                 : "give the end time, such as 1000") +
+               ", and kPltFreq = 1 and kAGraf = 1 to see the steps";
   return out;
 }
 
@@ -73,6 +76,12 @@ std::vector<std::string> effects_to_leave_out(const deck::Deck& deck,
 }
 
 }  // namespace
+
+std::string why_no_step(const deck::Deck& deck) {
+  if (deck.integer("mode") < 0) return {};
+  if (deck.integer("maxStps") == 0) return "maxStps is 0";
+  return deck.real("fTime") == 0.0 ? "fTime is 0" : "";
+}
 
 std::vector<Issue> check_model(const deck::Deck& deck) { return examine_model(deck).issues; }
 

@@ -301,12 +301,17 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
   out.warnings = warnings_once(rows);
   if (auto still = nothing_moved(rows)) out.warnings.push_back(std::move(*still));
-  for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
-  if (stop.stop_requested()) out.exit_code = 130;
+  constexpr int kInterrupted = 130;
+  for (const Row& row : rows) {
+    out.exit_code = std::max(out.exit_code, row.exit_code);
+    out.failed += row.exit_code != 0 && row.exit_code != kInterrupted ? 1 : 0;
+  }
+  mark.failed = out.failed;
+  if (stop.stop_requested()) out.exit_code = kInterrupted;
   // Runs whose files found no room have no result of their own yet.
   const bool unwritten =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
-  mark.status = out.exit_code == 130 || unwritten ? "interrupted" : "done";
+  mark.status = out.exit_code == kInterrupted || unwritten ? "interrupted" : "done";
   write_sweep_mark(mark, folder);
   return out;
 }

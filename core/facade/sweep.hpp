@@ -14,13 +14,14 @@ namespace adore::facade {
 struct SweepOutcome {
   std::filesystem::path table;  ///< SWEEP.csv: one line per run
   int exit_code = 0;            ///< the worst of the runs
+  long failed = 0;              ///< runs that came to no result; a sweep that goes on repeats them
   std::vector<Issue> warnings;  ///< of all runs, those that differ only in numbers once
 };
 
 /// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the
 /// output folder. The table is written as the runs end; SWEEP.json (sweep_mark.hpp) says which
-/// sweep it is and whether it came to its end. With RunRequest::go_on only what an earlier,
-/// broken-off sweep is missing runs.
+/// sweep it is and whether it came to its end. With RunRequest::go_on only what an earlier
+/// sweep is missing runs: runs that were broken off or never started, and those that failed.
 /// @throws InputError for a malformed range, or more than one of them; ResultsExist as run().
 SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress = {},
                        std::stop_token stop = {});

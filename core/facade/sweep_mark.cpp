@@ -34,6 +34,7 @@ void write_sweep_mark(const SweepMark& mark, const fs::path& folder) {
   json["sweep"] = mark.range;
   json["request"] = mark.request;
   json["status"] = mark.status;
+  json["failed"] = mark.failed;
   write_file_atomically(folder / SweepMark::kName,
                         json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -53,6 +54,9 @@ std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
   SweepMark out{text("deck"), text("sweep"), text("request"), text("status")};
+  if (const auto failed = json.find("failed");
+      failed != json.end() && failed->is_number_integer() && *failed > 0)
+    out.failed = failed->get<long>();
   if (out.range.find('=') == std::string::npos || !is_range(out.range)) return {};
   return out;
 }

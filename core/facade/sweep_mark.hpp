@@ -14,6 +14,7 @@ struct SweepMark {
   std::string range;    ///< as --set takes it: "appLoadZ=500:1500:5"
   std::string request;  ///< sweep_digest()
   std::string status;   ///< "running", "interrupted", "done"
+  long failed = 0;      ///< runs that came to no result, of those that ended
 
   static constexpr const char* kName = "SWEEP.json";
 };

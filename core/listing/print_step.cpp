@@ -255,8 +255,9 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
       "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
       "base frame)");
   std::vector<Report::Row> places, speeds, orbits;
+  // Angles are those of the plot files: turns of an orbit accumulate in both.
   const auto add = [&](const std::string& name, const scene::BodySnapshot& body, double theta,
-                       double phi, double w_theta, double w_phi) {
+                       double phi, double w_theta, double w_phi, double orbit_angle) {
     const OrbitMotion orbit = orbit_motion(body.position, body.velocity, body.acceleration);
     places.push_back({name,
                       {body.position.x(), body.position.y(), body.position.z(), theta, phi,
@@ -265,23 +266,25 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
                       {body.velocity.x(), body.velocity.y(), body.velocity.z(), body.omega.norm(),
                        w_theta, w_phi}});
     orbits.push_back({name,
-                      {orbit.r, orbit.theta, orbit.theta_dot, orbit.r_dot, orbit.r_ddot,
+                      {orbit.r, orbit_angle, orbit.theta_dot, orbit.r_dot, orbit.r_ddot,
                        body.acceleration.x()}});
   };
   const auto angles = [&](const std::string& group, std::size_t at) {
     return std::array{record[group + ".theta"][at], record[group + ".phi"][at],
                       record[group + ".angular_velocity_theta"][at],
-                      record[group + ".angular_velocity_phi"][at]};
+                      record[group + ".angular_velocity_phi"][at],
+                      record[group + ".orbital_position"][at]};
   };
   const bool segments = snapshot.cages.size() > 1;
   for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
     const auto a = angles("cage", k);
     add(segments ? fmt::format("segment {}", k + 1) : std::string("cage"), snapshot.cages[k], a[0],
-        a[1], a[2], a[3]);
+        a[1], a[2], a[3], a[4]);
   }
   for (std::size_t race = 0; race < 2; ++race) {
     const auto a = angles("race", race);
-    add(race == 0 ? "outer race" : "inner race", snapshot.races[race], a[0], a[1], a[2], a[3]);
+    add(race == 0 ? "outer race" : "inner race", snapshot.races[race], a[0], a[1], a[2], a[3],
+        a[4]);
   }
   report.table("",
                {{"x", &unit::kLength},
@@ -325,7 +328,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
       for (const scene::LandSnapshot& land : snapshot.cages[k].lands) {
         lands.push_back({segments ? fmt::format("land {} of {}", ++number, k + 1)
                                   : fmt::format("land {}", ++number),
-                         {land.force, land.gap, wrapped(land.angle)}});
+                         {land.force, land.gap, land.angle}});
         if (films)
           for (const double value : {land.film_force, land.attitude})
             lands.back().values.push_back(value);

@@ -13,6 +13,7 @@
 #include "results/reader_killed.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
+#include "studies/quantity_check.hpp"
 
 #include <fmt/format.h>
 
@@ -395,7 +396,11 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   if (ending.exit_code == 0) {
     try {
-      Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
+      Answers answers = answer(job.quantities, ending.outcome.summary, *request.out,
+                               [&](const Quantity& quantity) {
+                                 const facade::LoadedDeck read = facade::load_deck(request);
+                                 return why_missing(quantity, read.deck, job.until);
+                               });
       out.values = std::move(answers.values);
       out.message = std::move(answers.missing);
     } catch (const results::ReaderKilled&) {

@@ -194,7 +194,8 @@ double statistic(Statistic of, double percent, const std::vector<double>& times,
 }
 
 Answers answer(const std::vector<Quantity>& quantities, const results::KeyResults& summary,
-               const std::filesystem::path& folder) {
+               const std::filesystem::path& folder,
+               const std::function<std::string(const Quantity&)>& why) {
   Answers out;
   std::optional<Channels> channels;
   std::optional<Whirl> whirl;
@@ -206,8 +207,8 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
     }
     return *channels;
   };
-  const auto miss = [&](const Quantity& quantity, const std::string& why) {
-    out.missing += fmt::format("{}{}: {}", out.missing.empty() ? "" : "; ", quantity.name, why);
+  const auto miss = [&](const Quantity& quantity, const std::string& reason) {
+    out.missing += fmt::format("{}{}: {}", out.missing.empty() ? "" : "; ", quantity.name, reason);
     return kNone;
   };
   bool lacks_result = false;
@@ -223,9 +224,13 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
         const auto found = std::find_if(
             summary.begin(), summary.end(),
             [&](const results::KeyResult& result) { return result.of.id == quantity.name; });
-        value = found == summary.end() ? miss(quantity, "the run has no such key result")
-                                       : found->value;
-        lacks_result = lacks_result || found == summary.end();
+        if (found != summary.end()) {
+          value = found->value;
+        } else {
+          const std::string known = why(quantity);
+          value = miss(quantity, known.empty() ? "the run has no such key result" : known);
+          lacks_result = true;
+        }
       }
     } catch (const results::ReaderKilled&) {
       throw;

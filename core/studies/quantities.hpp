@@ -4,6 +4,7 @@
 #include "studies/study.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,13 @@ struct Answers {
   std::string missing;         ///< a sentence that names what it does not say; empty: nothing
 };
 
-/// @param folder of the run's files @throws results::ReaderKilled, which says nothing about the run
+/// @param folder of the run's files
+/// @param why a key result is not there, as the deck tells; may return nothing
+/// @throws results::ReaderKilled, which says nothing about the run
 [[nodiscard]] Answers answer(const std::vector<Quantity>& quantities,
                              const results::KeyResults& summary,
-                             const std::filesystem::path& folder);
+                             const std::filesystem::path& folder,
+                             const std::function<std::string(const Quantity&)>& why);
 
 /// Statistic of a sampled quantity. `values` holds `width` values for each time. Mean, rms and
 /// deviation weigh time by the trapezoidal rule; percentiles count stored values.

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "facade/deck_request.hpp"
 #include "facade/option_file.hpp"
+#include "studies/quantity_check.hpp"
 #include "studies/worst_case.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,8 @@ std::string problem_of(const Study& study, const Point& point, const deck::Deck&
   } catch (const InputError& error) {
     return error.what();
   }
-  return {};
+  const std::string missing = missing_quantities(study.quantities, deck, study.until);
+  return missing.empty() ? "" : "quantities that the runs do not have: " + missing;
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace adore::studies {
 [[nodiscard]] std::vector<Point> points_to_begin(const Study& study);
 
 /// Reads each deck as it is, and puts the sets of its first, middle and last run into it, as far as
-/// names, values and ranges of variables go; run options alike. Milliseconds.
+/// names, values and ranges of variables go; run options and quantities that such a run cannot have
+/// alike. Milliseconds.
 /// Without points the decks alone.
 /// @throws InputError for a deck that is not there or not valid, and when a run that is tried first
 /// is the same for all of them: refused.

@@ -2,11 +2,13 @@
 
 #include "adrinput/driver.hpp"
 #include "adrinput/run_panel.hpp"
+#include "support/qt_app.hpp"
 
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <utility>
@@ -51,5 +53,20 @@ inline void shorten(Document& document, const char* steps) {
   document.edit(cell("kPltFreq"), "1");
   document.edit(cell("kAGraf"), "1");
 }
+
+struct QtInUse {
+  QtInUse() { test::use_qt(); }
+};
+
+/// A window that runs decks in a folder of its own, and what it would have opened.
+struct RunBench : QtInUse {
+  QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  RunBench() {
+    watch_launches(window, launches);
+    window.show();
+  }
+};
 
 }  // namespace adore::adrinput

@@ -184,8 +184,33 @@ TEST_CASE("a motion that makes no step says so beside its end and in the sweep",
   window.document().edit(cell("maxStps"), "0");
   window.checkNow();
   CHECK(beside(window, "fTime").contains("maxStps is 0"));
+  CHECK_FALSE(beside(window, "fTime").contains("revolution"));  // which nobody will see
   CHECK(sweep_says("appLoadZ=1:2:3").contains("No step"));
   CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("No step"));
+}
+
+TEST_CASE("the head of a deck says what a run of it would do", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  auto* state = window.findChild<QToolButton*>("deck-state");
+  const auto says = [&](const char* name, const char* value, const QString& text,
+                        const QString& reason) {
+    window.document().edit(cell(name), value);
+    window.document().end_step();
+    window.checkNow();
+    INFO(name << " = " << value);
+    CHECK(QTest::qWaitFor([&] { return state->text() == text; }, 60000));
+    CHECK(state->toolTip().contains(reason));
+    CHECK(state->accessibleName().contains(text));
+    window.undo();
+    window.checkNow();
+    CHECK(QTest::qWaitFor([&] { return state->text() == "Ready to run"; }, 60000));
+  };
+  says("maxStps", "10", "Ready to run", "");
+  says("maxStps", "0", "Ready: no motion", "maxStps is 0");
+  says("fTime", "0", "Ready: no motion", "fTime is 0");
+  says("mode", "-1", "Ready: quasi-static", "mode is -1");
 }
 
 TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrinput][daily]") {

@@ -75,12 +75,8 @@ TEST_CASE("every sentence of the program that names an option has words for the 
 
 TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing to be typed",
           "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  Launches launches;
-  watch_launches(window, launches);
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   shorten(window.document(), "5");
   window.document().edit(cell("tol"), "1e-3");
   window.document().save(folder.filePath("DATA.txt").toStdString());
@@ -100,10 +96,8 @@ TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing t
 }
 
 TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  DeckWindow window;
-  window.show();
+  RunBench bench;
+  auto& [folder, window, launches] = bench;
   window.document().save(folder.filePath("DATA.txt").toStdString());
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   for (const auto& [steps, time, said] :

@@ -20,6 +20,7 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 /// Which run goes on, what a run may replace, and what a sweep's range may be.
 using namespace adore;
@@ -240,6 +241,36 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     for (int number = 1; number <= 4; ++number) CHECK(done(number));
     CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
     CHECK(bench.entry().text() == "&Continue the run");
+  }
+  {
+    // All of its runs ended, one of them without a result: that one is made again.
+    const fs::path report = sweep / "rpm2-3/RUN.json";
+    std::string text = bytes_of(report);
+    text.replace(text.find("\"status\": \"done\""), 16, "\"status\": \"failed\"");
+    std::ofstream(report) << text;
+    auto mark = *facade::read_sweep_mark(sweep);
+    CHECK(mark.failed == 0);
+    mark.failed = 1;
+    facade::write_sweep_mark(mark, sweep);
+    Bench bench("1");
+    QAction& entry = opened(bench);
+    CHECK(entry.text() == "&Continue the sweep in sweep-001");
+    CHECK(entry.toolTip().contains("1 run without a result"));
+    entry.trigger();
+    REQUIRE(bench.window.runPanel().busy());
+    bench.wait();
+    CHECK(bench.note() == "The sweep is done.");
+    CHECK(done(3));
+    CHECK(bytes_of(sweep / "rpm2-2/RUN.json") == kept);
+    CHECK(bench.entry().text() == "&Continue the run");
+    // One that fails says how many did, and stays on offer.
+    RunPanel& panel = bench.window.runPanel();
+    Document& document = bench.window.document();
+    panel.sweep(document.path(), document.deck(), document.options(), "raceCurFac1=0.4:0.52:2");
+    bench.wait();
+    CHECK(bench.note().contains("1 of its runs has no result"));
+    CHECK(bench.entry().text() == "&Continue the sweep in sweep-002");
+    fs::remove_all(deck.parent_path() / "sweep-002");
   }
   {
     // Of a deck of another name in the folder.

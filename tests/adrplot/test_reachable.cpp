@@ -1,5 +1,6 @@
 #include "adrplot/plot_window.hpp"
 #include "support/qt_app.hpp"
+#include "support/qt_warnings.hpp"
 #include "support/reachable.hpp"
 #include "support/synthetic_results.hpp"
 
@@ -52,4 +53,15 @@ TEST_CASE("plot_window: every key does what the menus promise, wherever the focu
   window.show();
   REQUIRE(QTest::qWaitForWindowActive(&window));
   CHECK(test::keys_without_effect(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("plot_window: Qt has nothing to warn of while switches go off and on in every size",
+          "[gui]") {
+  test::use_qt();
+  const test::QtWarnings warnings;
+  PlotWindow window;
+  for (const auto kind : {results::SolKind::Element, results::SolKind::Cage})
+    window.addFile(test::synthetic_sol(kind));
+  window.show();
+  CHECK(test::warned_by_switches(window) == "");
 }

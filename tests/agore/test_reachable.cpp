@@ -1,5 +1,6 @@
 #include "agore/agore_window.hpp"
 #include "support/qt_app.hpp"
+#include "support/qt_warnings.hpp"
 #include "support/reachable.hpp"
 #include "support/synthetic_results.hpp"
 
@@ -43,4 +44,14 @@ TEST_CASE("agore_window: a letter with Alt that chooses nothing now is not typed
   window.setAnimation(prepare(test::synthetic_sol8()));
   window.show();
   CHECK(test::letters_typed_by_alt(window).join("; ").toStdString() == "");
+}
+
+TEST_CASE("agore_window: Qt has nothing to warn of while switches go off and on in every size",
+          "[gui]") {
+  test::use_qt();
+  const test::QtWarnings warnings;
+  AgoreWindow window;
+  window.show();
+  window.setAnimation(prepare(test::synthetic_sol8()));
+  CHECK(test::warned_by_switches(window) == "");
 }

@@ -120,6 +120,45 @@ TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons",
   CHECK(read(folder / "sweep" / "SWEEP.csv").find("brgOD") != std::string::npos);
 }
 
+TEST_CASE("a sweep with failed runs says how to make them again, and makes no others", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string line = "run " + folder.path().string() +
+                           " --set mode=-1 --set raceCurFac1=0.4:0.52:3 --out " +
+                           (folder / "sweep").string();
+  const Result sweep = run_adore(line);
+  INFO(sweep.out);
+  CHECK(sweep.code == 2);
+  CHECK(contains(sweep.out, "2 runs have no result; make them again with"));
+  CHECK(contains(sweep.out, "--set raceCurFac1=0.4:0.52:3"));
+  CHECK(contains(sweep.out, "--continue"));
+  const auto failed = [&] { return json::parse(read(folder / "sweep/SWEEP.json"))["failed"]; };
+  CHECK(failed() == 2);
+  // One that gave up on its way, of which there is a report.
+  const fs::path good = folder / "sweep/raceCurFac1-3/RUN.json";
+  std::string text = read(good);
+  REQUIRE(contains(text, "\"status\": \"done\""));
+  const auto time = fs::last_write_time(good);
+  CHECK(run_adore(line + " --continue").code == 2);
+  CHECK(fs::last_write_time(good) == time);
+  text.replace(text.find("\"status\": \"done\""), 16, "\"status\": \"failed\"");
+  std::ofstream(good) << text;
+  CHECK(run_adore(line + " --continue").code == 2);
+  CHECK(contains(read(good), "\"status\": \"done\""));
+  CHECK(failed() == 2);
+}
+
+TEST_CASE("a run that makes no step offers no going on", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  for (const char* still : {"maxStps=0", "fTime=0.0"}) {
+    const Result run = run_adore("run " + folder.path().string() + " --overwrite --set " + still);
+    INFO(run.out);
+    CHECK(run.code == 0);
+    CHECK_FALSE(contains(run.out, "go on:"));
+  }
+}
+
 TEST_CASE("a sweep of a variable that is none ends before it has touched a file", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

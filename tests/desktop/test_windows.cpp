@@ -1,3 +1,4 @@
+#include "desktop/behind.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/menu_keys.hpp"
@@ -179,6 +180,28 @@ TEST_CASE("files go to the window that shows their folder, and to no other", "[g
     CHECK_FALSE(desktop::hand_over("agore", project.path(), files));
   }
   CHECK_FALSE(desktop::hand_over("adrplot", project.path(), files));
+}
+
+TEST_CASE("a window that opens behind does not take the keyboard until it is chosen",
+          "[gui][desktop]") {
+  test::use_qt();
+  QWidget before;
+  before.show();
+  {
+    const desktop::OpensBehind behind;
+    QWidget window;
+    QDialog question(&window);
+    window.show();
+    question.show();
+    CHECK(window.testAttribute(Qt::WA_ShowWithoutActivating));
+    CHECK(question.testAttribute(Qt::WA_ShowWithoutActivating));
+    QEvent chosen(QEvent::WindowActivate);
+    QApplication::sendEvent(&window, &chosen);
+    QWidget asked_for;
+    asked_for.show();
+    CHECK_FALSE(asked_for.testAttribute(Qt::WA_ShowWithoutActivating));
+  }
+  CHECK_FALSE(before.testAttribute(Qt::WA_ShowWithoutActivating));
 }
 
 TEST_CASE("selected text stands out from its background in both themes", "[gui][desktop]") {

@@ -94,8 +94,7 @@ TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][
   }
 }
 
-TEST_CASE("a tapered bore is told to have the clearance of a cylindrical one",
-          "[unit][catalogue]") {
+TEST_CASE("a tapered bore is told, with the groups that its clearance is of", "[unit][catalogue]") {
   const auto told = [](std::string_view name) {
     for (const std::string& sentence : deck::catalogue_story(deck::find_bearing(name)))
       if (sentence.starts_with("A tapered bore (K)")) return true;
@@ -110,6 +109,22 @@ TEST_CASE("a tapered bore is told to have the clearance of a cylindrical one",
                            "NU209 ECP", "30208"}) {
     CAPTURE(name);
     CHECK_FALSE(told(name));
+  }
+  // Published limits of bore 50 mm, in micrometres: C2 30 to 45, CN to 60, C3 to 80, C4 to 100.
+  for (const auto& [group, middle] :
+       {std::pair{"C2", 37.5}, {"CN", 52.5}, {"C3", 70.0}, {"C4", 90.0}}) {
+    CAPTURE(group);
+    const auto clearance = [&](const std::string& name) {
+      return deck_of(name + " " + group).real("freeIntCls");
+    };
+    CHECK(clearance("22210 K") == Approx(middle * 1e-6));
+    CHECK(clearance("22210 K") > clearance("22210"));
+    CHECK(clearance("NU210 K") == clearance("NU210"));  // not known, and said
+  }
+  for (const int size : {5, 6, 7, 8, 9, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20}) {
+    const std::string name = "222" + std::string(size < 10 ? "0" : "") + std::to_string(size);
+    CAPTURE(name);
+    CHECK(deck_of(name + " K").real("freeIntCls") > deck_of(name).real("freeIntCls"));
   }
 }
 

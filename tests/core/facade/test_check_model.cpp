@@ -44,6 +44,9 @@ TEST_CASE("a motion without a step is remarked", "[unit][check]") {
   CHECK(find(facade::check_model(deck), Severity::Note, "maxStps") == nullptr);
   deck.set("maxStps", "0");
   CHECK(find(facade::check_model(deck), Severity::Note, "maxStps = 0: no step is made") != nullptr);
+  deck.set("maxStps", "10");
+  deck.set("fTime", "0");
+  CHECK(find(facade::check_model(deck), Severity::Note, "fTime = 0: no step is made") != nullptr);
   deck.set("mode", "-1");
   deck.complete();
   CHECK(find(facade::check_model(deck), Severity::Note, "no step is made") == nullptr);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "deck/deck.hpp"
+#include "studies/study.hpp"
+
+#include <string>
+#include <vector>
+
+/// Which quantities the runs of a deck cannot have, known before anything is computed.
+namespace adore::studies {
+
+/// Why runs of this deck have no such quantity, "the scene has no cage (nCseg = 0)"; empty: they
+/// have it, as far as a deck tells. `until`: the study says how far runs go.
+[[nodiscard]] std::string why_missing(const Quantity& quantity, const deck::Deck& deck,
+                                      const std::string& until);
+
+/// A sentence on all that are missing, with the key results that runs of the deck do have; empty:
+/// none is.
+[[nodiscard]] std::string missing_quantities(const std::vector<Quantity>& quantities,
+                                             const deck::Deck& deck, const std::string& until);
+
+}  // namespace adore::studies

@@ -1,0 +1,66 @@
+#include "studies/cage_whirl.hpp"
+#include "studies/reporter.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+/// Maps of cages: figures of whirl over two variables.
+namespace adore::studies {
+
+void Reporter::cage_map() {
+  const TableColumn &x = column_of(*grids_[0]), &y = column_of(*grids_[1]);
+  const std::vector<double> xs = sorted_values(x.values), ys = sorted_values(y.values);
+  const TableColumn& kind = *table_.find(std::string(kWhirlFigures[3]));
+  std::vector<std::vector<std::string>> marks;
+  for (const double b : ys) {
+    marks.emplace_back();
+    for (const double a : xs) {
+      const auto rows = rows_at({{&x, a}, {&y, b}});
+      const double of = rows.empty() ? kNone : kind.values[rows.front()];
+      marks.back().emplace_back(std::isnan(of)
+                                    ? "failed"
+                                    : std::string(whirl_class_name(static_cast<WhirlClass>(
+                                          static_cast<unsigned char>(std::lround(of))))));
+    }
+  }
+  for (const TableColumn& quantity : table_.quantities) {
+    if (&quantity == &kind) continue;
+    std::vector<std::vector<double>> values;
+    std::vector<std::vector<std::vector<long>>> runs;
+    for (const double b : ys) {
+      values.emplace_back();
+      runs.emplace_back();
+      for (const double a : xs) {
+        const auto rows = rows_at({{&x, a}, {&y, b}});
+        runs.back().push_back(numbers_of(rows));
+        values.back().push_back(rows.empty() ? kNone : quantity.values[rows.front()]);
+      }
+    }
+    charts_.push_back(
+        heat_map("map-" + file_name(quantity.name), x, y, quantity, xs, ys, values, marks, runs));
+    text_ += fmt::format("{}, {} across, {} down\n{:>14}", label(quantity), label(x), label(y), "");
+    for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
+    text_ += "\n";
+    for (std::size_t j = ys.size(); j-- > 0;) {
+      text_ += fmt::format("{:>14g}", ys[j]);
+      for (const double value : values[j]) text_ += fmt::format(" {:>12}", number(value));
+      text_ += "\n";
+    }
+  }
+  text_ += fmt::format("class, {} across, {} down\n{:>14}", label(x), label(y), "");
+  for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
+  text_ += "\n";
+  for (std::size_t j = ys.size(); j-- > 0;) {
+    text_ += fmt::format("{:>14g}", ys[j]);
+    for (const std::string& mark : marks[j]) text_ += fmt::format(" {:>12}", mark);
+    text_ += "\n";
+  }
+  text_ += fmt::format(
+      "\nresting: the centre moves less than {:g} of the clearance about its mean place; "
+      "whirling: more, with a deviation below {:g} of the whirl ratio; irregular: else. Judged "
+      "over the second half of each run.\n\n",
+      kRestingOrbit, kSteadyDeviation);
+}
+
+}  // namespace adore::studies

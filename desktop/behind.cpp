@@ -1,0 +1,31 @@
+#include "desktop/behind.hpp"
+
+#include <QApplication>
+#include <QEvent>
+#include <QTimer>
+#include <QWidget>
+#include <QWindow>
+
+namespace adore::desktop {
+
+OpensBehind::OpensBehind() { qApp->installEventFilter(this); }
+
+bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
+  // From the first window that is chosen on, the others come to the front.
+  if (event->type() == QEvent::WindowActivate) qApp->removeEventFilter(this);
+  if (!object->isWidgetType() || !static_cast<QWidget*>(object)->isWindow()) return false;
+  auto* window = static_cast<QWidget*>(object);
+  if (event->type() == QEvent::Polish) {  // before it is shown
+    window->setAttribute(Qt::WA_ShowWithoutActivating);
+    // One that was made before, when its place was restored, is told itself what Qt tells others.
+    if (QWindow* made = window->windowHandle()) made->setProperty("_q_showWithoutActivating", true);
+  }
+  if (event->type() == QEvent::Show) {
+    QApplication::alert(window);
+    // Above the one that is typed in it would hide what is typed.
+    QTimer::singleShot(0, window, [window] { window->lower(); });
+  }
+  return false;
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,60 @@
+#include "adrinput/document.hpp"
+#include "deck/templates.hpp"
+#include "facade/deck_request.hpp"
+#include "facade/rehearsal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Ticks beside the records of decks with a value that is wrong.
+using namespace adore;
+using namespace adore::adrinput;
+
+TEST_CASE("a deck is told as ready when a run accepts its values, and what is wrong has no tick",
+          "[adrinput][slow]") {
+  const deck::Deck base = deck::new_deck("ball");
+  int refused = 0, accepted = 0;
+  for (const deck::RecordData& record : base.records) {
+    const deck::RecordSpec& spec = *deck::find_record(record.id);
+    for (std::size_t v = 0; v < spec.variables.size(); ++v) {
+      if (record.values[v].empty() || spec.variables[v].type == deck::VarType::String) continue;
+      for (const char* text : {"-1", "0", "1e9"}) {
+        Document document;
+        document.start_new("ball");
+        const Cell cell{record.id, record.instance, v, 0};
+        document.edit(cell, text);
+        document.end_step();
+        document.check_model();
+        INFO("record " << record.id << ", " << spec.variables[v].name << " = " << text);
+        // A text that is no value of its variable does not reach the deck.
+        const bool draft = document.is_draft(cell);
+        // As `adore run` reads the deck that would be saved.
+        std::vector<Issue> reasons;
+        try {
+          facade::DeckRequest request;
+          request.text = deck::write_deck(document.deck());
+          request.in_memory = true;
+          reasons = facade::refusals_of_run(facade::load_deck(request));
+        } catch (const InputError& error) {
+          reasons = error.issues();
+          if (reasons.empty()) reasons.emplace_back();
+        }
+        if (document.wants_rehearsal()) document.set_rehearsal(document.candidate(), reasons);
+        const bool runs = reasons.empty() && !draft;
+        CHECK((document.deck_state() == DeckState::Ready) == runs);
+        if (draft) CHECK(document.state_of(record.id) != RecordState::Complete);
+        for (const Problem& problem : document.problems())
+          if (problem.issue.severity == Severity::Error || problem.refused)
+            CHECK(document.state_of(problem.page) != RecordState::Complete);
+        // Each refusal is told, so that no tick hides it.
+        if (!runs && !draft) CHECK_FALSE(document.problems().empty());
+        ++(runs ? accepted : refused);
+      }
+    }
+  }
+  CHECK(refused > 50);
+  CHECK(accepted > 50);
+}
