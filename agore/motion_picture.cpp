@@ -165,9 +165,10 @@ QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
   // Below the curves: what is left beside the pictures is theirs.
   // Not so much that the numbers of their axis have no room: the key has smaller letters, too.
-  constexpr double kLeastChart = 150.0;
+  constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
   const double both = area.height() - kHeading - bar_space(area);
-  const double height = std::min(SharedKey::height(), std::max(0.5 * both, both - kLeastChart)),
+  const double height =
+                   std::min(SharedKey::height(), std::max(kLeastKey * both, both - kLeastChart)),
                width = data_width(area);
   return {area.right() - kMargin - width, area.bottom() - bar_space(area) - height, width, height};
 }

@@ -26,8 +26,8 @@ TEST_CASE("agore: numbers of the small chart are read beside one to four views",
         desktop::ChartScene scene(desktop::ChartStyle::Compact);
         scene.setPageSize(MotionPicture::dataArea({QPointF(0, 0), size}, views).size());
         scene.setPage(data_page(animation, options));
-        // One panel has room for its numbers; two are lower, and keep them apart.
-        const qreal least = scene.page().panels.size() == 1 ? 36.0 : 4.0;
+        // One panel has room for three numbers, each of two for one or two.
+        const qreal least = scene.page().panels.size() == 1 ? 36.0 : 15.0;
         CHECK(test::unreadable(scene, least).join("; ").toStdString() == "");
       }
 }
