@@ -3,6 +3,22 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
+usage() {
+  cat <<'END'
+./run.sh
+
+Installs what is missing (./setup.sh, which may ask for root), builds the solver and its pictures into build/release,
+simulates three example bearings and draws their pictures into out/example, out/example-cylindrical and
+out/example-tapered. Earlier results in these three folders are replaced. It takes no options.
+END
+}
+for option in "$@"; do
+  case $option in
+    -h | --help) usage; exit 0 ;;
+    *) echo "run.sh: there is no option '$option'; ./run.sh --help tells what there is" >&2; exit 2 ;;
+  esac
+done
+
 ./setup.sh
 
 # A clone in another folder shares the compiler cache.

@@ -4,6 +4,14 @@
 #   ./setup.sh --tests   and what only tests use: without it they skip with a sentence
 set -euo pipefail
 
+for option in "$@"; do
+  case $option in
+    --tests) ;;
+    -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
+    *) echo "setup.sh: there is no option '$option'; ./setup.sh --help tells what there is" >&2; exit 2 ;;
+  esac
+done
+
 packages=(
   # compiler and build
   g++ cmake ninja-build git ca-certificates

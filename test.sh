@@ -4,6 +4,21 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
+usage() {
+  cat <<'END'
+./test.sh
+
+Does what ./run.sh does (it installs what is missing, the packages of the tests, too), checks the formatting, then runs
+the reference cases, the readers under sanitizers and every test: half an hour or more. It takes no options.
+END
+}
+for option in "$@"; do
+  case $option in
+    -h | --help) usage; exit 0 ;;
+    *) echo "test.sh: there is no option '$option'; ./test.sh --help tells what there is" >&2; exit 2 ;;
+  esac
+done
+
 ./setup.sh --tests
 ./run.sh
 

@@ -53,7 +53,7 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kListWidth = 144;   // of the records, at least
-constexpr int kFormWidth = 390;   // of a record's page, which scrolls where it needs more
+constexpr int kFormWidth = 320;   // of a record's page, which scrolls where it needs more
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.

@@ -64,7 +64,7 @@ QPainterPath path_of(const drawing::Shape& shape, const QTransform& place, bool 
 }
 
 DrawingView::DrawingView(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(140, 140);
+  setMinimumSize(130, 140);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Drawing of the bearing"));
 }

@@ -72,11 +72,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   cursors_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   cursors_area_->hide();
   column->addWidget(cursors_area_);
-  readout_ = new QLabel(this);
-  readout_->setObjectName("readout");
-  readout_->setWordWrap(true);
-  readout_->setMinimumWidth(1);
-  statusBar()->addWidget(readout_, 1);
+  makeReadout();
   auto* splitter = new QSplitter(this);
   splitter->addWidget(tree_);
   splitter->addWidget(side);
@@ -105,7 +101,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   connect(view_, &desktop::ChartView::readoutChanged, this, [this](const QStringList& values) {
     values_ = values;
-    readout_->setText(fittedReadout());
+    showReadout();
   });
   connect(view_, &desktop::ChartView::curvesChanged, this, [this] {
     values_.clear();  // of other curves
@@ -205,56 +201,8 @@ void PlotWindow::showCurrent() {
                                           [](const auto& panel) { return panel.log; }));
   }
   view_->showPage(std::move(chart));
+  view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));
   fitReadout();
-}
-
-/// Room for the values of all panels, before they are asked for: a line that grew while the mouse
-/// moves would move the chart under it.
-void PlotWindow::fitReadout() {
-  const QFontMetrics metrics(readout_->font());
-  constexpr int kGrip = 40, kMostHeight = 1000;
-  // Other places have longer numbers.
-  const int width = std::max(100, static_cast<int>(0.95 * (this->width() - kGrip)));
-  int height = metrics.lineSpacing();
-  const desktop::ChartScene& scene = view_->chartScene();
-  if (!scene.plotAreas().empty())
-    for (const double part : {0.0, 0.5, 1.0}) {
-      const QRectF& area = scene.plotAreas().front();
-      const QPointF place(area.left() + part * area.width(), area.center().y());
-      const QRect room(0, 0, width, kMostHeight);
-      height = std::max(
-          height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
-    }
-  // The chart stays the larger part beside what very many curves tell; lines above each other are
-  // read in the picture.
-  const auto& panels = scene.page().panels;
-  if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel.scale_bar; }))
-    height = std::min(height, 2 * metrics.lineSpacing());
-  readout_->setFixedHeight(
-      std::min(height + 2, std::max(metrics.lineSpacing() + 2, this->height() / 5)));
-  readout_->setText(fittedReadout());
-}
-
-/// As many values as there is room for, and how many are left out.
-QString PlotWindow::fittedReadout() const {
-  const QFontMetrics metrics(readout_->font());
-  constexpr int kMostHeight = 100000;
-  const int width = std::max(100, readout_->width());
-  const auto cut = [&](qsizetype count) {
-    const qsizetype left = values_.size() - count;
-    return values_.first(count).join("") + (left > 0 ? tr(" … %1 more").arg(left) : QString());
-  };
-  const auto fits = [&](qsizetype count) {
-    const QRect room(0, 0, width, kMostHeight);
-    return metrics.boundingRect(room, Qt::TextWordWrap, cut(count)).height() <= readout_->height();
-  };
-  if (fits(values_.size())) return cut(values_.size());
-  qsizetype most = 0;
-  for (qsizetype beyond = values_.size(); beyond - most > 1;) {
-    const qsizetype middle = (most + beyond) / 2;
-    (fits(middle) ? most : beyond) = middle;
-  }
-  return most > 0 ? cut(most) : metrics.elidedText(cut(1), Qt::ElideMiddle, width);
 }
 
 /// What the cursors tell, in a third of the window at most, beside the least of the chart.

@@ -108,7 +108,9 @@ class PlotWindow : public QMainWindow {
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
+  void makeReadout();
   void fitReadout();
+  void showReadout();
   [[nodiscard]] QString fittedReadout() const;
   void fitCursors();
   void askForRange(const QString& path);
@@ -128,8 +130,9 @@ class PlotWindow : public QMainWindow {
   QLabel* note_;
   QLabel* cursors_;
   QScrollArea* cursors_area_;
-  QLabel* readout_;     ///< values under the mouse
-  QStringList values_;  ///< all of them, by part
+  QLabel* readout_;        ///< values under the mouse
+  QWidget* readout_room_;  ///< that the foot keeps free for them
+  QStringList values_;     ///< all of them, by part
   QTimer* growth_ = nullptr;
   bool unreadable_ = false;  ///< the file that is followed, for the moment; the foot says so
   std::unique_ptr<QProgressDialog> reading_;

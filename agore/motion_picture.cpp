@@ -164,7 +164,12 @@ QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   const QRectF tile = tiles_of(pictures_area(area), views).front();
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
   // Below the curves: what is left beside the pictures is theirs.
-  const double height = SharedKey::height(), width = data_width(area);
+  // Not so much that the numbers of their axis have no room: the key has smaller letters, too.
+  constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
+  const double both = area.height() - kHeading - bar_space(area);
+  const double height =
+                   std::min(SharedKey::height(), std::max(kLeastKey * both, both - kLeastChart)),
+               width = data_width(area);
   return {area.right() - kMargin - width, area.bottom() - bar_space(area) - height, width, height};
 }
 

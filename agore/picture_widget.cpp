@@ -11,7 +11,7 @@
 namespace adore::agore {
 
 PictureWidget::PictureWidget(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(520, 340);
+  setMinimumSize(480, 340);  // a screen of 640x480 has room for it and the buttons
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the bearing"));
 }

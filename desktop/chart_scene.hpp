@@ -55,6 +55,8 @@ class ChartScene : public QGraphicsScene {
   /// saved picture has to tell all, in small letters if need be.
   void setPointed(bool pointed);
   [[nodiscard]] bool pointed() const { return pointed_; }
+  /// Height below which the panels of the page cannot be read, beside two lines of a note.
+  [[nodiscard]] qreal leastHeight() const;
 
   /// Visible part of the abscissa, in the page's units; limited to the data. Vertical axes follow.
   void setView(double low, double high);

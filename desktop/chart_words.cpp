@@ -1,5 +1,6 @@
 #include "base/counted.hpp"
 #include "desktop/chart_scene_parts.hpp"
+#include "desktop/tick_room.hpp"
 
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
@@ -81,6 +82,11 @@ QString tooltip_of(const QString& note) { return "<p>" + note.toHtmlEscaped() + 
 /// Between two lines of a note.
 qreal line_pitch(int font) { return font + 5.0; }
 
+// Of a heading any page has room for two lines of a note; the rest of a page beside its panels.
+constexpr qreal kLeastNote = 34.0, kHead = 66.0, kFoot = 54.0, kLegend = 22.0, kGap = 34.0;
+/// Height of a panel whose numbers and title are read.
+constexpr qreal kPanelRead = 56.0;
+
 }  // namespace
 
 /// As many lines as leave the panels their room, first in smaller letters; what has no room then is
@@ -89,17 +95,15 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QString note = text_of(noteText());
   if (note.isEmpty() || page_.panels.empty()) return {};
   constexpr int kLargest = 13, kSmallest = 11, kSmallestSaved = 9, kLeft = 24;
-  // Of a heading any page has room for two lines; panels with their names keep as much as is read.
-  constexpr qreal kLeast = 34.0, kFew = 80.0, kMore = 112.0, kHead = 66.0, kFoot = 54.0,
-                  kLegend = 22.0, kGap = 34.0, kPanel = 44.0, kPanelSaved = 34.0;
+  constexpr qreal kFew = 80.0, kMore = 112.0, kPanel = 44.0, kPanelSaved = 34.0;
   const qreal width = size_.width() - kLeft - right;
   const auto panels = static_cast<qreal>(page_.equal_axes ? 3 : page_.panels.size());
   const auto room_beside = [&](qreal panel) {
-    return std::max(kLeast, size_.height() - kHead - kFoot - kLegend -
-                                mark_rise(page_, kLargest - 1, size_.width()) -
-                                panels * (panel + kGap) + kGap);
+    return std::max(kLeastNote, size_.height() - kHead - kFoot - kLegend -
+                                    mark_rise(page_, kLargest - 1, size_.width()) -
+                                    panels * (panel + kGap) + kGap);
   };
-  const qreal room = room_beside(kPanel);
+  const qreal room = room_beside(pointed_ ? kPanelRead : kPanel);
   NoteLines out;
   const auto fits = [&](qreal height) {
     return static_cast<qreal>(out.lines.size()) * line_pitch(out.font) <= height;
@@ -131,6 +135,16 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   return out;
 }
 
+qreal ChartScene::leastHeight() const {
+  constexpr qreal kOther = 300.0;  // of orbits, studies and messages
+  constexpr int kTickFont = 12;
+  if (page_.study || page_.equal_axes || page_.panels.empty()) return kOther;
+  const auto panels = static_cast<qreal>(page_.panels.size());
+  return std::max(kOther, kHead + kLeastNote + kLegend + kFoot +
+                              mark_rise(page_, kTickFont, size_.width()) +
+                              panels * (kPanelRead + kGap) - kGap);
+}
+
 std::string ChartScene::noteText() const {
   return page_.note + (page_.note.empty() || beyond_log_.empty() ? "" : " ") + beyond_log_;
 }
@@ -157,7 +171,21 @@ void ChartScene::addHeading(const Metrics& m) {
     item->setPos(left, y);
   };
   if (style_ == ChartStyle::Compact) {
-    line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 8);
+    // Smaller letters before any are left out, and these from the subject: what follows it, as the
+    // number of a segment, tells pictures apart.
+    constexpr int kLeastTitle = 10;
+    const QString title = text_of(page_.title);
+    const qreal width = size_.width() - 12 - m.right;
+    int letters = m.title_font;
+    const auto fits = [&](const QString& text) {
+      return QFontMetricsF(ui_font(letters, true)).horizontalAdvance(text) <= width;
+    };
+    while (letters > kLeastTitle && !fits(title)) --letters;
+    QString shown = title;
+    const qsizetype subject = title.indexOf(", ");
+    for (qsizetype n = subject; n > 1 && !fits(shown); --n)
+      shown = title.left(n - 1).trimmed() + QChar(0x2026) + title.mid(subject);
+    line(shown, ui_font(letters, true), theme_->text, 8);
     return;
   }
   line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
@@ -204,14 +232,14 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     item->setPos(position);
     return item;
   };
-  for (const auto& [value, label] : y_ticks) {
+  for (const auto& [value, label] : ticks_upwards(y_ticks, y_scale, area.height(), metrics)) {
     const QString text = text_of(label);
     const qreal y =
         area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
     add(text, font, theme_->muted,
         {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
   }
-  for (const auto& [value, label] : x_ticks) {
+  for (const auto& [value, label] : ticks_across(x_ticks, x_scale, area.width(), metrics)) {
     const QString text = text_of(label);
     const qreal x =
         area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
@@ -225,20 +253,26 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
         {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
   }
   // A title longer than its panel may use the gaps above and below; then its unit gets a line of
-  // its own, which is never shortened.
+  // its own, which is never shortened, and its letters get smaller before any are left out.
+  constexpr int kLeastLetters = 10;
   const qreal room = title_room(area, m.gap);
   const auto write = [&](const QString& text, qreal left) {
-    auto* title = add(text, title_font, theme_->text, {});
+    QFont used = title_font;
+    for (int size = m.text_font;
+         size > kLeastLetters && QFontMetricsF(used).horizontalAdvance(text) > room;)
+      used = ui_font(--size);
+    const QFontMetricsF letters(used);
+    const QString fitted = letters.elidedText(text, Qt::ElideRight, room);
+    auto* title = add(fitted, used, theme_->text, {});
     title->setRotation(-90);
-    title->setPos(left, area.center().y() + 0.5 * title_metrics.horizontalAdvance(text));
+    title->setPos(left, area.center().y() + 0.5 * letters.horizontalAdvance(fitted));
   };
   const qsizetype unit = y_title.lastIndexOf(" [");
   if (title_metrics.horizontalAdvance(y_title) <= room || unit < 0) {
-    write(title_metrics.elidedText(y_title, Qt::ElideRight, room), area.left() - m.left + 8);
+    write(y_title, area.left() - m.left + 8);
     return;
   }
-  write(title_metrics.elidedText(y_title.left(unit), Qt::ElideRight, room),
-        area.left() - m.left + 1);
+  write(y_title.left(unit), area.left() - m.left + 1);
   write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
 }
 

@@ -61,7 +61,8 @@ TEST_CASE("real windows of all three programs open within a small screen and end
   struct Program {
     const char *name, *title, *file;
   };
-  for (const auto& [screen, factor] : {std::pair{QSize(1280, 800), 1}, {QSize(1920, 1080), 2}}) {
+  for (const auto& [screen, factor] :
+       {std::pair{QSize(1280, 800), 1}, {QSize(1920, 1080), 2}, {QSize(640, 480), 1}}) {
     const auto desk = Desk::make(QString("%1x%2x24").arg(screen.width()).arg(screen.height()));
     if (!desk) return;
     desk->scaleBy(factor);

@@ -9,8 +9,10 @@
 /// Windows on low screens: what they tell more never makes them larger.
 namespace adore::test {
 
-/// A small window, and the largest that a screen of that size has room for beside its frame.
-inline constexpr std::array<QSize, 2> kLowWindows{QSize(700, 450), QSize(684, 402)};
+/// A small window, and the largest that screens of that size and of 640x480 have room for beside
+/// its frame.
+inline constexpr std::array<QSize, 3> kLowWindows{QSize(700, 450), QSize(684, 402),
+                                                  QSize(624, 432)};
 
 /// How a window that was given a size outgrew it; empty when it did not.
 inline QString grown(const QWidget& window, QSize given) {
