@@ -1,5 +1,6 @@
 #include "adrplot/render.hpp"
 
+#include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/image_export.hpp"
@@ -13,6 +14,15 @@ namespace adore::adrplot {
 
 namespace fs = std::filesystem;
 
+void set_domain(PageOptions& view, const std::string& domain, const std::string& curve) {
+  view.domain = domain == "waterfall"  ? Domain::Waterfall
+                : domain == "spectrum" ? Domain::Spectrum
+                                       : Domain::History;
+  if (!curve.empty() && view.domain != Domain::Waterfall)
+    throw InputError("--curve says which curve a waterfall is of: give --domain waterfall with it");
+  view.waterfall_of = curve;
+}
+
 std::vector<fs::path> render_document(const PlotDocument& document, const std::string& stem,
                                       const RenderOptions& options) {
   std::vector<fs::path> written;
@@ -21,9 +31,16 @@ std::vector<fs::path> render_document(const PlotDocument& document, const std::s
       desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
   const int first = options.page == 0 ? 1 : options.page;
   const int last = options.page == 0 ? static_cast<int>(document.pages.size()) : options.page;
+  std::string others;
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
     desktop::ChartPage page = document.build(number, options.view);
+    // Of a curve that is asked for by its name the pages that have it are wanted.
+    if (!options.view.waterfall_of.empty() && !choice_of(page.choices, options.view.waterfall_of)) {
+      for (const std::string& choice : page.choices)
+        others += (others.empty() ? "" : "; ") + choice;
+      continue;
+    }
     if (!document.note.empty() && !page.panels.empty())
       page.note = "Incomplete file: " + document.note + ". " + page.note;
     scene.setPage(std::move(page));
@@ -31,6 +48,12 @@ std::vector<fs::path> render_document(const PlotDocument& document, const std::s
     desktop::save_image(scene.image({options.width, options.height}), path);
     written.push_back(path);
   }
+  if (written.empty() && !options.view.waterfall_of.empty())
+    throw InputError(
+        fmt::format("{} has no curve \"{}\" for a waterfall{}{}", document.path.string(),
+                    options.view.waterfall_of,
+                    options.page == 0 ? std::string() : fmt::format(" on page {}", options.page),
+                    others.empty() ? std::string() : "; it has: " + others));
   return written;
 }
 
