@@ -98,9 +98,8 @@ int main(int argc, char** argv) {
   std::string size = "1280x800", abscissa = "rev", domain = "history", curve, project;
   cli.add_option("FILE", files,
                  "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; a study's "
-                 "folder, RUNS.csv "
-                 "or STUDY.h5; in a window, folders of runs too")
-      ->type_name("FILE");
+                 "RUNS.csv or STUDY.h5; folders of runs and of studies")
+      ->type_name("PATH");
   CLI::Option* one_window =
       cli.add_option("--project", project, "folder whose files come into this one window")
           ->type_name("DIR")

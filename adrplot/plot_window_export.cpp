@@ -160,8 +160,13 @@ void PlotWindow::savePicture() {
   Document* doc = document();
   if (!doc) return askForFile();
   const QString fallback = QString("%1-page-%2.jpg").arg(besideFile(*doc), QString::number(page_));
-  desktop::save_picture(this, kApp, fallback,
-                        [this] { return view_->chartScene().image(view_->viewport()->size()); });
+  const QSizeF size = view_->viewport()->size();
+  desktop::save_picture(
+      this, kApp, fallback, [this] { return view_->chartScene().image(view_->viewport()->size()); },
+      size,
+      [this, size](QPainter& painter) {
+        desktop::paint_vector(view_->chartScene(), painter, QRectF(QPointF(0, 0), size), size);
+      });
 }
 
 }  // namespace adore::adrplot

@@ -1,15 +1,15 @@
+#include "adrplot/folder_files.hpp"
 #include "adrplot/plot_pages.hpp"
 #include "adrplot/plot_window.hpp"
 #include "adrplot/run_dialog.hpp"
 #include "adrplot/study_document.hpp"
+#include "base/errors.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/window_place.hpp"
-#include "results/run_folder.hpp"
 
 #include <QAction>
-#include <QDir>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QStatusBar>
@@ -147,22 +147,14 @@ void PlotWindow::openFolder(const QString& folder, const results::SolRange& rang
     openFile(folder.toStdString(), range);
     return;
   }
-  QStringList names;
-  const QDir dir(folder);
-  for (const std::filesystem::path& file : results::run_folder(folder.toStdString()).plots)
-    names << QString::fromStdString(file.string());
-  // A quasi-static run, a sweep or a study has no step files.
-  if (names.isEmpty())
-    for (const QString& name :
-         dir.entryList({"RUN.json", "SWEEP.csv", "ACCURACY.json"}, QDir::Files, QDir::Name))
-      names << dir.filePath(name);
-  if (names.isEmpty())
-    return desktop::show_message(
-        this, tr("%1 holds no plot file: neither SOL1 to SOL7 nor RUN.json, SWEEP.csv or "
-                 "ACCURACY.json.")
-                  .arg(folder));
+  std::vector<std::filesystem::path> files;
+  try {
+    files = files_of(folder.toStdString());
+  } catch (const InputError& error) {
+    return desktop::show_message(this, QString::fromUtf8(error.what()) + ".");
+  }
   desktop::remember_as_folder(kApp, folder, [&] {
-    for (const QString& name : names) openFile(name.toStdString(), range);
+    for (const std::filesystem::path& file : files) openFile(file, range);
   });
 }
 

@@ -1,5 +1,6 @@
 #include "adrplot/render.hpp"
 
+#include "adrplot/folder_files.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
@@ -23,15 +24,17 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
   view.waterfall_of = curve;
 }
 
-std::vector<fs::path> render_document(const PlotDocument& document, const std::string& stem,
-                                      const RenderOptions& options) {
+namespace {
+
+/// Draws the pages that are wanted; of others, without the curve that is, the curves are noted.
+std::vector<fs::path> draw_document(const PlotDocument& document, const std::string& stem,
+                                    const RenderOptions& options, std::string& others) {
   std::vector<fs::path> written;
   desktop::ChartScene scene;
   scene.setTheme(
       desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
   const int first = options.page == 0 ? 1 : options.page;
   const int last = options.page == 0 ? static_cast<int>(document.pages.size()) : options.page;
-  std::string others;
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
     desktop::ChartPage page = document.build(number, options.view);
@@ -48,19 +51,36 @@ std::vector<fs::path> render_document(const PlotDocument& document, const std::s
     desktop::save_image(scene.image({options.width, options.height}), path);
     written.push_back(path);
   }
-  if (written.empty() && !options.view.waterfall_of.empty())
-    throw InputError(
-        fmt::format("{} has no curve \"{}\" for a waterfall{}{}", document.path.string(),
-                    options.view.waterfall_of,
-                    options.page == 0 ? std::string() : fmt::format(" on page {}", options.page),
-                    others.empty() ? std::string() : "; it has: " + others));
   return written;
 }
 
-std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
+void refuse_curve(const std::string& files, const RenderOptions& options,
+                  const std::string& others) {
+  throw InputError(
+      fmt::format("{} has no curve \"{}\" for a waterfall{}{}", files, options.view.waterfall_of,
+                  options.page == 0 ? std::string() : fmt::format(" on page {}", options.page),
+                  others.empty() ? std::string() : "; it has: " + others));
+}
+
+}  // namespace
+
+std::vector<fs::path> render_document(const PlotDocument& document, const std::string& stem,
+                                      const RenderOptions& options) {
+  std::string others;
+  std::vector<fs::path> written = draw_document(document, stem, options, others);
+  if (written.empty() && !options.view.waterfall_of.empty())
+    refuse_curve(document.path.string(), options, others);
+  return written;
+}
+
+std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
                                    const RenderOptions& options) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths)
+    for (fs::path& file : files_of(path)) files.push_back(std::move(file));
   desktop::make_folder(options.folder);
   std::vector<fs::path> written;
+  std::string others;
   for (const auto& path : files) {
     const PlotDocument document = open_document(path, options.range);
     const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
@@ -70,11 +90,13 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
     fs::path name = path.filename();
     if (name.empty()) name = path.parent_path().filename();  // "clearance.study/"
     const std::string stem = (twin ? folder + "-" : "") + name.string();
-    const auto pictures = render_document(document, stem, options);
+    const auto pictures = draw_document(document, stem, options, others);
     written.insert(written.end(), pictures.begin(), pictures.end());
     if (options.progress)
       options.progress(&path - files.data() + 1, static_cast<long>(files.size()));
   }
+  if (written.empty() && !options.view.waterfall_of.empty())
+    refuse_curve(files.size() == 1 ? files.front().string() : "None of the files", options, others);
   return written;
 }
 

@@ -37,7 +37,8 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
   desktop::take_files_anywhere(*this, [this](const QStringList& files) {
     if (files.size() > 1)
-      desktop::show_message(this, tr("One animation is shown at a time; drop a single SOL8 file."));
+      desktop::show_message(this, tr("One animation is shown at a time; drop a single file "
+                                     "or the folder of a run."));
     else
       openFile(files.front().toStdString());
   });

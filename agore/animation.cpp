@@ -296,7 +296,9 @@ Animation finish(Animation animation) {
     animation.source = curves_beside(animation)
                            ? "frames of SOL8: three digits, nothing between; curves of SOL files"
                            : "SOL8 alone: three digits, nothing between its frames";
+    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 beside it is not used";
   }
+  if (!animation.file.gaps.empty()) animation.source += "; " + animation.file.gaps;
   return animation;
 }
 
@@ -340,6 +342,9 @@ Animation prepare(results::Sol8File file, long most_frames) {
   }
   animation.file = std::move(file);
   animation.no_contacts = why_not;
+  std::error_code ignored;
+  if (std::filesystem::exists(animation.file.path.parent_path() / "RESULTS.h5", ignored))
+    animation.unused = why_not;
   return finish(std::move(animation));
 }
 
@@ -352,7 +357,8 @@ Animation prepare(results::MotionFile motion) {
   return finish(std::move(animation));
 }
 
-Animation open_motion(const std::filesystem::path& path, long most_frames) {
+Animation open_motion(const std::filesystem::path& named, long most_frames) {
+  const std::filesystem::path path = results::animation_file(named);
   if (path.extension() != ".h5") {
     // The whole run all the same, as from RESULTS.h5.
     const long stored = results::stored_steps(path), most = std::max(most_frames, 1L);
@@ -388,6 +394,14 @@ RunRange run_range(const results::MotionChannel& channel) {
   const auto at = above.begin() + static_cast<std::ptrdiff_t>((above.size() - 1) * 19 / 20);
   std::nth_element(above.begin(), at, above.end());
   out.usual = *at;
+  return out;
+}
+
+std::vector<std::string> Animation::notes() const {
+  std::vector<std::string> out;
+  for (const std::string& note : {file.note, file.gaps})
+    if (!note.empty()) out.push_back(note);
+  if (!unused.empty()) out.push_back("RESULTS.h5 is not used: " + unused);
   return out;
 }
 

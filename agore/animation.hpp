@@ -81,8 +81,12 @@ struct Animation {
   std::array<std::vector<double>, 2> race_angle;  ///< outer, inner [rad]
   std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 beside the file
   std::string no_contacts;                        ///< why there are none
-  std::map<std::string, RunRange> run_ranges;     ///< of quantities that colour, by channel
-  std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
+  /// Why a RESULTS.h5 that stands beside the file is not used; empty: it is, or there is none.
+  std::string unused;
+  /// What is wrong with the files, as sentences without their ends.
+  [[nodiscard]] std::vector<std::string> notes() const;
+  std::map<std::string, RunRange> run_ranges;  ///< of quantities that colour, by channel
+  std::vector<double> pocket_angle;            ///< of each pocket centre in the cage [rad]
   std::vector<double> turned;  ///< by the races since the frame before, at least [rev]
   /// Ways of centres, of elements about the axis, and of elements past each other.
   Known known_centres = Known::All, known_elements = Known::All, known_trails = Known::All;
@@ -159,7 +163,7 @@ struct History {
 Animation prepare(results::Sol8File file, long most_frames = 1'000'000'000);
 /// RESULTS.h5 alone: also for bearings that SOL8 has no room for. @throws InputError
 Animation prepare(results::MotionFile motion);
-/// SOL8, or RESULTS.h5 by its ending. @throws InputError
+/// SOL8, RESULTS.h5 by its ending, or either in the folder of a run. @throws InputError
 Animation open_motion(const std::filesystem::path& path, long most_frames = 1'000'000'000);
 
 /// An angle stored in -pi..pi (or 0..2 pi) made continuous.

@@ -11,6 +11,7 @@
 #include "desktop/one_window.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
+#include "results/run_folder.hpp"
 
 #include <QFileInfo>
 #include <QProgressDialog>
@@ -42,8 +43,8 @@ int render(int& argc, char** argv, Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
-  const auto& note = picture.animation().file.note;
-  if (!note.empty()) fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
+  for (const std::string& note : picture.animation().notes())
+    fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
   if (!request.film.empty()) {
     const auto film = request.folder / request.film;
     agore::render_movie(picture, std::max(1, request.every), request.rate, film, request.options);
@@ -119,7 +120,8 @@ int main(int argc, char** argv) {
       "agore");
   CLI::App& cli = *program;
   Request request;
-  cli.add_option("SOL8", request.file, "animation file, or RESULTS.h5")->type_name("FILE");
+  cli.add_option("SOL8", request.file, "animation file, RESULTS.h5, or the folder of a run")
+      ->type_name("PATH");
   CLI::Option* one_window =
       cli.add_option("--project", request.project, "folder whose files come into this one window")
           ->type_name("DIR")
@@ -202,6 +204,7 @@ int main(int argc, char** argv) {
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
+    if (!request.file.empty()) request.file = results::animation_file(request.file);
     const std::string race = request.race.empty() ? "inner" : request.race;
     request.options.view.view = agore::view_named(request.view, race);
     request.options.view.beside = agore::views_beside(request.beside, race);

@@ -59,7 +59,8 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
   draw_way(p, s.sketch.area(), way, {t.curves[0], 1.6});
   p.setPen(QPen(t.surface, 1.5));
   p.setBrush(t.curves[0]);
-  p.drawEllipse(way.back().at, 5.5, 5.5);
+  if (const QPointF now = way.back().at; std::isfinite(now.x() + now.y()))
+    p.drawEllipse(now, 5.5, 5.5);
   return {enlargement, orbit[s.index] * enlargement};
 }
 

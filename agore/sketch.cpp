@@ -64,7 +64,7 @@ QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint) {
 void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour) {
   if (mark == std::array<double, 3>{}) return;
-  if (!std::isfinite(mark[0] + mark[1] + mark[2])) return;  // stars in the file
+  if (!std::isfinite(mark[0] + mark[1] + mark[2] + middle.x() + middle.y())) return;  // stars
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
   const double width = std::clamp(0.09 * r, 1.0, 5.0), dot = std::clamp(0.15 * r, 2.0, 10.0);
@@ -98,6 +98,7 @@ Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const deskt
 
 void Sketch::stamp(QPointF middle, double reach, const Stamps::Look& look,
                    const std::function<void(QPainter&, QPointF)>& paint) const {
+  if (!std::isfinite(middle.x() + middle.y())) return;  // stars in the file
   if (stamps_ != nullptr && on_pixels(painter_))
     stamps_->draw(painter_, middle, reach, look, paint);
   else
@@ -164,6 +165,7 @@ void Sketch::dashed_circle(QPointF centre, double radius, const QColor& colour,
 void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark,
                   const QColor& tint) const {
   const QPointF there = at(centre.x(), centre.y());
+  if (!std::isfinite(there.x() + there.y())) return;  // stars in the file
   const double r = radius * scale_;
   const QColor rim = theme_.steel_dark.darker(150);
   const auto draw = [&](QPainter& p, QPointF middle) {
@@ -184,6 +186,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
                         const QColor& tint) const {
   const QPointF there = at(centre.x(), centre.y());
+  if (!std::isfinite(there.x() + there.y())) return;  // stars in the file
   const double r = radius * scale_;
   ring(centre, 0.88 * radius, radius, theme_.steel_dark, theme_.steel_dark.darker(130));  // corner
   const auto draw = [&](QPainter& p, QPointF middle) {

@@ -123,6 +123,7 @@ void draw_spots(const Scene& s, const SolidLayer& layer, const Eye& eye) {
     const QPointF at = s.sketch.at(spot.centre.dot(eye.right), spot.centre.dot(eye.up));
     const double radius = race_spot_radius(s) * s.sketch.scale();
     const double front = s.sketch.scale() * spot.centre.dot(eye.toward) + radius;
+    if (!std::isfinite(at.x() + at.y() + front)) continue;  // the file has no place of it
     if (layer.hides(at, front)) continue;
     p.setPen(QPen(t.surface, kCasing));
     p.setBrush(spot.race == 0 ? t.light_blue : t.blue);

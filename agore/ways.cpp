@@ -104,6 +104,23 @@ void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& 
   painter.drawPoints(points);
 }
 
+/// Without points that have no place (stars in the file): the way is broken there.
+std::vector<WayPoint> known_part(const std::vector<WayPoint>& way) {
+  std::vector<WayPoint> out;
+  out.reserve(way.size());
+  bool broken = false;
+  for (const WayPoint& point : way) {
+    if (!std::isfinite(point.at.x() + point.at.y())) {
+      broken = true;
+      continue;
+    }
+    out.push_back(point);
+    out.back().joined = point.joined && !broken;
+    broken = false;
+  }
+  return out;
+}
+
 }  // namespace
 
 void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
@@ -111,8 +128,10 @@ void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>
   draw_ways(painter, area, {way}, look);
 }
 
-void draw_ways(QPainter& painter, const QRectF& area,
-               const std::vector<std::vector<WayPoint>>& ways, const WayLook& look) {
+void draw_ways(QPainter& painter, const QRectF& area, const std::vector<std::vector<WayPoint>>& all,
+               const WayLook& look) {
+  std::vector<std::vector<WayPoint>> ways;
+  for (const std::vector<WayPoint>& way : all) ways.push_back(known_part(way));
   if (look.casing.isValid())
     for (const std::vector<WayPoint>& way : ways)
       stroke(painter, area, way, look, look.casing, 2.0 * kCasing);

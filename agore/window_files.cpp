@@ -3,6 +3,7 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "results/run_folder.hpp"
 
 #include <QAction>
 #include <QElapsedTimer>
@@ -36,8 +37,10 @@ std::string state_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) {
+bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames) {
+  std::filesystem::path path;
   try {
+    path = results::animation_file(named);
     setAnimation(open_motion(path, most_frames));
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -47,12 +50,16 @@ bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) 
   desktop::remember_file(kApp, QString::fromStdString(path.string()));
   const std::string &note = picture_->animation().file.note,
                     &gaps = picture_->animation().file.gaps;
-  if (note.empty() && !gaps.empty())
-    desktop::show_message(this, tr("Of the file %1.").arg(QString::fromStdString(gaps)));
+  QStringList told;
   if (!note.empty())
-    desktop::show_message(this, tr("The file is incomplete: %1. Its %2 complete frames are shown.")
-                                    .arg(QString::fromStdString(note))
-                                    .arg(frameCount()));
+    told << tr("The file is incomplete: %1. Shown: %2.")
+                .arg(QString::fromStdString(note))
+                .arg(QString::fromStdString(counted(frameCount(), "complete frame")));
+  else if (!gaps.empty())
+    told << tr("Of the file %1.").arg(QString::fromStdString(gaps));
+  if (const std::string& why = picture_->animation().unused; !why.empty())
+    told << tr("RESULTS.h5 is not used: %1.").arg(QString::fromStdString(why));
+  if (!told.isEmpty()) desktop::show_message(this, told.join(' '));
   return true;
 }
 

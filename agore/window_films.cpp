@@ -41,8 +41,10 @@ void AgoreWindow::savePicture() {
   pause();
   desktop::save_picture(
       this, kApp, besideFile(proposedName("jpg")),
-      [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); },
-      [this] { return picture_->svg(canvas_->size(), frame_, stillOptions()); });
+      [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); }, canvas_->size(),
+      [this](QPainter& painter) {
+        picture_->paint(painter, QRectF(canvas_->rect()), frame_, stillOptions());
+      });
 }
 
 QString AgoreWindow::proposedName(const QString& suffix) const {

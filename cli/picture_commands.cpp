@@ -26,8 +26,10 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       "draw the pages of SOL1-SOL7, a quasi-static RUN.json, SWEEP.csv or ACCURACY.json as PNG");
   auto request = std::make_shared<PlotRequest>();
   auto time = std::make_shared<bool>(false);
-  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv, ACCURACY.json")
-      ->type_name("FILE");
+  command
+      ->add_option("files", request->files,
+                   "SOL1-SOL7, RUN.json, SWEEP.csv, ACCURACY.json, or folders of runs")
+      ->type_name("PATH");
   CLI::Option* lubricant =
       command
           ->add_option("--lubricant", request->lubricant,
@@ -95,9 +97,9 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
 void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>& draw) {
   CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8 or RESULTS.h5");
   auto request = std::make_shared<AnimateRequest>();
-  command->add_option("file", request->file, "SOL8 file, or RESULTS.h5")
+  command->add_option("file", request->file, "SOL8, RESULTS.h5, or the folder of a run")
       ->required()
-      ->type_name("FILE");
+      ->type_name("PATH");
   command_line::one_of(command->add_option("--view", request->view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),

@@ -135,8 +135,6 @@ double least_span_of(std::string_view unit) {
   return 0.0;
 }
 
-bool is_drawable(double value) { return std::abs(value) <= kLargestDrawable; }
-
 double nice_step(double span, int parts) {
   const double raw = span / std::max(parts, 1);
   if (!(raw > 0.0) || !std::isfinite(raw)) return 1.0;

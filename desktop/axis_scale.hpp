@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,7 +42,23 @@ struct AxisTick {
 /// Numbers beyond have no place on an axis: sums and differences of them overflow.
 inline constexpr double kLargestDrawable = 1e290;
 /// False for NaN too.
-bool is_drawable(double value);
+inline bool is_drawable(double value) { return std::abs(value) <= kLargestDrawable; }
+
+/// Range of values that an axis has a place for.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(),
+         high = -std::numeric_limits<double>::infinity();
+  void include(double value) {
+    if (!is_drawable(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void include(const Extent& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+  [[nodiscard]] bool empty() const { return low > high; }
+};
 
 /// Smallest range that an axis of a unit of the result files shows: below it stands rounding, not a
 /// result. A ten-billionth of a metre is an atom; 0 for a unit that has no such size.

@@ -1,7 +1,7 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/chart_scene_parts.hpp"
-#include "desktop/dense_way.hpp"
 
+#include <QAbstractGraphicsShapeItem>
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
 
@@ -35,14 +35,24 @@ bool ChartScene::isPlane() const {
   return page_.equal_axes && !page_.schematic && !page_.panels.empty();
 }
 
+void ChartScene::studyPlane() {
+  plane_curves_.clear();
+  if (page_.panels.empty()) return;
+  for (const ChartCurve& curve : page_.panels.front().curves) {
+    PlaneCurve& known = plane_curves_.emplace_back();
+    for (const double x : curve.x) known.across.include(x);
+    for (const double y : curve.y) known.up.include(y);
+  }
+}
+
 ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   const QRectF space = this->space(m);
   const ChartPanel& panel = page_.panels.front();
   Extent across, up;
-  for (const auto& curve : panel.curves) {
-    if (curve.hidden) continue;
-    for (const double x : curve.x) across.include(x);
-    for (const double y : curve.y) up.include(y);
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    if (panel.curves[c].hidden) continue;
+    across.include(plane_curves_[c].across);
+    up.include(plane_curves_[c].up);
   }
   for (const ChartLabel& label : page_.labels) {
     if (!page_.schematic) break;
@@ -272,7 +282,8 @@ void ChartScene::addOrbit(const Metrics& m) {
                    y_per = -area.height() / (y_axis.max - y_axis.min);
       const PlaneScale scale{area.left() - x_axis.min * x_per, x_per / x_axis.factor,
                              area.bottom() - y_axis.min * y_per, y_per / y_axis.factor};
-      addWay(seen_way(curve.x, curve.y, scale, area), area, pen);
+      KeptWay& way = plane_curves_[static_cast<std::size_t>(colour)].way;
+      addWay(way.inside(curve.x, curve.y, scale, area), area, pen);
       if (!lines_.empty()) ++lines_.back();
     }
     for (std::size_t i = first; i < last && !by_what_is_seen; ++i) {
@@ -293,16 +304,22 @@ void ChartScene::addOrbit(const Metrics& m) {
                                             (y_axis.max - y_axis.min) * area.height();
       return QPointF(px, py);
     };
-    const auto dot = [&](const QPointF& at, const QColor& fill) {
+    // Of two shapes: who does not see green and red apart sees which is which.
+    const auto mark = [&](const QPointF& at, const QColor& fill, bool square) {
       if (!area.adjusted(-1, -1, 1, 1).contains(at)) return;
-      addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), QPen(theme_->surface, 1.5), fill)
-          ->setZValue(5);
+      const QPen edge(theme_->surface, 1.5);
+      QAbstractGraphicsShapeItem* item;
+      if (square)
+        item = addRect(QRectF(at.x() - 4.5, at.y() - 4.5, 9, 9), edge, fill);
+      else
+        item = addEllipse(QRectF(at.x() - 5, at.y() - 5, 10, 10), edge, fill);
+      item->setZValue(5);
     };
     const QPointF start = place(0), end = place(line.x.size() - 1);
     constexpr qreal kSame = 1.0;
     one_place = one_place && QLineF(start, end).length() < kSame;
-    dot(start, theme_->green);
-    dot(end, theme_->red);
+    mark(start, theme_->green, false);
+    mark(end, theme_->red, true);
   }
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
@@ -326,9 +343,9 @@ void ChartScene::addOrbit(const Metrics& m) {
   };
   QStringList entries;
   if (one_place)
-    entries << entry("●", theme_->red, "start and end");
+    entries << entry("■", theme_->red, "start and end");
   else
-    entries << entry("●", theme_->green, "start") << entry("●", theme_->red, "end");
+    entries << entry("●", theme_->green, "start") << entry("■", theme_->red, "end");
   if (page_.guide_radius > 0.0) entries << entry("– –", theme_->curves[1], "clearance");
   key->setHtml(entries.join(" &nbsp; "));
   key->setPos(area.right() - key->boundingRect().width(),

@@ -53,6 +53,7 @@ void ChartScene::setPage(ChartPage page, bool keep_view) {
   page_ = std::move(page);
   panel_views_.assign(view_count(page_), std::nullopt);
   studyCurves();
+  studyPlane();
   studyDigits();
   beyond_log_ = beyond_log_axes(page_);
   const auto [first, last] = wholeRange();

@@ -2,6 +2,7 @@
 
 #include "desktop/axis_scale.hpp"
 #include "desktop/chart_page.hpp"
+#include "desktop/kept_way.hpp"
 #include "desktop/theme.hpp"
 
 #include <QGraphicsScene>
@@ -180,6 +181,8 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QRectF space(const Metrics& m) const;
   /// Beside panels whose lines have names there; 0: none.
   [[nodiscard]] qreal lineNamesWidth(const Metrics& m) const;
+  /// Goes through a page with equal axes once.
+  void studyPlane();
   [[nodiscard]] Plane wholePlane(const Metrics& m) const;
   /// The part of it that is chosen.
   [[nodiscard]] Plane seenPlane(const Plane& whole) const;
@@ -253,6 +256,12 @@ class ChartScene : public QGraphicsScene {
   };
   std::vector<std::vector<LongCurve>> blocks_;  ///< by panel and curve; none of short ones
   std::vector<std::vector<int>> digits_;        ///< by panel and curve
+  /// Of a page with equal axes.
+  struct PlaneCurve {
+    Extent across, up;
+    KeptWay way;
+  };
+  std::vector<PlaneCurve> plane_curves_;
   /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.
   std::map<std::array<std::size_t, 3>, bool> equal_runs_;
 };

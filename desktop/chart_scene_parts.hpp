@@ -39,17 +39,6 @@ inline bool nothing_above_0(const ChartCurve& curve) {
   return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) && !any_above_0(curve);
 }
 
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(),
-         high = -std::numeric_limits<double>::infinity();
-  void include(double value) {
-    if (!is_drawable(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  [[nodiscard]] bool empty() const { return low > high; }
-};
-
 /// A curve of a panel as it is drawn.
 struct ChartScene::ShownCurve {
   std::size_t curve = 0;  ///< of the panel

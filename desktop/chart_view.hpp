@@ -82,6 +82,7 @@ class ChartView : public QGraphicsView {
   void travel(std::vector<View>& from, std::vector<View>& to);
   void remember();
   void zoomBox(const QRectF& box);
+  void read();
   [[nodiscard]] QString planeReport() const;
   /// Place of an orbit at a cursor; none without, or outside what is seen.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
@@ -93,9 +94,10 @@ class ChartView : public QGraphicsView {
   QPoint box_from_;
   QPoint pressed_;  ///< where a drag began
   double drag_from_ = 0.0;
-  QPointF last_;                  ///< of a drag over a page with equal axes
-  double pointer_ = -1.0;         ///< scene x of the pointer's line; negative = none
-  std::optional<QPointF> point_;  ///< stored point of an orbit beside the pointer
+  QPointF last_;                      ///< of a drag over a page with equal axes
+  std::optional<QPoint> pointed_at_;  ///< of the viewport; none: not on this page
+  double pointer_ = -1.0;             ///< scene x of the pointer's line; negative = none
+  std::optional<QPointF> point_;      ///< stored point of an orbit beside the pointer
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   std::vector<View> back_, forward_;

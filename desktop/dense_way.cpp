@@ -9,17 +9,18 @@
 namespace adore::desktop {
 namespace {
 
-constexpr double kCells = 2.0;   ///< to a pixel
-constexpr double kMargin = 4.0;  ///< strokes beside the picture reach into it [px]
+constexpr double kCells = 1.4143;  ///< to a pixel: none is longer than one across
+constexpr double kMargin = 4.0;    ///< strokes beside the picture reach into it [px]
 
-/// Half pixels of a picture that were passed.
+/// Small squares of a picture that were passed. Their edges do not hang on where the picture
+/// begins.
 class Cells {
  public:
   explicit Cells(const QRectF& area)
-      : left_(area.left()),
-        top_(area.top()),
-        columns_(static_cast<int>(std::ceil(area.width() * kCells)) + 1),
-        rows_(static_cast<int>(std::ceil(area.height() * kCells)) + 1),
+      : left_(std::floor(area.left() * kCells) / kCells),
+        top_(std::floor(area.top() * kCells) / kCells),
+        columns_(static_cast<int>(std::ceil(area.width() * kCells)) + 2),
+        rows_(static_cast<int>(std::ceil(area.height() * kCells)) + 2),
         passed_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
   [[nodiscard]] int at(const QPointF& p) const { return row(p.y()) * columns_ + column(p.x()); }
   [[nodiscard]] bool is_new(int cell) const { return passed_[static_cast<std::size_t>(cell)] == 0; }
@@ -154,36 +155,42 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
   const int columns = within.width(), rows = within.height();
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
                                   static_cast<std::size_t>(rows));
-  const double reach = 0.5 * width + 0.5;  // where the cover of a pixel ends, from its middle
+  const auto reach =
+      static_cast<float>(0.5 * width + 0.5);  // where the cover of a pixel ends, from its middle
   bool any = false;
   for (const QPolygonF& line : lines)
     for (qsizetype i = 1; i < line.size(); ++i) {
-      const double px = line[i - 1].x() - within.left(), py = line[i - 1].y() - within.top(),
-                   dx = line[i].x() - line[i - 1].x(), dy = line[i].y() - line[i - 1].y();
-      const double square = dx * dx + dy * dy, per = square > 0.0 ? 1.0 / square : 0.0;
-      const int top = std::max(0, static_cast<int>(std::floor(py + std::min(0.0, dy) - reach))),
-                bottom = std::min(rows - 1, static_cast<int>(py + std::max(0.0, dy) + reach));
+      // Single numbers: thousandths of a pixel, in half the time.
+      const auto px = static_cast<float>(line[i - 1].x() - within.left()),
+                 py = static_cast<float>(line[i - 1].y() - within.top()),
+                 dx = static_cast<float>(line[i].x() - line[i - 1].x()),
+                 dy = static_cast<float>(line[i].y() - line[i - 1].y());
+      const float square = dx * dx + dy * dy, per = square > 0.0F ? 1.0F / square : 0.0F;
+      const bool steep = std::abs(dy) > 2.0F * reach;
+      const float per_row = steep ? 1.0F / dy : 0.0F;
+      const int top = std::max(0, static_cast<int>(std::floor(py + std::min(0.0F, dy) - reach))),
+                bottom = std::min(rows - 1, static_cast<int>(py + std::max(0.0F, dy) + reach));
       for (int r = top; r <= bottom; ++r) {
         // The part of the stroke that is near this row.
-        double low = px + std::min(0.0, dx), high = px + std::max(0.0, dx);
-        if (std::abs(dy) > 2.0 * reach) {
-          const double one = (r + 0.5 - reach - py) / dy, other = (r + 0.5 + reach - py) / dy;
-          const double from = std::clamp(std::min(one, other), 0.0, 1.0),
-                       to = std::clamp(std::max(one, other), 0.0, 1.0);
-          low = px + std::min(from * dx, to * dx);
-          high = px + std::max(from * dx, to * dx);
+        const float y = static_cast<float>(r) + 0.5F - py;
+        float low = px + std::min(0.0F, dx), high = px + std::max(0.0F, dx);
+        if (steep) {
+          const float one = std::clamp((y - reach) * per_row, 0.0F, 1.0F),
+                      other = std::clamp((y + reach) * per_row, 0.0F, 1.0F);
+          low = px + std::min(one * dx, other * dx);
+          high = px + std::max(one * dx, other * dx);
         }
         const int left = std::max(0, static_cast<int>(std::floor(low - reach))),
                   right = std::min(columns - 1, static_cast<int>(high + reach));
         std::uint8_t* const row = cover.data() + static_cast<std::ptrdiff_t>(r) * columns;
         for (int c = left; c <= right; ++c) {
           if (row[c] == 255) continue;
-          const double x = c + 0.5 - px, y = r + 0.5 - py;
-          const double part = std::clamp((x * dx + y * dy) * per, 0.0, 1.0);
-          const double ex = x - part * dx, ey = y - part * dy, away = ex * ex + ey * ey;
+          const float x = static_cast<float>(c) + 0.5F - px;
+          const float part = std::clamp((x * dx + y * dy) * per, 0.0F, 1.0F);
+          const float ex = x - part * dx, ey = y - part * dy, away = ex * ex + ey * ey;
           if (away >= reach * reach) continue;
-          const double here = std::min(1.0, reach - std::sqrt(away));
-          row[c] = std::max(row[c], static_cast<std::uint8_t>(std::lround(255.0 * here)));
+          const float here = std::min(1.0F, reach - std::sqrt(away));
+          row[c] = std::max(row[c], static_cast<std::uint8_t>(255.0F * here + 0.5F));
           any = true;
         }
       }

@@ -21,7 +21,7 @@ struct PlaneScale {
   }
 };
 
-/// The parts of a way inside `area` that show something new: a stroke all of whose half pixels were
+/// The parts of a way inside `area` that show something new: a stroke all of whose cells were
 /// passed before is left out, so that every place of the way is within a pixel of one that is
 /// drawn, and all points of what is drawn are stored ones. Broken where a value is missing.
 [[nodiscard]] std::vector<QPolygonF> seen_way(const std::vector<double>& x,

@@ -1,7 +1,10 @@
 #include "desktop/dialogs.hpp"
 
 #include "base/counted.hpp"
+#include "base/errors.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/pdf_pages.hpp"
+#include "desktop/svg_writer.hpp"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -166,23 +169,29 @@ void tell_in_foot(QWidget* window, const QString& text) {
 }
 
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
-                  std::function<QImage()> picture, std::function<QByteArray()> svg) {
+                  std::function<QImage()> picture, QSizeF size,
+                  std::function<void(QPainter&)> draw) {
   auto* dialog = new QFileDialog(parent, QObject::tr("Save picture"), QString(),
-                                 svg ? QObject::tr("Pictures (*.jpg *.jpeg *.png *.svg)")
-                                     : QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
+                                 QObject::tr("Pictures (*.jpg *.jpeg *.png *.svg *.pdf)"));
   dialog->setObjectName("save");
   delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("jpg");
   dialog->selectFile(proposed_image_name(app, fallback));
+  const auto save = [picture = std::move(picture), size,
+                     draw = std::move(draw)](const QString& name) {
+    const QString suffix = QFileInfo(name).suffix().toLower();
+    if (suffix == "svg") return save_bytes(svg_of(size, draw), name.toStdString());
+    if (suffix == "pdf") return save_bytes(pdf_of(size, draw), name.toStdString());
+    if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
+      throw InputError("a picture cannot be saved as " + name.toStdString() +
+                       "; give a name that ends in .png, .jpg, .svg or .pdf");
+    save_image(picture(), name.toStdString(), Replace::Anything);
+  };
   QObject::connect(dialog, &QFileDialog::fileSelected, parent,
-                   [parent, app, fallback, picture = std::move(picture),
-                    svg = std::move(svg)](const QString& name) {
+                   [parent, app, fallback, save](const QString& name) {
                      try {
-                       if (svg && name.endsWith(".svg", Qt::CaseInsensitive))
-                         save_bytes(svg(), name.toStdString());
-                       else
-                         save_image(picture(), name.toStdString(), Replace::Anything);
+                       save(name);
                        remember_image_name(app, fallback, name);
                        tell_in_foot(parent, QObject::tr("Saved %1.").arg(name));
                      } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSizeF>
 #include <QString>
 #include <QStringList>
 
@@ -45,9 +46,10 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
 void tell_in_foot(QWidget* window, const QString& text);
 
 /// Where to save a picture: the remembered name with a running number, free to edit; then saves it
-/// and reports failure by message. With `svg`, a document (desktop/svg_writer.hpp), also as that.
+/// and reports failure by message. By `draw`, at `size`, also lines and text: SVG or PDF.
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
-                  std::function<QImage()> picture, std::function<QByteArray()> svg = {});
+                  std::function<QImage()> picture, QSizeF size,
+                  std::function<void(QPainter&)> draw);
 
 /// Printer selection, then one page of lines and text: `draw` gets the paper in the printer's dots.
 void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> draw);

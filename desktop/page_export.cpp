@@ -3,13 +3,13 @@
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/pdf_pages.hpp"
 #include "desktop/study_chart.hpp"
 #include "desktop/svg_writer.hpp"
 
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
-#include <QPdfWriter>
 #include <QSaveFile>
 #include <fmt/format.h>
 
@@ -128,20 +128,10 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
   if (!file.open(QIODevice::WriteOnly))
     throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
                      "; choose a folder that exists and is yours");
-  {
-    QPdfWriter pdf(&file);
-    pdf.setCreator("Adore");
-    constexpr int kDpi = 288;  // three to the pixel of a picture
-    pdf.setResolution(kDpi);
-    pdf.setPageSize(QPageSize(size * 72.0 / 96.0, QPageSize::Point));
-    pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
-    QPainter painter(&pdf);
-    for (std::size_t i = 0; i < pages; ++i) {
-      if (i > 0) pdf.newPage();
-      show(i);
-      paint_vector(scene, painter, QRectF(0, 0, pdf.width(), pdf.height()), size);
-    }
-  }
+  write_pdf(file, size, pages, [&](QPainter& painter, const QRectF& paper, std::size_t page) {
+    show(page);
+    paint_vector(scene, painter, paper, size);
+  });
   if (!file.commit()) throw InputError("cannot write " + path.string() + ": " + write_fault(file));
 }
 

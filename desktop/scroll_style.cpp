@@ -23,6 +23,23 @@ int ScrollStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
   return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
+void ScrollStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const {
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) return;
+  const Theme& theme = current_theme();
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(option->state.testFlag(State_Enabled) ? theme.muted : theme.frame);
+  painter->setBrush(Qt::NoBrush);
+  const QRectF edge = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+  if (element == PE_IndicatorCheckBox)
+    painter->drawRect(edge);
+  else
+    painter->drawEllipse(edge);
+  painter->restore();
+}
+
 /// No arrows: the whole bar is track.
 QRect ScrollStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option,
                                   SubControl part, const QWidget* widget) const {

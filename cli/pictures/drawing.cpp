@@ -12,6 +12,7 @@
 #include "desktop/lubricant_pages.hpp"
 #include "desktop/page_export.hpp"
 #include "results/growing_file.hpp"
+#include "results/run_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,7 +85,10 @@ void animate(const AnimateRequest& request) {
   render.first = request.first;
   render.last = request.last;
   render.progress = make_count_progress("frame", request.progress);
-  agore::MotionPicture picture = agore::open_animation(request.file);
+  const std::filesystem::path source = results::animation_file(request.file);
+  agore::MotionPicture picture = agore::open_animation(source);
+  for (const std::string& note : picture.animation().notes())
+    fmt::print(stderr, "adore: note: {}: {}\n", source.string(), note);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
   if (!request.movie.empty()) {
@@ -94,8 +98,7 @@ void animate(const AnimateRequest& request) {
   } else if (request.frame > 0) {
     desktop::make_folder(folder);
     const std::filesystem::path file =
-        folder / fmt::format("{}-{}-frame-{:05}.png",
-                             std::filesystem::path(request.file).filename().string(), request.view,
+        folder / fmt::format("{}-{}-frame-{:05}.png", source.filename().string(), request.view,
                              request.frame);
     agore::render_frame(picture, request.frame, file, render);
     print_files({file});

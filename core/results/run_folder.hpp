@@ -17,4 +17,8 @@ struct RunFolder {
 /// Nothing where nothing is found; a RUN.json that cannot be read adds nothing.
 [[nodiscard]] RunFolder run_folder(const std::filesystem::path& folder);
 
+/// What is animated of a run: of a folder its SOL8, else its RESULTS.h5; any other path is itself.
+/// Throws InputError where a folder has neither.
+[[nodiscard]] std::filesystem::path animation_file(const std::filesystem::path& path);
+
 }  // namespace adore::results

@@ -361,6 +361,12 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   options.width = 640, options.height = 480;
   options.range = {1, 50, 5};
   CHECK(render_plots({files[0]}, options).size() == 1);
+  // The folder of a run is its files; one without any says so, and writes nothing.
+  CHECK(render_plots({base}, options) == render_plots(files, options));
+  options.folder = base / "none";
+  CHECK_THROWS_WITH(render_plots({base / "pictures"}, options), Catch::Contains("no plot file"));
+  CHECK_FALSE(std::filesystem::exists(options.folder));
+  options.folder = base / "pictures";
   const auto note = [&](long to) { return open_document(files[0], {1, to, 1}).build(1, {}).note; };
   CHECK_THAT(note(299),
              Catch::Contains("These are the stored steps 1 to 299; more follow in the file."));

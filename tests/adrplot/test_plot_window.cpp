@@ -271,6 +271,17 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   CHECK(dialog->selectedFiles().front().endsWith("wave-2.jpg"));
   emit dialog->fileSelected("/proc/no/such/folder/x.jpg");
   CHECK(take_message(window).contains("cannot write"));
+  // Lines and text, too; any other name is refused and told what there is.
+  for (const auto& [ending, begins] : {std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
+    const QString page = folder.filePath(QString("wave.") + ending);
+    emit dialog->fileSelected(page);
+    QFile file(page);
+    REQUIRE(file.open(QIODevice::ReadOnly));
+    CHECK(file.read(5).startsWith(begins));
+    CHECK(file.size() > 5000);
+  }
+  emit dialog->fileSelected(folder.filePath("wave.bmp"));
+  CHECK(take_message(window).contains(".svg or .pdf"));
 }
 
 TEST_CASE("plot_window: the values of all panels under the mouse are read whole, at any size",

@@ -35,15 +35,6 @@ using test::short_run;
 
 namespace {
 
-QString take_message(QWidget& window) {
-  auto* box = window.findChild<QMessageBox*>("message");
-  if (!box) return {};
-  const QString text = box->text();
-  box->close();
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  return text;
-}
-
 void click(AgoreWindow& window, const char* button) {
   window.findChild<QPushButton*>(button)->click();
 }
@@ -211,8 +202,31 @@ TEST_CASE("agore_window: a run that goes on is read again at the same moment", "
   // A file that is gone leaves what is shown.
   std::filesystem::remove(sol8);
   menu_action(window, "Reload")->trigger();
-  CHECK_FALSE(take_message(window).isEmpty());
+  CHECK_FALSE(test::take_message(window).isEmpty());
   CHECK(window.frameCount() == 35);
+}
+
+TEST_CASE("agore_window: a picture is saved as pixels or as lines and text, by its name", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  AgoreWindow window;
+  test::show_painted(window);
+  click(window, "save");
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  for (const auto& [ending, begins] : {std::pair{"jpg", "\xff\xd8"}, std::pair{"png", "\x89PNG"},
+                                       std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
+    const QString name = folder.filePath(QString("moment.") + ending);
+    emit dialog->fileSelected(name);
+    QFile file(name);
+    INFO(ending);
+    REQUIRE(file.open(QIODevice::ReadOnly));
+    CHECK(file.read(5).startsWith(begins));
+    CHECK(file.size() > 5000);
+  }
+  emit dialog->fileSelected(folder.filePath("moment.bmp"));
+  CHECK(test::take_message(window).contains(".svg or .pdf"));
+  CHECK_FALSE(QFile::exists(folder.filePath("moment.bmp")));
 }
 
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
@@ -288,7 +302,7 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
             }
             CHECK(window.showAsAsked(asked) == refused.empty());
             if (!refused.empty()) {
-              CHECK(take_message(window).toStdString() == refused);
+              CHECK(test::take_message(window).toStdString() == refused);
               continue;
             }
             CHECK(canvas->grab().toImage().convertToFormat(QImage::Format_RGB32) == wanted);
@@ -333,14 +347,14 @@ TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gu
   menu_action(window, "Outer")->trigger();
   CHECK(window.options().view == View::OuterRace);
   menu_action(window, "Inner Race...")->trigger();
-  CHECK(take_message(window).contains("no flanges"));  // balls
+  CHECK(test::take_message(window).contains("no flanges"));  // balls
   CHECK(window.options().view == View::OuterRace);
   menu_action(window, "Axial Section...")->trigger();
-  CHECK(take_message(window).contains("RESULTS.h5"));
+  CHECK(test::take_message(window).contains("RESULTS.h5"));
   menu_action(window, "Contact Load")->trigger();
   CHECK(window.options().colour == ColourBy::Load);
   menu_action(window, "About AGORE")->trigger();
-  CHECK(take_message(window).contains("0.1"));
+  CHECK(test::take_message(window).contains("0.1"));
   menu_action(window, "× 10")->trigger();
   CHECK(window.options().exaggeration == 10.0);
 }
@@ -364,11 +378,11 @@ TEST_CASE(
   CHECK(window.openFile(base / "SOL8"));
   CHECK(window.frameCount() == 40);
   CHECK_FALSE(window.openFile(base / "other"));
-  CHECK(take_message(window).contains("other"));
+  CHECK(test::take_message(window).contains("other"));
   CHECK(window.frameCount() == 40);  // the old one stays
   CHECK(window.openFile(base / "cut"));
   CHECK(window.frameCount() == 39);
-  CHECK(take_message(window).contains("incomplete"));
+  CHECK(test::take_message(window).contains("incomplete"));
 }
 
 TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui]") {
@@ -382,17 +396,27 @@ TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui
     CHECK(test::drop_on(window, folder.path(), names));
   };
   drop({"SOL8", "SOL9"});
-  CHECK(take_message(window).contains("single SOL8"));
+  CHECK(test::take_message(window).contains("single file"));
   CHECK(window.frameCount() == 0);
   drop({"nowhere"});
-  CHECK(take_message(window).contains("nowhere"));
+  CHECK(test::take_message(window).contains("nowhere"));
   drop({"SOL8"});
-  CHECK(take_message(window).isEmpty());
+  CHECK(test::take_message(window).isEmpty());
   CHECK(window.frameCount() == 20);
   for (const QPoint& place : test::places_of(window)) {  // also with a picture in it
     INFO(place.x() << ", " << place.y());
     CHECK(test::drop_on(window, folder.path(), {"SOL8"}, place));
   }
+  // The folder of a run is its animation.
+  std::filesystem::create_directories(base / "run");
+  std::filesystem::create_directories(base / "empty");
+  test::write_text(base / "run/SOL8", test::sol8_text(test::synthetic_sol8(short_run(12))));
+  drop({"run"});
+  CHECK(test::take_message(window).isEmpty());
+  CHECK(window.frameCount() == 12);
+  drop({"empty"});
+  CHECK(test::take_message(window).contains("no animation"));
+  CHECK(window.frameCount() == 12);
   QMimeData text;
   text.setText("SOL8");
   CHECK_FALSE(test::drop_on(window, text));
@@ -419,6 +443,29 @@ TEST_CASE("agore_window: slow motion follows the simulated time, and repeats whe
   QTest::qWait(900);
   CHECK(window.playing());
   window.pause();
+}
+
+TEST_CASE("agore_window: the keys for slower and faster act on the pace that plays", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  test::show_painted(window);
+  auto *rate = window.findChild<QComboBox*>("speed"), *slow = window.findChild<QComboBox*>("slow");
+  const auto press = [&](Qt::Key key) { QTest::keyClick(&window, key); };
+  const int before = rate->currentIndex();
+  press(Qt::Key_BracketRight);
+  CHECK(rate->currentIndex() == before + 1);
+  press(Qt::Key_BracketLeft);
+  press(Qt::Key_BracketLeft);
+  CHECK(rate->currentIndex() == before - 1);
+  slow->setCurrentText("1/1000");
+  press(Qt::Key_BracketLeft);
+  CHECK(slow->currentText() == "1/5000");
+  press(Qt::Key_BracketRight);
+  press(Qt::Key_BracketRight);
+  CHECK(slow->currentText() == "1/100");
+  for (int i = 0; i < 4; ++i) press(Qt::Key_BracketRight);
+  CHECK(slow->currentText() == "1/10");  // still slow motion
+  CHECK(rate->currentIndex() == before - 1);
 }
 
 TEST_CASE("agore_window: a click on the curve goes to that moment, the wheel zooms the picture",

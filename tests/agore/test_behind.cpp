@@ -1,6 +1,7 @@
 #include "agore/agore_window.hpp"
 #include "agore/made_run.hpp"
 #include "agore/motion_picture.hpp"
+#include "agore/shown_window.hpp"
 #include "agore/view_scene.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
@@ -107,4 +108,37 @@ TEST_CASE("behind the end of RESULTS.h5 a SOL8 cut anywhere gives whole frames a
       CHECK(a.frame(i).races[1].angles == whole.frames[i].races[1].angles);
     }
   }
+}
+
+TEST_CASE("a RESULTS.h5 that stands beside SOL8 and is not used is told with its reason",
+          "[gui][h5]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  write_cut(folder, 30);
+  const auto path = folder / "RESULTS.h5";
+  const auto told = [&] {
+    const Animation a = open_motion(folder / "SOL8");
+    CHECK((a.source.find("RESULTS.h5 beside it is not used") != std::string::npos) ==
+          !a.unused.empty());
+    CHECK(a.unused.empty() == (a.motion || !std::filesystem::exists(path)));
+    AgoreWindow window;
+    window.show();
+    REQUIRE(window.openFile(folder / "SOL8"));
+    const QString message = test::take_message(window);
+    INFO(message.toStdString());
+    CHECK(message.contains("RESULTS.h5 is not used: " + QString::fromStdString(a.unused)) ==
+          !a.unused.empty());
+    return a.unused;
+  };
+  CHECK(told().empty());
+  const auto size = std::filesystem::file_size(path);
+  for (const auto part : {size / 2, size / 10, std::uintmax_t{100}, std::uintmax_t{0}}) {
+    std::filesystem::resize_file(path, part);
+    INFO("cut after " << part);
+    CHECK_FALSE(told().empty());
+  }
+  std::filesystem::remove(path);
+  CHECK(told().empty());
+  test::write_run(folder, 8);  // next to nothing of what SOL8 has
+  CHECK_FALSE(told().empty());
 }

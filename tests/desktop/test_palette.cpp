@@ -1,5 +1,9 @@
 #include "desktop/theme.hpp"
+#include "support/qt_app.hpp"
 
+#include <QCheckBox>
+#include <QImage>
+#include <QRadioButton>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -84,4 +88,29 @@ TEST_CASE("theme: curves and marks are told apart with every colour vision, in b
     for (const QColor& mark : {theme.red, theme.green, theme.blue, theme.text, theme.accent})
       CHECK(contrast(mark, theme.surface) > 3.0);
   }
+}
+
+TEST_CASE("theme: what can be ticked has an edge that is seen, ticked or not, in both themes",
+          "[gui][desktop]") {
+  test::use_qt();
+  const auto before = desktop::current_theme().kind;
+  for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
+    desktop::apply_theme(kind);
+    QCheckBox box;
+    QRadioButton ring;
+    for (QAbstractButton* button :
+         {static_cast<QAbstractButton*>(&box), static_cast<QAbstractButton*>(&ring)}) {
+      button->resize(button->sizeHint());
+      const QImage image = button->grab().toImage();
+      // Across the middle: the first change from the ground is the edge.
+      const int y = image.height() / 2;
+      const QColor ground = image.pixelColor(image.width() - 1, 0);
+      double most = 0.0;
+      for (int x = 0; x < image.width() / 3; ++x)
+        most = std::max(most, contrast(image.pixelColor(x, y), ground));
+      INFO(button->metaObject()->className() << ", dark " << (kind == desktop::ThemeKind::Dark));
+      CHECK(most > 3.0);
+    }
+  }
+  desktop::apply_theme(before);
 }

@@ -50,3 +50,24 @@ TEST_CASE("a run's folder tells its plot files and its animation, whatever their
     CHECK(run_folder(folder / "").plots.size() == 2);
   }
 }
+
+TEST_CASE("what is animated of a run is its SOL8, else its RESULTS.h5, by file or by folder",
+          "[unit][sol]") {
+  const TemporaryFolder folder;
+  const auto told = [&] {
+    try {
+      (void)animation_file(folder / "");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(told().find("no animation") != std::string::npos);
+  CHECK(told().find("RESULTS.h5") != std::string::npos);
+  std::ofstream(folder / "RESULTS.h5") << "any";
+  CHECK(animation_file(folder / "") == folder / "RESULTS.h5");
+  std::ofstream(folder / "SOL8") << "any";
+  CHECK(animation_file(folder / "") == folder / "SOL8");
+  CHECK(animation_file(folder / "RESULTS.h5") == folder / "RESULTS.h5");
+  CHECK(animation_file(folder / "nowhere") == folder / "nowhere");  // whoever reads it tells
+}

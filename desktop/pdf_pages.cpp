@@ -1,0 +1,37 @@
+#include "desktop/pdf_pages.hpp"
+
+#include <QBuffer>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+
+namespace adore::desktop {
+
+void write_pdf(QIODevice& out, QSizeF size, std::size_t pages,
+               const std::function<void(QPainter&, const QRectF&, std::size_t)>& draw) {
+  constexpr int kDpi = 288, kPixelsPerInch = 96, kPointsPerInch = 72;
+  QPdfWriter pdf(&out);
+  pdf.setCreator("Adore");
+  pdf.setResolution(kDpi);
+  pdf.setPageSize(QPageSize(size * kPointsPerInch / kPixelsPerInch, QPageSize::Point));
+  pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
+  QPainter painter(&pdf);
+  for (std::size_t i = 0; i < pages; ++i) {
+    if (i > 0) pdf.newPage();
+    draw(painter, QRectF(0, 0, pdf.width(), pdf.height()), i);
+  }
+}
+
+QByteArray pdf_of(QSizeF size, const std::function<void(QPainter&)>& draw) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  write_pdf(buffer, size, 1, [&](QPainter& painter, const QRectF& page, std::size_t) {
+    painter.scale(page.width() / size.width(), page.height() / size.height());
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    draw(painter);
+  });
+  return bytes;
+}
+
+}  // namespace adore::desktop
