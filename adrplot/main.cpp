@@ -67,6 +67,8 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
     });
   if (one && !one->listens() && left_to_another()) return 0;  // started at the same moment
   window.setAbscissa(options.view.abscissa);
+  window.setWaterfallOf(options.view.waterfall_of);
+  window.setDomain(options.view.domain);
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
   for (const auto& file : files) {
@@ -99,7 +101,7 @@ int main(int argc, char** argv) {
   CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
-  std::string size = "1280x800", abscissa = "rev", project;
+  std::string size = "1280x800", abscissa = "rev", domain = "history", curve, project;
   cli.add_option("FILE", files,
                  "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; a study's "
                  "RUNS.csv or STUDY.h5; folders of runs and of studies")
@@ -137,9 +139,18 @@ int main(int argc, char** argv) {
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
+  command_line::one_of(cli.add_option("--domain", domain,
+                                      "what is drawn of the curves: history, spectrum, waterfall")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"history", "spectrum", "waterfall"});
+  cli.add_option("--curve", curve,
+                 "what a waterfall is of: a curve by its name or a part of that, or its number on "
+                 "the page (the first one unless given)")
+      ->type_name("CURVE");
   // A window that is there takes files alone.
-  for (const char* of_first :
-       {"--render", "--page", "--from", "--to", "--every", "--abscissa", "--dark"})
+  for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",
+                               "--domain", "--curve", "--dark"})
     one_window->excludes(cli.get_option(of_first));
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrplot", [&] {
@@ -148,6 +159,7 @@ int main(int argc, char** argv) {
     options.height = pixels.height;
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
+    adrplot::set_domain(options.view, domain, curve);
     if (!options.folder.empty()) return render(argc, argv, files, options);
     return show(argc, argv, files, options, follow, behind, project);
   });

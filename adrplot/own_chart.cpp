@@ -43,8 +43,6 @@ std::string run_of(const PlotDocument& file) {
   return (folder.empty() ? "" : folder + "/") + file.path.filename().string();
 }
 
-constexpr std::string_view kBands = "Pale areas ";
-
 /// Sentences, each with its full stop.
 std::vector<std::string> sentences_of(const std::string& note) {
   std::vector<std::string> out;
@@ -98,7 +96,7 @@ class SourceNotes {
 
 /// What the page of a curve says that is true of the curve over this domain, too.
 std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartPage& history,
-                                    const PageOptions& options, bool band) {
+                                    const PageOptions& options) {
   std::vector<std::string> out;
   if (!pick.file->note.empty()) out.push_back("Incomplete file: " + pick.file->note + ".");
   const bool over_time = options.domain == Domain::History;
@@ -108,7 +106,7 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
     // Of frequencies the page speaks of spectra of its own.
     const bool of_file = is("Aliased: ") || is("These are ") || is("Of the file ") ||
                          is("Of these steps ") || is("The values have ") || is("RESULTS.h5 ");
-    if (over_time ? band || !is(kBands) : of_file) out.push_back(sentence);
+    if (over_time || of_file) out.push_back(sentence);
   }
   return out;
 }
@@ -158,12 +156,14 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
                            curve.name, pick.file->subject, run_of(*pick.file));
     one.x = source.x;
     one.y = curve.y;
-    if (curve.low.size() == curve.y.size()) one.low = curve.low, one.high = curve.high;
+    if (curve.low.size() == curve.y.size()) {
+      one.low = curve.low, one.high = curve.high;
+      page.band_note = source.band_note;
+    }
     PageOptions shown = options;
     shown.domain = source.x_title == "Time" ? domain : Domain::History;
     notes.add(one.name, {});
-    for (const std::string& remark : remarks_on(pick, source, shown, !one.low.empty()))
-      notes.add(one.name, remark);
+    for (const std::string& remark : remarks_on(pick, source, shown)) notes.add(one.name, remark);
     runs.insert(run_of(*pick.file));
     taken.push_back(std::move(one));
   }
@@ -363,11 +363,27 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   if (domain != options.domain)
     add_note(page, "Spectra are of curves over time; these are over another abscissa.");
   if (domain == Domain::Waterfall) {
-    Taken& one = curves.front();
+    // One of them: pieces of two would stand in each other.
+    std::vector<std::string> names;
+    for (const Taken& one : curves) names.push_back(one.name);
+    const std::size_t chosen = choice_of(names, options.waterfall_of).value_or(0);
+    Taken& one = curves[chosen];
     trim(one);
     page.x = one.x;
     page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
-    to_waterfall(page, one.x, {}, options.spectrum);
+    // Of two runs the difference has no speed of its own.
+    RunMotion motion;
+    const PlotDocument& file = *picks[less ? chosen + 1 : chosen].file;
+    if (file.motion && (!less || of_one_run(picks))) motion = file.motion();
+    motion.turns = read_off(motion.times, motion.turns, one.x);
+    if (std::any_of(motion.turns.begin(), motion.turns.end(),
+                    [](double turns) { return !std::isfinite(turns); }))
+      motion = {};
+    motion.times = one.x;
+    to_waterfall(page, motion, options.spectrum);
+    page.choices = names;
+    page.chosen = chosen;
+    drop_low_marks(page);
     notes.tell(page);
     return page;
   }

@@ -3,6 +3,7 @@
 #include "adrplot/abscissa.hpp"
 #include "adrplot/plot_pages.hpp"
 #include "adrplot/run_facts.hpp"
+#include "adrplot/run_motion.hpp"
 #include "adrplot/spectrum.hpp"
 #include "desktop/chart_page.hpp"
 
@@ -25,6 +26,9 @@ struct PageOptions {
   OrbitPair orbit;
   SpectrumOptions spectrum = {};
   Domain domain = Domain::History;
+  /// Which curve of a page its waterfall is of: its name as ChartPage::choices have it, a part of
+  /// that, or its number among them. Empty, and where a page has no such curve: the first one.
+  std::string waterfall_of = {};
 };
 
 /// Extremes of a curve between its stored values, as long as it and in its unit.
@@ -34,7 +38,7 @@ struct CurveBand {
 
 /// What is known of a run beyond the file that is drawn.
 struct PageContext {
-  std::vector<desktop::ChartMark> frequencies;  ///< shaft, FTF, BPFO ... [Hz]
+  std::vector<MarkTurns> marks = {};            ///< shaft, FTF, BPFO ...
   double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
   std::string fastest_contact;                  ///< "element 1 / outer race"
   std::map<std::string, CurveBand> bands = {};  ///< by column
@@ -46,6 +50,9 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
 
 /// Columns that the notes and scales of a page are from, besides its curves.
 [[nodiscard]] std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page);
+
+/// How the run of a file turned; marks of its rotation alone where the context has none.
+[[nodiscard]] RunMotion motion_of(const results::SolFile& file, const PageContext& context);
 
 /// The chart of one page, its numbers taken from the file. @throws InputError for a page number
 /// outside 1 .. pages.size(). Numbers that mean "not computed" are no values (known_values.hpp).

@@ -160,6 +160,7 @@ class StepPages {
   }
   [[nodiscard]] const results::SolFile& file() const { return file_; }
   [[nodiscard]] const std::vector<PageSpec>& pages() const { return pages_; }
+  [[nodiscard]] RunMotion motion() const { return motion_of(file_, context_); }
 
   desktop::ChartPage build(int number, const PageOptions& options) {
     check_page_number(path_, number, pages_.size());
@@ -296,6 +297,7 @@ PlotDocument make_document(results::SolFile file) {
   out.build = [shared, pages](int number, const PageOptions& options) {
     return build_page(*shared, pages, number, options);
   };
+  out.motion = [shared] { return motion_of(*shared, {}); };
   return out;
 }
 
@@ -320,6 +322,7 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
   out.build = [steps](int number, const PageOptions& options) {
     return steps->build(number, options);
   };
+  out.motion = [steps] { return steps->motion(); };
   return out;
 }
 

@@ -22,6 +22,8 @@ struct PlotDocument {
   std::vector<Entry> pages;
   /// The chart of page 1 .. pages.size(). @throws InputError for another number
   std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
+  /// How the run turned; empty: nobody knows.
+  std::function<RunMotion()> motion;
   /// Of a study: a run in words, and the folder of its files (empty: not kept).
   std::function<std::string(long run)> about_run;
   std::function<std::filesystem::path(long run)> files_of_run;

@@ -1,5 +1,6 @@
 #include "adrplot/plot_window.hpp"
 
+#include "adrplot/waterfall_page.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
@@ -99,6 +100,16 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     showCurrent();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
+  // The panel that somebody points at is the one whose waterfall is wanted.
+  connect(view_, &desktop::ChartView::panelClicked, this, [this](std::size_t index) {
+    const desktop::ChartPage& page = view_->chartScene().page();
+    if (!page.choices.empty() || page.equal_axes || index >= page.panels.size()) return;
+    for (const desktop::ChartCurve& curve : page.panels[index].curves)
+      if (!curve.hidden && !curve.y.empty()) {
+        options_.waterfall_of = curve_name(page.panels[index], curve);
+        return;
+      }
+  });
   connect(view_, &desktop::ChartView::readoutChanged, this, [this](const QStringList& values) {
     values_ = values;
     showReadout();
@@ -146,6 +157,11 @@ void PlotWindow::setAbscissa(Abscissa abscissa) {
 
 void PlotWindow::setDomain(Domain domain) { domain_->setCurrentIndex(static_cast<int>(domain)); }
 
+void PlotWindow::setWaterfallOf(const std::string& curve) {
+  options_.waterfall_of = curve;
+  if (options_.domain == Domain::Waterfall) showCurrent();
+}
+
 void PlotWindow::setLogAxes(std::optional<bool> abscissa, std::optional<bool> values) {
   log_x_ = abscissa;
   log_y_ = values;
@@ -177,6 +193,7 @@ void PlotWindow::showCurrent() {
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
     offerChoices(kind, chart);
+    offerCurves(chart);
     // Races that do not turn against each other have no turns.
     const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
                           options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
@@ -192,6 +209,7 @@ void PlotWindow::showCurrent() {
         "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or a study's folder, "
         "or drop one here.";
     orbit_action_->setVisible(false);
+    offerCurves(chart);
   }
   note_->setVisible(!note_->text().isEmpty());
   {

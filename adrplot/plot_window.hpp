@@ -57,6 +57,8 @@ class PlotWindow : public QMainWindow {
   void showPage(int number);
   void setAbscissa(Abscissa abscissa);
   void setDomain(Domain domain);
+  /// Which curve of a page its waterfall is of (PageOptions::waterfall_of).
+  void setWaterfallOf(const std::string& curve);
   void setLogAxes(std::optional<bool> abscissa, std::optional<bool> values);
   /// Saves the page, or all pages of the file, by the name's suffix (desktop/page_export.hpp). Of
   /// all pages PDF makes one file, others one for each, numbered. Of `seen` numbers those in the
@@ -106,6 +108,8 @@ class PlotWindow : public QMainWindow {
   void makeChoices(QToolBar* bar);
   /// What of the choices applies to a page; the others are grey and say why.
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
+  /// The curves that a waterfall could be of, where it is one.
+  void offerCurves(const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
   void makeReadout();
@@ -143,6 +147,9 @@ class PlotWindow : public QMainWindow {
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
   QComboBox* domain_ = nullptr;
+  QComboBox* curve_ = nullptr;  ///< that a waterfall is of
+  QAction* curve_action_ = nullptr;
+  QMenu* curve_menu_ = nullptr;  ///< the same, where the buttons have no room
   QAction* orbit_action_ = nullptr;
   QAction* follow_ = nullptr;
 };

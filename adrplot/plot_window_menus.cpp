@@ -106,6 +106,7 @@ void PlotWindow::makeMenus() {
        {tr("drag"), tr("moves; with Shift zooms into a box")},
        {tr("double click, Home"), tr("shows everything")},
        {tr("Alt+Left, Alt+Right"), tr("earlier and later views")},
+       {tr("click on a panel"), tr("a waterfall is of its first curve then")},
        {tr("click on a name in a legend"), tr("hides its curve, or shows it")},
        {tr("Ctrl+click, Ctrl+Shift+click"), tr("cursor A, cursor B; Esc takes them away")}});
 }
@@ -136,6 +137,8 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
             constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
             o.spectrum.window = kWindows.at(static_cast<std::size_t>(i));
           });
+  curve_menu_ = menu->addMenu(tr("Waterfall: Cu&rve"));
+  curve_menu_->setObjectName("curves");
 }
 
 namespace {
@@ -170,6 +173,25 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
     offer(action, spectra, tr("This page shows no spectra: choose \"spectrum\" above it."));
 }
 
+void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
+  curve_->clear();
+  for (const std::string& name : chart.choices) curve_->addItem(QString::fromStdString(name));
+  curve_->setCurrentIndex(static_cast<int>(chart.chosen));
+  curve_action_->setVisible(!chart.choices.empty());
+  curve_menu_->clear();
+  for (std::size_t i = 0; i < chart.choices.size(); ++i) {
+    auto* action =
+        curve_menu_->addAction(QString::fromStdString(chart.choices[i]), this,
+                               [this, name = chart.choices[i]] { setWaterfallOf(name); });
+    action->setCheckable(true);
+    action->setChecked(i == chart.chosen);
+  }
+  curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
+  curve_menu_->menuAction()->setToolTip(
+      chart.choices.empty() ? tr("This page shows no waterfall: choose \"waterfall\" above it.")
+                            : tr("The curve that this waterfall is of"));
+}
+
 void PlotWindow::makeChoices(QToolBar* bar) {
   abscissa_ = new QComboBox(this);
   abscissa_->setObjectName("abscissa");
@@ -196,8 +218,16 @@ void PlotWindow::makeChoices(QToolBar* bar) {
     options_.orbit = kPairs.at(static_cast<std::size_t>(index)).pair;
     showCurrent();
   });
+  curve_ = new QComboBox(this);
+  curve_->setObjectName("curve");
+  curve_->setAccessibleName(tr("Curve of the waterfall"));
+  curve_->setToolTip(tr("The curve that this waterfall is of"));
+  curve_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  connect(curve_, &QComboBox::activated, this,
+          [this](int index) { setWaterfallOf(curve_->itemText(index).toStdString()); });
   bar->addWidget(abscissa_);
   bar->addWidget(domain_);
+  curve_action_ = bar->addWidget(curve_);
   orbit_action_ = bar->addWidget(orbit_);
 }
 

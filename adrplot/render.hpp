@@ -18,11 +18,16 @@ struct RenderOptions {
   PageOptions view;
 };
 
+/// What a command line says of the domain ("history", "spectrum", "waterfall") and the curve of
+/// waterfalls. @throws InputError for a curve of anything else
+void set_domain(PageOptions& view, const std::string& domain, const std::string& curve);
+
 /// Draws the pages of result files, and of those of folders (`files_of`), as PNG, named
 /// <file>-page-NN.png, and returns the names in order. Two files of the same name get their
 /// folder's name in front. Needs an application object (desktop/bootstrap.hpp).
-/// @throws InputError for files that are not ours, pages that do not exist, and folders that cannot
-/// be written.
+/// With a curve of waterfalls only pages that have it are drawn.
+/// @throws InputError for files that are not ours, that curve on no page, pages that do not exist,
+/// and folders that cannot be written.
 std::vector<std::filesystem::path> render_plots(const std::vector<std::filesystem::path>& paths,
                                                 const RenderOptions& options);
 

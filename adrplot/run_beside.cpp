@@ -20,67 +20,108 @@ namespace {
 using results::H5Reader;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Rate of a continuous angle over the whole run [Hz].
-double turns_per_second(double first, double last, double seconds) {
-  return seconds > 0.0 ? (last - first) / kTurn / seconds : 0.0;
-}
-
-/// First and last row of a channel.
-std::pair<std::vector<double>, std::vector<double>> ends(const H5Reader& reader, const char* id) {
-  if (reader.find(id) == nullptr) return {};
-  return {reader.read(id, 0, 1), reader.read(id, reader.steps() - 1, 1)};
-}
-
-std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
-  std::vector<desktop::ChartMark> out;
-  if (reader.steps() < 2) return out;
-  const std::vector<double> times = {reader.read("time", 0, 1).front(),
-                                     reader.read("time", reader.steps() - 1, 1).front()};
-  const double seconds = times[1] - times[0];
-  const auto add = [&out](double frequency, const std::string& label) {
-    if (std::isfinite(frequency) && std::abs(frequency) > 0.0)
-      out.push_back({std::abs(frequency), label});
-  };
-  const auto race = ends(reader, "race.rotation"), orbit = ends(reader, "element.orbital_position");
-  if (race.first.size() != 2 || orbit.first.empty()) return out;
-  double f_race[2];
-  for (std::size_t j = 0; j < 2; ++j)
-    f_race[j] = turns_per_second(race.first[j], race.second[j], seconds);
-  // What turns is named by itself: both races may, and their difference is no speed of a shaft.
-  const double least = 1e-6 * std::max(std::abs(f_race[0]), std::abs(f_race[1]));
-  if (std::abs(f_race[0]) > least && std::abs(f_race[1]) > least) {
-    add(f_race[1], "inner race");
-    add(f_race[0], "outer race");
-  } else {
-    add(f_race[1] - f_race[0], "shaft");
+/// Looks at a run at some hundred of its steps, the last one among them.
+class Looks {
+ public:
+  static constexpr const char* kTime = "time";  // of every run
+  explicit Looks(const H5Reader& reader) : reader_(reader) {
+    constexpr std::size_t kLooks = 500;
+    every_ = std::max<std::size_t>(1, (reader.steps() - 1) / kLooks);
+    count_ = (reader.steps() - 1) / every_ + 1;
+    last_ = (count_ - 1) * every_ + 1 < reader.steps();
   }
-  const auto n = static_cast<double>(orbit.first.size());
-  double f_orbit = 0.0;
-  for (std::size_t k = 0; k < orbit.first.size(); ++k)
-    f_orbit += turns_per_second(orbit.first[k], orbit.second[k], seconds) / n;
-  add(f_orbit, "FTF");
-  // Mean over at most a few hundred steps: the spin hardly changes.
-  constexpr std::size_t kLooks = 200;
-  const std::size_t every = std::max<std::size_t>(1, reader.steps() / kLooks);
-  const std::size_t looks = (reader.steps() - 1) / every + 1;
-  if (reader.find("element.angular_velocity_vector") != nullptr) {
-    const auto omega = reader.read("element.angular_velocity_vector", 0, looks, every);
+  /// Rows of a channel, one for each look; empty: the run has none.
+  [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& id) const {
+    if (id != kTime && reader_.find(id) == nullptr) return {};
+    std::vector<double> values = reader_.read(id, 0, count_, every_);
+    if (last_) {
+      const std::vector<double> end = reader_.read(id, reader_.steps() - 1, 1);
+      values.insert(values.end(), end.begin(), end.end());
+    }
+    const std::size_t looks = count_ + (last_ ? 1 : 0), width = values.size() / looks;
+    std::vector<std::vector<double>> out;
+    for (std::size_t i = 0; i < looks; ++i)
+      out.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i * width),
+                       values.begin() + static_cast<std::ptrdiff_t>((i + 1) * width));
+    return out;
+  }
+
+ private:
+  const H5Reader& reader_;
+  std::size_t every_ = 1, count_ = 0;
+  bool last_ = false;  ///< the last step is no multiple of them
+};
+
+/// Turns of elements about themselves, seen from their orbit: the mean of all, added up.
+std::vector<double> spin_turns(const std::vector<std::vector<double>>& omega,
+                               const std::vector<double>& times, const std::vector<double>& orbit) {
+  std::vector<double> out(omega.size(), 0.0);
+  const auto rate = [&](std::size_t i) {
+    const std::size_t a = i > 0 ? i - 1 : 0, b = std::min(i + 1, times.size() - 1);
+    const double span = times[b] - times[a];
+    const double orbits = span > 0.0 ? (orbit[b] - orbit[a]) / span : 0.0;
     double spin = 0.0;
-    for (std::size_t i = 0; i + 2 < omega.size(); i += 3)
-      spin += std::hypot(omega[i] - kTurn * f_orbit, omega[i + 1], omega[i + 2]);
-    add(3.0 * spin / static_cast<double>(omega.size()) / kTurn, "BSF");
+    for (std::size_t k = 0; k + 2 < omega[i].size(); k += 3)
+      spin += std::hypot(omega[i][k] - kTurn * orbits, omega[i][k + 1], omega[i][k + 2]);
+    return 3.0 * spin / static_cast<double>(omega[i].size()) / kTurn;
+  };
+  for (std::size_t i = 1; i < out.size(); ++i)
+    out[i] = out[i - 1] + 0.5 * (times[i] - times[i - 1]) * (rate(i - 1) + rate(i));
+  return out;
+}
+
+std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
+  std::vector<MarkTurns> out;
+  if (reader.steps() < 2) return out;
+  const Looks looks(reader);
+  std::vector<double> times;
+  for (const auto& row : looks.rows(Looks::kTime)) times.push_back(row.front());
+  const auto add = [&](const std::string& label, const std::vector<double>& turns) {
+    out.push_back({label, times, turns});
+  };
+  const auto races = looks.rows("race.rotation"), orbits = looks.rows("element.orbital_position");
+  if (races.empty() || races.front().size() != 2 || orbits.empty() || orbits.front().empty())
+    return out;
+  const auto n = static_cast<double>(orbits.front().size());
+  std::vector<double> race[2], between, orbit, past[2];
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t j = 0; j < 2; ++j) race[j].push_back(races[i][j] / kTurn);
+    between.push_back(race[1][i] - race[0][i]);
+    double sum = 0.0;
+    for (const double angle : orbits[i]) sum += angle / kTurn;
+    orbit.push_back(sum / n);
+    for (std::size_t j = 0; j < 2; ++j) past[j].push_back(n * (orbit[i] - race[j][i]));
   }
-  add(n * (f_orbit - f_race[0]), "BPFO");
-  add(n * (f_orbit - f_race[1]), "BPFI");
-  const auto whirl = ends(reader, "cage.orbital_position");
-  if (whirl.first.size() == 1)
-    add(turns_per_second(whirl.first[0], whirl.second[0], seconds), "whirl");
+  // What turns is named by itself: both races may, and their difference is no speed of a shaft.
+  const double outer = std::abs(race[0].back() - race[0].front()),
+               inner = std::abs(race[1].back() - race[1].front());
+  const double least = 1e-6 * std::max(outer, inner);
+  if (outer > least && inner > least) {
+    add("inner race", race[1]);
+    add("outer race", race[0]);
+  } else {
+    add("shaft", between);
+  }
+  add("FTF", orbit);
+  if (const auto omega = looks.rows("element.angular_velocity_vector"); !omega.empty())
+    add("BSF", spin_turns(omega, times, orbit));
+  add("BPFO", past[0]);
+  add("BPFI", past[1]);
+  if (const auto whirl = looks.rows("cage.orbital_position");
+      !whirl.empty() && whirl.front().size() == 1) {
+    std::vector<double> turns;
+    for (const auto& row : whirl) turns.push_back(row.front() / kTurn);
+    add("whirl", turns);
+  }
   // Behind all first ones, which are named where there is room for few.
-  const std::vector<desktop::ChartMark> first = out;
+  const std::size_t first = out.size();
   for (int harmonic = 2; harmonic <= 3; ++harmonic)
-    for (const desktop::ChartMark& mark : first)
-      if (mark.label != "shaft" && mark.label != "inner race" && mark.label != "outer race")
-        add(harmonic * mark.x, fmt::format("{} {}", harmonic, mark.label));
+    for (std::size_t i = 0; i < first; ++i) {
+      if (out[i].label == "shaft" || out[i].label.ends_with(" race")) continue;
+      std::vector<double> turns = out[i].turns;
+      for (double& t : turns) t *= harmonic;
+      add(fmt::format("{} {}", harmonic, out[i].label), turns);
+    }
   return out;
 }
 
@@ -149,7 +190,7 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
 }  // namespace
 
 std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
-  return frequencies(H5Reader(results_h5));
+  return mean_marks(mark_turns(H5Reader(results_h5)));
 }
 
 PageContext context_of(const results::SolFile& file) {
@@ -161,7 +202,7 @@ PageContext context_of(const results::SolFile& file) {
     if (!std::filesystem::exists(folder / "RESULTS.h5", ignored)) return out;
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
-    out.frequencies = frequencies(reader);
+    out.marks = mark_turns(reader);
     if (reader.geometry().contains("roller_length")) {
       auto& flanges = out.facts.flanges.emplace();
       for (const char* race : {"outer", "inner"})

@@ -139,8 +139,7 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   out.step = grid.step;
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
   out.note = fmt::format(
-      "Resampled every {} by straight lines between steps of {} to {}: nothing above {} can "
-      "be trusted.",
+      "Resampled every {} by straight lines (steps of {} to {}): trust nothing above {}.",
       seconds(out.step), seconds(smallest), seconds(largest),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
   std::size_t at = 0;

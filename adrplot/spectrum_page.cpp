@@ -282,13 +282,15 @@ std::string without_colon(std::string title) {
 
 void drop_low_marks(ChartPage& chart) {
   if (chart.x.empty() || chart.x_unit != "Hz") return;
+  const double first = chart.x.front();
   std::string names;
-  for (const desktop::ChartMark& mark : chart.marks)
-    if (mark.x < chart.x.front()) names += (names.empty() ? "" : ", ") + mark.label;
-  std::erase_if(chart.marks,
-                [&](const desktop::ChartMark& mark) { return mark.x < chart.x.front(); });
-  if (!names.empty())
-    add_note(chart, fmt::format("Below the first line, and so not marked: {}.", names));
+  for (desktop::ChartMark& mark : chart.marks) {
+    std::erase_if(mark.way, [first](const auto& place) { return place.first < first; });
+    if (!mark.way.empty()) mark.x = mark.way.back().first;
+    if (mark.x < first) names += (names.empty() ? "" : ", ") + mark.label;
+  }
+  std::erase_if(chart.marks, [first](const desktop::ChartMark& mark) { return mark.x < first; });
+  if (!names.empty()) add_note(chart, fmt::format("Below the first line, not marked: {}.", names));
 }
 
 void tell_lines(ChartPage& chart, const std::vector<double>& distances,

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -40,16 +42,32 @@ double height_of(double amplitude, double largest, SpectrumScale scale) {
 
 constexpr double kSteady = 0.01;
 
-/// Turns per second around the middle of a piece, over a 24th of the run: files hold seven digits
-/// of a turn, single steps too few. 0: not known.
-double speed_at(const std::vector<double>& times, const std::vector<double>& turns, double time) {
-  if (turns.size() != times.size() || turns.size() < 2) return 0.0;
-  const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
-  const auto at = static_cast<std::size_t>(after - times.begin());
-  const std::size_t half = std::max<std::size_t>(1, times.size() / 48);
-  const std::size_t from = at > half ? at - half : 0, to = std::min(at + half, times.size() - 1);
-  const double span = times[to] - times[from];
-  return span > 0.0 ? (turns[to] - turns[from]) / span : 0.0;
+/// Where marks stand beside spectra that are `distance` apart: upright of a shaft that keeps its
+/// speed, else at the frequencies that they have while each piece lasts.
+std::vector<desktop::ChartMark> marks_of(const RunMotion& motion, bool steady,
+                                         const Waterfall& fall, double distance, double foot) {
+  std::vector<desktop::ChartMark> out = mean_marks(motion.marks);
+  if (steady) return out;
+  const double half = 0.5 / fall.frequency.front();  // of a piece [s]
+  for (desktop::ChartMark& mark : out) {
+    const auto turns = std::find_if(motion.marks.begin(), motion.marks.end(),
+                                    [&](const MarkTurns& one) { return one.label == mark.label; });
+    for (std::size_t i = 0; i < fall.time.size(); ++i) {
+      const double frequency = frequency_between(*turns, fall.time[i] - half, fall.time[i] + half);
+      mark.way.emplace_back(frequency, distance * static_cast<double>(i) + foot);
+    }
+    mark.x = mark.way.back().first;
+    // Upright from the foot of the panel, and to its top.
+    constexpr double kFar = 1e3;  // of distances
+    mark.way.insert(mark.way.begin(), {mark.way.front().first, foot - distance});
+    mark.way.emplace_back(mark.x, foot + kFar * distance);
+  }
+  return out;
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
 }  // namespace
@@ -87,20 +105,48 @@ std::string rpm_text(double speed) {
   return fmt::format("{:.{}f} rpm", rpm, decimals);
 }
 
-void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
-                  const std::vector<double>& turns, const SpectrumOptions& options) {
-  const desktop::ChartPanel* found = nullptr;
-  for (const auto& panel : page.panels)
-    if (found == nullptr && !panel.curves.empty() &&
-        std::any_of(panel.curves.front().y.begin(), panel.curves.front().y.end(),
-                    [](double v) { return std::isfinite(v); }))
-      found = &panel;
-  if (found == nullptr) {
+std::string curve_name(const desktop::ChartPanel& panel, const desktop::ChartCurve& curve) {
+  if (curve.name.empty()) return panel.title;
+  return curve.name.starts_with(panel.title) ? curve.name : panel.title + ", " + curve.name;
+}
+
+std::optional<std::size_t> choice_of(const std::vector<std::string>& choices,
+                                     const std::string& wanted) {
+  const std::string text = lower(wanted);
+  if (text.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (lower(choices[i]) == text) return i;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size())
+    return number >= 1 && number <= choices.size() ? std::optional(number - 1) : std::nullopt;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (lower(choices[i]).find(text) != std::string::npos) return i;
+  return std::nullopt;
+}
+
+void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const SpectrumOptions& options,
+                  const std::string& of) {
+  const std::vector<double>&times = motion.times, &turns = motion.turns;
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  for (std::size_t p = 0; p < page.panels.size(); ++p)
+    for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
+      const desktop::ChartCurve& curve = page.panels[p].curves[c];
+      if (std::none_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); }))
+        continue;
+      places.emplace_back(p, c);
+      page.choices.push_back(curve_name(page.panels[p], curve));
+    }
+  if (places.empty()) {
     page.panels.clear();
     page.note = "No curve of this page has values.";
     return;
   }
-  const desktop::ChartPanel source = *found;
+  page.chosen = choice_of(page.choices, of).value_or(0);
+  const auto [in_panel, at] = places[page.chosen];
+  desktop::ChartPanel source = std::move(page.panels[in_panel]);
+  source.curves = {source.curves[at]};
+  const std::string name = page.choices[page.chosen];
   const Bridged bridged = bridge_gaps(times, source.curves.front().y, options.window);
   if (!bridged.why_none.empty()) {
     page.panels.clear();
@@ -111,7 +157,7 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   const Samples samples = equal_samples(times, bridged.values);
   page.panels.clear();
   if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
-    page.note += (page.note.empty() ? "" : " ") + source.title +
+    page.note += (page.note.empty() ? "" : " ") + name +
                  ": nothing vibrates here; what changes, if anything, is the rounding of the "
                  "numbers.";
     return;
@@ -133,12 +179,17 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   std::vector<double> ends;
   for (const auto& piece : fall.amplitude)
     ends.push_back(last_above(fall.frequency, piece, kVisible * largest));
-  desktop::ChartPanel panel{"Spectra, earliest at the bottom", unit, {}, false};
+  desktop::ChartPanel panel{name, unit, {}, false};
   // Races that do not turn against each other have no speed to tell.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
+  const MarkTurns shaft{"", times, turns};
+  const auto speed_at = [&](double time) {  // while its piece lasts
+    const double half = 0.5 / fall.frequency.front();
+    return frequency_between(shaft, time - half, time + half);
+  };
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
     desktop::ChartCurve curve{desktop::even_quantity(fall.time[i], "s", 3), {}, {}};
-    if (!steady) curve.name += ", " + rpm_text(speed_at(times, turns, fall.time[i]));
+    if (!steady) curve.name += ", " + rpm_text(speed_at(fall.time[i]));
     curve.lift = distance * static_cast<double>(i);
     curve.foot = decibel ? -kDecibels : 0.0;
     for (const double a : fall.amplitude[i])
@@ -153,30 +204,28 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   page.view_high = decibel ? fall.frequency.back() : end_of_view(fall, ends);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
-  page.note += fmt::format(
-      "{}Drawn: {} ({}) of {}{}{}, from {} to {}; each stands {} above the one before "
-      "and has a point every {}.",
-      page.note.empty() ? "" : " ", counted(fall.time.size(), "spectrum", "spectra"),
-      window_name(options.window), small(source.title),
-      source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
-      desktop::pretty_quantity(fall.time.front(), "s", 3),
-      desktop::pretty_quantity(fall.time.back(), "s", 3) +
-          (steady ? std::string()
-                  : fmt::format(" ({} to {})", rpm_text(speed_at(times, turns, fall.time.front())),
-                                rpm_text(speed_at(times, turns, fall.time.back())))),
-      scale == SpectrumScale::Relative ? fmt::format("{:.1f} of the largest amplitude", distance)
-                                       : desktop::pretty_quantity(distance, unit, 3),
+  page.marks = marks_of(motion, steady, fall, distance, decibel ? -kDecibels : 0.0);
+  // The bar tells how far lines stand apart, their names which is the earliest.
+  std::string drawn = fmt::format(
+      "{} ({}), each of {}, a line every {}, without mean and trend: the first line may be half "
+      "too low.",
+      capital(counted(fall.time.size(), "spectrum", "spectra")), window_name(options.window),
+      desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
-  page.note += fmt::format(
-      " Each is of {} without mean and trend: what is slower is in its first lines, the first may "
-      "be half too low.",
-      desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3));
+  if (!steady)
+    drawn +=
+        fmt::format(" Marks move with the shaft, {} to {}.", rpm_text(speed_at(fall.time.front())),
+                    rpm_text(speed_at(fall.time.back())));
   if (decibel)
-    page.note += " 0 dB is the largest amplitude of all; nothing below " +
-                 desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
+    drawn += " 0 dB is the largest of all; nothing below " +
+             desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
+  page.note = drawn + (page.note.empty() ? "" : " ") + page.note;
+  const std::string note = page.note;
   choose_frequency_axis(page, ends, kVisible);
+  // Where lines end is seen, for each piece has its own.
+  page.note = note + (page.log_x ? " Logarithmic frequency." : "");
   if (page.view_high < page.x.back())
-    page.note += fmt::format(" Beyond the first view nothing is above {} % of the largest.",
+    page.note += fmt::format(" Beyond the first view: below {} % of the largest.",
                              desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }

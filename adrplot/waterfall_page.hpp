@@ -1,22 +1,34 @@
 #pragma once
 
+#include "adrplot/run_motion.hpp"
 #include "adrplot/spectrum.hpp"
 #include "desktop/chart_page.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace adore::adrplot {
 
-/// Turns the first curve of the first panel with values into a waterfall: the spectra of pieces of
-/// the run, one above the other, the earliest at the bottom: in units, over the largest of all, or
-/// in dB of that, cut off at -60 dB. The distance between two lines is a fifth of the largest
-/// amplitude or of the 60 dB, which the note says. Each line is named after the middle
-/// of its piece and, where the shaft changes its speed, the speed there.
-/// @param turns of the shaft at the times, growing; empty: not known
-void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
-                  const std::vector<double>& turns, const SpectrumOptions& options);
+/// "Contact load, outer race"; a chart of one's own names its curves by their quantity.
+[[nodiscard]] std::string curve_name(const desktop::ChartPanel& panel,
+                                     const desktop::ChartCurve& curve);
+
+/// Which of the choices is meant by its name, a part of that, or its number from 1 on, if any.
+[[nodiscard]] std::optional<std::size_t> choice_of(const std::vector<std::string>& choices,
+                                                   const std::string& wanted);
+
+/// Turns a curve of the page into a waterfall: the spectra of pieces of the run, one above the
+/// other, the earliest at the bottom: in units, over the largest of all, or in dB of that, cut off
+/// at -60 dB. The distance between two lines is a fifth of the largest amplitude or of the 60 dB,
+/// which the note says. Each line is named after the middle of its piece and, where the shaft
+/// changes its speed, the speed there; then marks move with what they count.
+/// @param motion the stored times, and what is known of turns
+/// @param of the curve (choice_of); else the first one with values. ChartPage::choices become those
+/// with values
+void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const SpectrumOptions& options,
+                  const std::string& of = {});
 
 /// Does the shaft keep its speed within 1 % over the whole run? Then the frequencies of its
 /// elements are the same in all of it.

@@ -61,6 +61,18 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
+  command_line::one_of(command
+                           ->add_option("--domain", request->domain,
+                                        "what is drawn of the curves: history, spectrum, waterfall")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"history", "spectrum", "waterfall"});
+  command
+      ->add_option("--curve", request->curve,
+                   "what a waterfall is of: a curve by its name or a part of that, or its number "
+                   "on the page")
+      ->type_name("CURVE")
+      ->default_str("the first one");
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);

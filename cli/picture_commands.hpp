@@ -15,7 +15,7 @@ namespace adore::cli {
 
 struct PlotRequest {
   std::vector<std::string> files;
-  std::string out = ".", progress = "auto", abscissa = "rev";
+  std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve;
   int page = 0;              ///< 0: all
   int lubricant = 0;         ///< kTrac of the charts that are drawn instead of files; 0: none
   double temperature = 0.0;  ///< of its charts [K]; 0: the usual one

@@ -70,11 +70,16 @@ std::string beyond_log_axes(const ChartPage& page) {
   if (page.log_x && !page.equal_axes) {
     const auto before =
         std::count_if(page.x.begin(), page.x.end(), [](double x) { return x <= 0.0; });
-    const bool begin = before == 1 && page.x.front() == 0.0;
-    if (before > 0 && !begin)
+    const std::string gap = out.empty() ? "" : " ";
+    if (before == 1)
+      out += fmt::format("{}The value at {} is not drawn: the abscissa is logarithmic.", gap,
+                         pretty_quantity(*std::find_if(page.x.begin(), page.x.end(),
+                                                       [](double x) { return x <= 0.0; }),
+                                         page.x_unit, 3));
+    else if (before > 1)
       out += fmt::format(
           "{}{} of {} places of the abscissa are at or below 0 and not drawn: it is logarithmic.",
-          out.empty() ? "" : " ", before, page.x.size());
+          gap, before, page.x.size());
   }
   return out;
 }

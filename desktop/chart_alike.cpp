@@ -363,18 +363,13 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   const auto long_enough = [&](std::size_t first, std::size_t last) {
     return place(last) - place(first) >= kLeast;
   };
-  // Lines of spectra are near 0, and so near each other, almost everywhere.
-  const bool spectra = page_.x_unit == "Hz";
   const auto within_of_line = [&](double part) {
-    return [=](double p, double q) {
-      const double seen = part * line;
-      return std::abs(p - q) <= seen &&
-             (!spectra || std::max(std::abs(p), std::abs(q)) > line || equal_values(p, q));
-    };
+    return [=](double p, double q) { return std::abs(p - q) <= part * line; };
   };
   const Sameness alike{within_of_line(kBegins), within_of_line(kGoesOn)};
   const Stretches found = long_stretches_of(one, other, from, to, alike, long_enough);
   bool equal = true;
+  double longest = 0.0;  // of equal values, along the abscissa
   std::vector<std::pair<qreal, qreal>> over;
   const qreal gaps = found.places.empty() ? 0.0 : unlike_gaps(one, other, from, to, place);
   const auto places = gaps > kLeast ? without_gaps(found.places, one, other, place) : found.places;
@@ -384,9 +379,20 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
     // differs behind it.
     constexpr qreal kColumn = 1.5;
     over.emplace_back(place(first) + kColumn, place(last) - kColumn);
-    for (std::size_t i = first; equal && i <= last; ++i)
-      equal = !is_drawable(one.y[i]) || !is_drawable(other.y[i]) ||
-              equal_values(one.y[i], other.y[i]) || std::abs(one.y[i] - other.y[i]) <= nothing;
+    // Which values near an end still belong to a stretch depends on the size of a picture: where
+    // the two part soon, what they have in common is the equal values.
+    std::size_t begun = first;
+    for (std::size_t i = first; i <= last; ++i) {
+      if (!is_drawable(one.y[i]) || !is_drawable(other.y[i])) continue;
+      if (!equal_values(one.y[i], other.y[i]) && std::abs(one.y[i] - other.y[i]) > nothing) {
+        equal = false;
+        begun = i + 1;
+      } else if (i > begun) {
+        const double way =
+            page_.log_x ? std::log10(page_.x[i] / page_.x[begun]) : page_.x[i] - page_.x[begun];
+        longest = std::max(longest, way);
+      }
+    }
   }
   qreal all = 0.0;
   for (const auto& [first, last] : over) all += last - first;
@@ -395,7 +401,8 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   shown.later = ++before.later;
   shown.over = std::move(over);
   shown.partly = found.differ || gaps > kLeast;
-  shown.alike = equal ? Alike::Equal : Alike::Near;
+  const double told = kWorthSaying * (page_.log_x ? std::log10(high_ / low_) : high_ - low_);
+  shown.alike = equal || (shown.partly && longest >= told) ? Alike::Equal : Alike::Near;
   return true;
 }
 

@@ -91,4 +91,71 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
   flush();
 }
 
+namespace {
+
+/// What lines cover of each column of pixels from `left` on, downwards.
+std::vector<Extent> columns_of(const std::vector<QPolygonF>& lines, const QRectF& area) {
+  const auto count = static_cast<std::ptrdiff_t>(std::ceil(area.width())) + 1;
+  std::vector<Extent> out(static_cast<std::size_t>(count));
+  const auto column = [&](qreal x) {
+    return std::clamp(static_cast<std::ptrdiff_t>(std::floor(x - area.left())), std::ptrdiff_t{0},
+                      count - 1);
+  };
+  for (const QPolygonF& line : lines)
+    for (qsizetype i = 0; i < line.size(); ++i) {
+      const QPointF &p = line[std::max<qsizetype>(i - 1, 0)], &q = line[i];
+      const qreal low = std::min(p.x(), q.x()), high = std::max(p.x(), q.x());
+      if (high < area.left() || low > area.right()) continue;
+      const auto height = [&](qreal x) {
+        const qreal part = high > low ? std::clamp((x - p.x()) / (q.x() - p.x()), 0.0, 1.0) : 1.0;
+        return std::clamp(p.y() + part * (q.y() - p.y()), area.top(), area.bottom());
+      };
+      for (std::ptrdiff_t c = column(low); c <= column(high); ++c) {
+        const qreal left = area.left() + static_cast<qreal>(c);
+        Extent& of = out[static_cast<std::size_t>(c)];
+        of.include(height(std::max(low, left)));
+        of.include(height(std::min(high, left + 1.0)));
+        if (high == low) of.include(std::clamp(p.y(), area.top(), area.bottom()));
+      }
+    }
+  return out;
+}
+
+}  // namespace
+
+bool ChartScene::bandsSeen(const std::vector<QPolygonF>& bands,
+                           const std::vector<ShownCurve>& shown, const QRectF& area, qreal line) {
+  constexpr qreal kSeen = 0.7, kSteepest = 2.0;  // [px], and of a line's width
+  if (bands.empty()) return false;
+  std::vector<std::vector<Extent>> covers;
+  for (const ShownCurve& one : shown) covers.push_back(columns_of(one.lines, area));
+  std::vector<std::pair<qreal, qreal>> over;
+  for (const QPolygonF& band : bands) {
+    const qsizetype pieces = band.size() / 4;
+    for (qsizetype k = 0; k < pieces; ++k) {
+      const QPointF &top = band[2 * k], &bottom = band[band.size() - 1 - 2 * k];
+      if (bottom.y() - top.y() < kSeen) continue;
+      const auto first = static_cast<std::size_t>(std::max(0.0, top.x() - area.left()));
+      const qreal end = band[2 * k + 1].x() - area.left();
+      for (std::size_t c = first; static_cast<qreal>(c) < end && c < covers.front().size(); ++c) {
+        over.clear();
+        for (const std::vector<Extent>& cover : covers) {
+          if (cover[c].empty()) continue;
+          const qreal half =
+              0.5 * line * std::min(std::hypot(1.0, cover[c].high - cover[c].low), kSteepest);
+          over.emplace_back(cover[c].low - half, cover[c].high + half);
+        }
+        std::sort(over.begin(), over.end());
+        qreal bare = top.y();  // from here down nothing covers it yet
+        for (const auto& [from, to] : over) {
+          if (std::min(from, bottom.y()) - bare > kSeen) return true;
+          bare = std::max(bare, to);
+        }
+        if (bottom.y() - bare > kSeen) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace adore::desktop

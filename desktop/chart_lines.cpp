@@ -51,8 +51,6 @@ QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_ax
   return points;
 }
 
-namespace {
-
 /// The parts of a line inside `area`.
 std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
   std::vector<QPolygonF> out;
@@ -78,6 +76,8 @@ std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
   }
   return out;
 }
+
+namespace {
 
 /// Height of a bend of the stripes below [px].
 constexpr qreal kBend = 18.0;

@@ -3,9 +3,11 @@
 
 #include <QFontMetricsF>
 #include <QGraphicsSimpleTextItem>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 /// Vertical lines with names above the first panel of a page.
 namespace adore::desktop {
@@ -154,6 +156,18 @@ std::vector<qreal> step_depths(const std::vector<MarkName>& names, qreal height)
   return out;
 }
 
+/// A mark that moves.
+QPolygonF way_of(const ChartMark& mark, const QRectF& area, const AxisScale& x_axis,
+                 const AxisScale& y_axis) {
+  Polyline way;
+  for (const auto& [x, height] : mark.way) {
+    if (!is_drawable(x_axis.shown(x))) continue;
+    way.x.push_back(x);
+    way.y.push_back(height);
+  }
+  return placed(way, area, x_axis, y_axis);
+}
+
 }  // namespace
 
 int mark_rows(const ChartPage& page, int tick_font, qreal width) {
@@ -172,22 +186,34 @@ qreal mark_rise(const ChartPage& page, int tick_font, qreal width) {
   return tick_font + 6.0 + mark_steps(rows) + (rows - 1) * row_pitch(tick_font);
 }
 
-void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
-  std::vector<ChartMark> marks = page_.marks;
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
+void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool label,
+                          const Metrics& m) {
   const QFont font = ui_font(m.tick_font);
   const QFontMetricsF metrics(font);
   const QPen pen(theme_->muted, 1, Qt::DashLine);
   std::vector<MarkName> names;
-  for (const auto& mark : marks) {
-    const double shown = x_axis_.shown(mark.x);
-    if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
-    const qreal x =
-        area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
-    addLine(QLineF(x, area.top(), x, area.bottom()), pen);
-    names.push_back({.all = {text_of(mark.label)}, .line = x});
+  for (const ChartMark& mark : page_.marks) {
+    if (mark.way.empty()) {
+      const double shown = x_axis_.shown(mark.x);
+      if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
+      const qreal x =
+          area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
+      addLine(QLineF(x, area.top(), x, area.bottom()), pen);
+      names.push_back({.all = {text_of(mark.label)}, .line = x});
+      continue;
+    }
+    // What leaves the view at a side is named over its last place in it.
+    std::optional<qreal> last;
+    for (const QPolygonF& part : parts_inside(way_of(mark, area, x_axis_, y_axis), area)) {
+      QPainterPath path;
+      path.addPolygon(part);
+      addPath(path, pen);
+      last = part.back().x();
+    }
+    if (last) names.push_back({.all = {text_of(mark.label)}, .line = *last});
   }
+  std::stable_sort(names.begin(), names.end(),
+                   [](const MarkName& a, const MarkName& b) { return a.line < b.line; });
   if (!label || names.empty()) return;
   const std::vector<MarkName> lines = names;
   const int rows = mark_rows(page_, m.tick_font, size_.width());

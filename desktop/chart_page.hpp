@@ -46,6 +46,9 @@ struct ChartPanel {
 struct ChartMark {
   double x = 0.0;
   std::string label;
+  /// Of one that moves: abscissa and height in the page's first panel, from the bottom up; it
+  /// stands upright below the first of them and above the last, which is `x`. Empty: upright at x.
+  std::vector<std::pair<double, double>> way = {};
 };
 
 /// A remark at a point of a page with equal axes.
@@ -61,7 +64,8 @@ struct ChartPage {
   /// A picture of a study in place of everything else (study_chart.hpp).
   std::shared_ptr<const StudyChart> study = nullptr;
   std::string title, subtitle;
-  std::string note;  ///< a sentence below the title, or, without panels, instead of them
+  std::string note;            ///< a sentence below the title, or, without panels, instead of them
+  std::string band_note = {};  ///< what pale areas are: said where some of one is seen
   std::string x_title, x_unit;
   std::vector<double> x;
   std::vector<ChartPanel> panels;
@@ -78,6 +82,9 @@ struct ChartPage {
   std::string along_title = {}, along_unit = {};
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
   bool log_x = false;                      ///< logarithmic abscissa
+  /// Curves of which this page could be as well, and its own among them; empty: no such choice.
+  std::vector<std::string> choices = {};
+  std::size_t chosen = 0;
   std::string about = {};  ///< the body, for what stands without a subtitle: a table
 };
 

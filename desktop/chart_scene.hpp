@@ -128,12 +128,14 @@ class ChartScene : public QGraphicsScene {
     int font = 13;
     bool more = false;  ///< not all of it has room
   };
-  /// The page's note, and what its logarithmic axes leave out.
+  /// The page's note, what its pale areas are, and what its logarithmic axes leave out.
   [[nodiscard]] std::string noteText() const;
   [[nodiscard]] const NoteLines& noteLines(qreal right) const;
   [[nodiscard]] NoteLines findNoteLines(qreal right) const;
   [[nodiscard]] qreal noteHeight(qreal right) const;
+  /// Draws the page; what pale areas are is said where some of one is seen.
   void rebuild();
+  void build();
   void addHeading(const Metrics& m);
   /// Range of the values in the view, not finer than a bearing's numbers are.
   [[nodiscard]] AxisScale findAxis(std::size_t index, const QRectF& area, bool& any) const;
@@ -164,6 +166,10 @@ class ChartScene : public QGraphicsScene {
   /// Appends the outlines that it has drawn.
   void addBand(std::size_t panel, std::size_t curve, const QRectF& area, const AxisScale& y_axis,
                int colour, std::vector<QPolygonF>& drawn);
+  /// Is some of these bands seen beside the lines of a panel's curves?
+  [[nodiscard]] static bool bandsSeen(const std::vector<QPolygonF>& bands,
+                                      const std::vector<ShownCurve>& shown, const QRectF& area,
+                                      qreal line);
   /// The value that the numbers of the axis are counted from: beside the legend, shorter where
   /// there is little room, else in the corner of the panel that hides least of what is drawn.
   void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
@@ -197,7 +203,7 @@ class ChartScene : public QGraphicsScene {
                                 const Metrics& m) const;
   /// Names stand above the panel, as near to their lines as they have room; a step between the two
   /// leads from a name to a line that is not below it.
-  void addMarks(const QRectF& area, bool label, const Metrics& m);
+  void addMarks(const QRectF& area, const AxisScale& y_axis, bool label, const Metrics& m);
   [[nodiscard]] bool panelsWhole() const;
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   /// What the page begins with.
@@ -241,6 +247,8 @@ class ChartScene : public QGraphicsScene {
   bool rising_ = false;          ///< the abscissa
   std::vector<double> decades_;  ///< log10 of a logarithmic abscissa
   std::string beyond_log_;       ///< what logarithmic axes leave out
+  bool bands_seen_ = false;      ///< some of a band, in the panels that are drawn
+  bool bands_told_ = true;       ///< what they are, in the note
   /// Of a long curve and of the edges of its band.
   struct LongCurve {
     CurveBlocks y, low, high;

@@ -59,6 +59,9 @@ struct ChartScene::ShownCurve {
 [[nodiscard]] QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                                const AxisScale& y_axis, bool limited = true);
 
+/// The parts of a line inside `area`.
+[[nodiscard]] std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area);
+
 struct ChartScene::Metrics {
   qreal left, right, top, bottom, gap, legend;
   int title_font, text_font, tick_font;

@@ -365,6 +365,7 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
     return;
   }
   dragging_ = true;
+  pressed_ = event->position().toPoint();
   remember();
   drag_from_ = scene_->abscissaAt(position.x());
   last_ = position;
@@ -428,7 +429,11 @@ void ChartView::zoomBox(const QRectF& box) {
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_ && !back_.empty() && back_.back() == now()) back_.pop_back();
+  const QPoint place = event->position().toPoint();
+  const bool clicked = dragging_ && (place - pressed_).manhattanLength() < 4;
   dragging_ = false;
+  if (const auto panel = scene_->panelAt(mapToScene(place)); clicked && panel)
+    emit panelClicked(*panel);
   if (!boxing_) return;
   boxing_ = false;
   band_->hide();

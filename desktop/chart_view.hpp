@@ -50,6 +50,8 @@ class ChartView : public QGraphicsView {
  signals:
   void readoutChanged(const QStringList& parts);
   void cursorsChanged();
+  /// A panel was clicked, not dragged.
+  void panelClicked(std::size_t panel);
   /// A curve was shown or hidden by its name.
   void curvesChanged();
   /// A point, cell or line in a picture of a study was clicked.
@@ -90,6 +92,7 @@ class ChartView : public QGraphicsView {
   QRubberBand* band_;
   bool dragging_ = false, boxing_ = false;
   QPoint box_from_;
+  QPoint pressed_;  ///< where a drag began
   double drag_from_ = 0.0;
   QPointF last_;                      ///< of a drag over a page with equal axes
   std::optional<QPoint> pointed_at_;  ///< of the viewport; none: not on this page

@@ -104,12 +104,17 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
                                     panels * (panel + kGap) + kGap);
   };
   const qreal room = room_beside(pointed_ ? kPanelRead : kPanel);
+  // A single panel is what the page is of: half of a low picture is its.
+  constexpr qreal kPart = 0.107;
+  const qreal few =
+      page_.panels.size() == 1 && !page_.equal_axes ? std::min(kFew, kPart * size_.height()) : kFew;
   NoteLines out;
   const auto fits = [&](qreal height) {
     return static_cast<qreal>(out.lines.size()) * line_pitch(out.font) <= height;
   };
   const QStringList words = words_of(note);
-  for (const qreal height : {std::min(kFew, room), std::min(kMore, room), room})
+  for (const qreal height :
+       {std::min(few, room), std::min(kFew, room), std::min(kMore, room), room})
     for (out.font = kLargest; out.font >= kSmallest; --out.font) {
       out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
       if (fits(height)) return out;
@@ -146,7 +151,10 @@ qreal ChartScene::leastHeight() const {
 }
 
 std::string ChartScene::noteText() const {
-  return page_.note + (page_.note.empty() || beyond_log_.empty() ? "" : " ") + beyond_log_;
+  std::string out = page_.note;
+  for (const std::string& more : {bands_told_ ? page_.band_note : std::string(), beyond_log_})
+    if (!more.empty()) out += (out.empty() ? "" : " ") + more;
+  return out;
 }
 
 const ChartScene::NoteLines& ChartScene::noteLines(qreal right) const {
@@ -188,10 +196,25 @@ void ChartScene::addHeading(const Metrics& m) {
     line(shown, ui_font(letters, true), theme_->text, 8);
     return;
   }
-  line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
+  // Nobody can point at a saved title: smaller letters, then two lines, before anything is cut.
   const qreal width = size_.width() - 24 - m.right;
-  const qreal title =
-      QFontMetricsF(ui_font(m.title_font, true)).horizontalAdvance(text_of(page_.title));
+  const QString whole = text_of(page_.title);
+  constexpr int kLeastTitle = 13, kTwoLines = 12;
+  int letters = m.title_font;
+  const auto length = [&] {
+    return QFontMetricsF(ui_font(letters, true)).horizontalAdvance(whole);
+  };
+  while (letters > kLeastTitle && length() > width) --letters;
+  const qreal title = length();
+  const QFont small = ui_font(kTwoLines, true);
+  if (QStringList two =
+          title > width ? wrapped(whole.split(' '), QFontMetricsF(small), width) : QStringList();
+      two.size() > 1) {
+    line(two.takeFirst(), small, theme_->text, 5);
+    line(two.join(' '), small, theme_->text, 21);
+  } else {
+    line(whole, ui_font(letters, true), theme_->text, 14 + 0.5 * (m.title_font - letters));
+  }
   FittedHeading heading;
   QFont font;
   for (const int size : {m.text_font, m.text_font - 1, m.text_font - 2}) {

@@ -62,6 +62,7 @@ void plot(const PlotRequest& request) {
   options.dark = request.dark;
   options.progress = make_count_progress("file", request.progress);
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
+  adrplot::set_domain(options.view, request.domain, request.curve);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
 }
 

@@ -365,7 +365,7 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
   }
   options.domain = Domain::Waterfall;
   const auto fall = page_with(file, "Race interactions 1", options);
-  CHECK(fall.note.find("a point every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
+  CHECK(fall.note.find("a line every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
         std::string::npos);
 }
 
@@ -402,25 +402,6 @@ TEST_CASE("pages: what does not move says so, and has one dot for start and end"
   set(file, "race.applied_moment", 0.0);
   CHECK_THAT(page_with(file, "Applied moments").note,
              Catch::EndsWith("Every value of this page is 0."));
-}
-
-TEST_CASE("pages: a pale area is spoken of where one can be seen", "[unit][adrplot]") {
-  const results::SolFile file = test::synthetic_sol(SolKind::Element);
-  const std::vector<PageSpec> pages = plot_pages(file.kind, file.header);
-  const std::string column = pages[0].panels[0].curves[0].column;
-  const auto plain = build_page(file, pages, 1);
-  std::vector<double> low = plain.panels[0].curves[0].y, high = low;
-  const auto note = [&] {
-    return build_page(file, pages, 1, {}, {{}, 0.0, "", {{column, {low, high}}}}).note;
-  };
-  CHECK_THAT(note(), !Catch::Contains("Pale"));  // as narrow as the line
-  const auto [least, most] = std::minmax_element(low.begin(), low.end());
-  const double all = *most - *least;
-  REQUIRE(all > 0.0);
-  high[3] += 0.0001 * all;
-  CHECK_THAT(note(), !Catch::Contains("Pale"));
-  high[3] += 0.1 * all;
-  CHECK_THAT(note(), Catch::Contains("Pale areas reach from the lowest to the highest value"));
 }
 
 TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[unit][adrplot]") {

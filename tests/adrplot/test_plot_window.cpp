@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QInputDialog>
@@ -462,4 +463,29 @@ TEST_CASE("plot_window: axes that a page wants logarithmic are, until another is
   values->trigger();
   CHECK_FALSE(page().panels.at(0).log);
   CHECK(page().log_x);
+}
+
+TEST_CASE("plot_window: the picture that is copied is the chart that is seen", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  QApplication::clipboard()->setText("nothing yet");
+  window.copyPicture();  // without a file there is none
+  CHECK(QApplication::clipboard()->text() == "nothing yet");
+  window.resize(1000, 700);
+  window.addFile(test::synthetic_sol(results::SolKind::Element));
+  window.show();
+  for (const int page : {1, 6}) {
+    window.showPage(page);
+    window.copyPicture();
+    const QImage copied = QApplication::clipboard()->image();
+    CHECK(copied.size() == window.view().viewport()->size());
+    const QImage seen = window.view().viewport()->grab().toImage().convertToFormat(copied.format());
+    REQUIRE(seen.size() == copied.size());
+    int unlike = 0;
+    for (int y = 0; y < seen.height(); ++y)
+      for (int x = 0; x < seen.width(); ++x)
+        unlike += std::abs(qGray(seen.pixel(x, y)) - qGray(copied.pixel(x, y))) > 60 ? 1 : 0;
+    INFO("page " << page << ": " << unlike << " pixels differ");
+    CHECK(unlike < seen.width() * seen.height() / 1000);
+  }
 }

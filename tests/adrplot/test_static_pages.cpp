@@ -179,6 +179,64 @@ TEST_CASE("load rose: marks at the elements, and nothing between them", "[gui]")
   for (const desktop::ChartCurve& curve : scene.page().panels[0].curves) CHECK(curve.x.size() == 4);
 }
 
+TEST_CASE("load rose: a spoke goes from the centre to each load, and nowhere else", "[gui]") {
+  test::use_qt();
+  results::StaticTables tables = four_elements(results::UnitSystem::SI);
+  // Elements at angles of their own, one of them without load; the other race has none at all.
+  const std::vector<double> azimuth{0.2, 1.9, 3.0, 5.1}, load{400.0, 250.0, 0.0, 310.0};
+  for (results::StaticColumn& column : tables.tables[0].columns) {
+    if (column.name == "azimuth") column.values = azimuth;
+    if (column.name == "outer load") column.values = load;
+    if (column.name == "inner load") column.values = {0.0, 0.0, 0.0, 0.0};
+  }
+  for (const QSize size : {QSize(700, 450), QSize(1280, 800)}) {
+    desktop::ChartScene scene;
+    scene.setTheme(desktop::theme(desktop::ThemeKind::Light));
+    scene.setPageSize(size);
+    scene.setPage(desktop::static_pages(tables)[0]);
+    const QImage image = scene.image(size);
+    const QColor colour = desktop::theme(desktop::ThemeKind::Light).curves[0];
+    const auto inked = [&](QPointF at) {  // within a pixel of it
+      for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y) {
+          const QColor seen = image.pixelColor(at.toPoint() + QPoint(x, y));
+          if (std::abs(seen.red() - colour.red()) + std::abs(seen.green() - colour.green()) +
+                  std::abs(seen.blue() - colour.blue()) <
+              120)
+            return true;
+        }
+      return false;
+    };
+    // Scale and centre from the axes.
+    const auto centre = scene.planePlace(0.0, 0.0), right = scene.planePlace(100.0, 0.0);
+    REQUIRE(centre);
+    REQUIRE(right);
+    const double pixels = (right->x() - centre->x()) / 100.0;  // per newton
+    REQUIRE(pixels > 0.1);
+    const auto place = [&](double angle, double newtons) {
+      return *centre + pixels * newtons * QPointF(-std::sin(angle), -std::cos(angle));
+    };
+    for (std::size_t i = 0; i < load.size(); ++i)
+      for (double part = 0.15; load[i] > 0.0 && part <= 1.0; part += 0.05) {
+        INFO("element " << i << " at " << part << " of its load, " << size.width() << " wide");
+        CHECK(inked(place(azimuth[i], part * load[i])));
+      }
+    // Around the centre and farther out there are as many spokes as there are loads so large.
+    for (const double newtons : {100.0, 280.0, 350.0, 450.0}) {
+      int spokes = 0;
+      bool before = inked(place(-0.5, newtons));
+      for (double angle = -0.5; angle < 5.78; angle += 0.5 / (pixels * newtons)) {
+        const bool now = inked(place(angle, newtons));
+        spokes += now && !before ? 1 : 0;
+        before = now;
+      }
+      INFO(newtons << " N, " << size.width() << " wide");
+      CHECK(spokes ==
+            std::count_if(load.begin(), load.end(), [newtons](double q) { return q > newtons; }));
+    }
+  }
+}
+
 TEST_CASE("pages of a sweep whose runs made no step say so", "[unit]") {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();

@@ -220,3 +220,73 @@ TEST_CASE("chart_scene: a curve is whole where the one that it lies on has no va
     CHECK(bare == 0);
   }
 }
+
+TEST_CASE("chart_scene: equal is said of equal values, in every size of a picture",
+          "[gui][desktop]") {
+  test::use_qt();
+  // Equal to the last digit over a part of the run, before they part at some slope, or never.
+  constexpr std::size_t kPoints = 4000;
+  for (const double part : {0.1, 0.5, 1.0})
+    for (const double slope : {0.0, 0.3, 3.0, 300.0})
+      for (const QSizeF size : {QSizeF(700, 450), QSizeF(860, 510), QSizeF(1000, 620),
+                                QSizeF(1280, 800), QSizeF(420, 1200)}) {
+        std::vector<double> lower, upper;
+        for (std::size_t i = 0; i < kPoints; ++i) {
+          const double t = static_cast<double>(i) / kPoints;
+          lower.push_back(100.0 * std::sin(9.0 * t));
+          upper.push_back(lower.back() + slope * std::max(0.0, t - part));
+        }
+        if (slope > 0.0 && part < 1.0) upper.back() = 150.0;  // nowhere within a line of it
+        ChartScene scene;
+        scene.setPageSize(size);
+        scene.setPage(page_of(lower, upper));
+        INFO(size.width() << " wide, " << part << " of the run, slope " << slope << ": "
+                          << legend_of(scene).toStdString());
+        CHECK(legend_of(scene).contains("="));
+        CHECK_FALSE(legend_of(scene).contains("≈"));
+      }
+}
+
+TEST_CASE("chart_scene: curves that lie together share the way over time and over frequency",
+          "[gui][desktop]") {
+  test::use_qt();
+  // Two spectra: one peak each, and beside them both near 0.
+  for (const char* const unit : {"s", "Hz"})
+    for (const bool log_x : {false, true}) {
+      std::vector<double> lower, upper;
+      for (std::size_t i = 0; i < 1000; ++i) {
+        const auto at = static_cast<double>(i);
+        lower.push_back(std::exp(-std::pow((at - 100.0) / 20.0, 2)) + 1e-5);
+        upper.push_back(std::exp(-std::pow((at - 160.0) / 20.0, 2)) + 2e-5);
+      }
+      ChartPage page = page_of(lower, upper);
+      page.x_unit = unit;
+      for (double& x : page.x) x += 1e-3;
+      page.log_x = log_x;
+      const QSize size(1000, 620);
+      ChartScene scene;
+      scene.setTheme(theme(ThemeKind::Light));
+      scene.setPageSize(size);
+      scene.setPage(page);
+      INFO(unit << (log_x ? ", logarithmic: " : ": ") << legend_of(scene).toStdString());
+      CHECK(legend_of(scene).contains("partly ≈"));
+      const QImage image = scene.image(size);
+      const auto& colours = theme(ThemeKind::Light).curves;
+      int of[2] = {0, 0};
+      const int from = static_cast<int>(scene.positionOf(0.4)),
+                to = static_cast<int>(scene.positionOf(0.9)),
+                y = static_cast<int>(scene.heightOf(0, 0.0));
+      for (int x = from; x < to; ++x)
+        for (const int row : {y - 1, y})
+          for (const int c : {0, 1}) {
+            const QColor a = image.pixelColor(x, row), b = colours[static_cast<std::size_t>(c)];
+            of[c] += std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+                                 std::abs(a.blue() - b.blue()) <
+                             90
+                         ? 1
+                         : 0;
+          }
+      CHECK(of[0] > (to - from) / 5);
+      CHECK(of[1] > (to - from) / 5);
+    }
+}

@@ -144,8 +144,13 @@ TEST_CASE("chart_scene: places that a logarithmic abscissa leaves out are counte
   scene.setPageSize({1280, 800});
   ChartPage page = page_of(2, 0);
   page.log_x = true;
-  scene.setPage(page);  // it begins at 0, and the axis after it
-  CHECK_THAT(words_of(scene), !Contains("places of the abscissa"));
+  scene.setPage(page);
+  CHECK_THAT(words_of(scene),
+             Contains("The value at 0 s is not drawn: the abscissa is logarithmic."));
+  page.log_x = false;
+  scene.setPage(page);
+  CHECK_THAT(words_of(scene), !Contains("logarithmic"));
+  page.log_x = true;
   for (double& x : page.x) x -= 0.2505;
   scene.setPage(page);
   CHECK_THAT(words_of(scene), Contains("251 of 1000 places of the abscissa are at or below 0"));

@@ -1,0 +1,215 @@
+#include "adrplot/page_remarks.hpp"
+
+#include "adrplot/known_values.hpp"
+#include "adrplot/spectrum_page.hpp"
+#include "base/counted.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adore::adrplot {
+namespace {
+
+using desktop::ChartCurve;
+using desktop::ChartPage;
+using desktop::ChartPanel;
+using results::SolFile;
+
+/// The longest stored interval when it is too long to show a vibration of that frequency (less than
+/// two samples a period), else 0.
+double alias_interval(const SolFile& file, double frequency) {
+  if (!(frequency > 0.0) || file.steps.size() < 2) return 0.0;
+  // The median: single steps may be longer or shorter.
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < file.steps.size(); ++i)
+    steps.push_back(file.steps[i].time - file.steps[i - 1].time);
+  std::nth_element(steps.begin(), steps.begin() + std::ssize(steps) / 2, steps.end());
+  const double interval = steps[steps.size() / 2];
+  return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
+}
+
+bool any_value(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Is it 0 but for rounding (a thousandth of the least range of its axis)?
+bool is_nothing(double value, const std::string& unit) {
+  return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);
+}
+
+/// Flat lines at 0 say in words that they are what the run has.
+void tell_zeros(ChartPage& chart) {
+  bool any = false;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves)
+      for (const double v : curve.y) {
+        if (!std::isfinite(v)) continue;
+        if (!is_nothing(v, panel.unit)) return;
+        any = true;
+      }
+  if (!any) return;
+  const bool motion = chart.title.starts_with("Mass centre ");
+  add_note(chart, motion ? "The mass centre does not move: every value of this page is 0."
+                         : "Every value of this page is 0.");
+}
+
+/// Is there a value between two places without any, beside others that form lines?
+bool has_dots(const ChartPage& chart) {
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      const auto known = [&curve](std::size_t i) {
+        return i < curve.y.size() && std::isfinite(curve.y[i]);
+      };
+      bool dot = false, more = false;
+      for (std::size_t i = 0; i < curve.y.size(); ++i) {
+        const bool alone = known(i) && !known(i + 1) && (i == 0 || !known(i - 1));
+        more = more || (known(i) && (dot || !alone));
+        dot = dot || alone;
+      }
+      if (dot && more) return true;
+    }
+  return false;
+}
+
+/// A life that is predicted at the first and the last step only (kLifeFreq = 0) is held in between:
+/// what is drawn are the values where it was predicted, of a continued run one at each end.
+void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    if (page.panels[p].curves.front().column != "power.life") continue;
+    std::vector<double>& y = chart.panels[p].curves.front().y;
+    const auto first = std::find_if(y.begin(), y.end(), [](double v) { return std::isfinite(v); });
+    if (first == y.end() || facts.life_every.value_or(0) != 0) continue;
+    const bool once = never_changes(y, 2e-7 * std::abs(*first));
+    if (!once && !facts.life_every) continue;
+    const bool start = file.steps[static_cast<std::size_t>(first - y.begin())].step == 0;
+    double held = *first;
+    for (auto value = first + 1; value < y.end(); ++value)
+      if (once || *value == held)
+        *value = kNone;
+      else
+        held = *value;
+    if (!once) {
+      add_note(chart,
+               "Fatigue life is predicted at the first and the last step of a run only (kLifeFreq "
+               "= 0).");
+      continue;
+    }
+    const std::string life = desktop::pretty_quantity(*first, chart.panels[p].unit, 5);
+    add_note(chart,
+             facts.life_every
+                 ? fmt::format("Fatigue life is the one value {}, predicted {} (kLifeFreq = 0): it "
+                               "does not follow the loads of later steps.",
+                               life, start ? "at step 0" : "before the first step shown")
+                 : fmt::format("Fatigue life is the one value {} in all of {}: predicted once, it "
+                               "does not follow the loads of later steps.",
+                               life, file.part ? "these steps" : "this file"));
+  }
+}
+
+/// Temperatures that nothing computes are what the deck gives.
+void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                       const RunFacts& facts) {
+  if (facts.temperatures_computed.value_or(false)) return;
+  std::string names;
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    const std::string& column = page.panels[p].curves.front().column;
+    const bool bulk = column.ends_with("_temperature") || column.starts_with("race.temperature");
+    if (!bulk && !column.starts_with("contact.temperature.")) continue;
+    for (const ChartCurve& curve : chart.panels[p].curves)
+      if (any_value(curve.y) && !never_changes(curve.y, desktop::least_span_of("K"))) return;
+    if (std::none_of(chart.panels[p].curves.begin(), chart.panels[p].curves.end(),
+                     [](const ChartCurve& curve) { return any_value(curve.y); }))
+      continue;
+    names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
+  }
+  if (names.empty()) return;
+  add_note(
+      chart,
+      names + (facts.temperatures_computed ? " are given by the deck (kTherm = 0), not computed."
+               : file.part                 ? " do not change at these steps."
+                           : " never change in this file: given ones, not computed in this run."));
+}
+
+/// An average over no time is no value (known_values.hpp): what was left out is said.
+void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+  const bool averages =
+      std::any_of(page.panels.begin(), page.panels.end(), [](const PanelSpec& panel) {
+        return panel.curves.front().column.find("wear_rate") != std::string::npos;
+      });
+  if (averages && !(file.steps.front().time > 0.0))
+    add_note(chart,
+             fmt::format("Step {} has no values: at its time there is nothing to average over.",
+                         file.steps.front().step));
+}
+
+/// Angles of lands and round pockets go on where nothing touches.
+void tell_nearest(ChartPage& chart, const PageSpec& page) {
+  for (std::size_t p = 1; p < page.panels.size(); ++p) {
+    const std::string& column = page.panels[p].curves.front().column;
+    if (!column.starts_with("pocket.theta.") &&
+        !(column.starts_with("cage.land") && column.ends_with("_angle")))
+      continue;
+    for (const ChartCurve& angle : chart.panels[p].curves)
+      for (const ChartCurve& force : chart.panels.front().curves)
+        for (std::size_t i = 0; i < std::min(angle.y.size(), force.y.size()); ++i)
+          if (std::isfinite(angle.y[i]) && force.y[i] == 0.0)
+            return add_note(chart,
+                            "Where nothing touches, the contact angle is that of the least gap.");
+  }
+}
+
+/// What the forces and moments of a race are.
+void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                  const RunFacts& facts) {
+  const std::string& column = page.panels.front().curves.front().column;
+  const bool moments = column.starts_with("race.applied_moment");
+  if (!moments && !column.starts_with("race.applied_force")) return;
+  if (file.kind == results::SolKind::Race)
+    add_note(chart, held_note(KnownColumns(file), moments));
+  else if (facts.races_held.value_or(false))
+    add_note(
+        chart,
+        "The races keep their places and speeds: these are the moments that hold them to them, "
+        "not loads of the deck.");
+}
+
+}  // namespace
+
+std::string aliasing(const SolFile& file, const PageContext& context) {
+  const double interval = alias_interval(file, context.fastest_frequency);
+  if (!(interval > 0.0)) return {};
+  const auto every = static_cast<double>(file.every);
+  return fmt::format(
+      "Aliased: the fastest contact vibrates at {}, and {} at {}",
+      desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+      file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
+                     : "steps are stored",
+      desktop::pretty_quantity(every / interval, "Hz", 3));
+}
+
+void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {
+  const std::string aliased = aliasing(file, context);
+  if (aliased.empty() || chart.panels.empty()) return;
+  chart.note =
+      aliased + ": what is faster is folded into the lines below " +
+      desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
+      ", which cannot be told from it." + (chart.note.empty() ? "" : " ") + chart.note;
+}
+
+void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                    const RunFacts& facts) {
+  tell_zeros(chart);
+  tell_life(chart, file, page, facts);
+  tell_temperatures(chart, file, page, facts);
+  tell_holding(chart, file, page, facts);
+  tell_averages(chart, file, page);
+  tell_nearest(chart, page);
+  if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
+}
+
+}  // namespace adore::adrplot

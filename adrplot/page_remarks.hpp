@@ -1,0 +1,20 @@
+#pragma once
+
+#include "adrplot/page_builder.hpp"
+
+/// What a page says of its values.
+namespace adore::adrplot {
+
+/// "Aliased: ..." of a run that is stored too seldom for its fastest contact, else empty.
+[[nodiscard]] std::string aliasing(const results::SolFile& file, const PageContext& context);
+
+/// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
+void lead_with_aliasing(desktop::ChartPage& chart, const results::SolFile& file,
+                        const PageContext& context);
+
+/// Sentences on the values of a page over the steps of a run: zeros, values that are held, given or
+/// averaged, and what loads or holds the races.
+void tell_of_values(desktop::ChartPage& chart, const results::SolFile& file, const PageSpec& page,
+                    const RunFacts& facts);
+
+}  // namespace adore::adrplot

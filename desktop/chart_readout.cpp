@@ -1,0 +1,105 @@
+#include "desktop/chart_scene_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// What the scene of charts tells of the place under the pointer.
+namespace adore::desktop {
+
+namespace {
+
+/// "outer race 400 N", "land 1: 400 N".
+QString told(const std::string& name, const QString& value) {
+  const bool number = !name.empty() && name.back() >= '0' && name.back() <= '9';
+  return text_of(name) + (number ? ": " : " ") + value;
+}
+
+}  // namespace
+
+namespace {
+
+constexpr int kDigits = 5;
+
+/// So many more digits as a range has fewer of than its largest number.
+int digits_for(double low, double high) {
+  constexpr int kMost = 12;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (!(high > low) || !std::isfinite(largest)) return kDigits;
+  const int more = static_cast<int>(std::floor(std::log10(largest / (high - low))));
+  return std::clamp(kDigits + more, kDigits, kMost);
+}
+
+}  // namespace
+
+void ChartScene::studyDigits() {
+  digits_.clear();
+  for (const ChartPanel& panel : page_.panels) {
+    auto& of_panel = digits_.emplace_back();
+    for (const ChartCurve& curve : panel.curves) {
+      Extent extent;
+      for (const double v : curve.y) extent.include(v);
+      of_panel.push_back(
+          extent.empty() ? kDigits : digits_for(extent.low - curve.lift, extent.high - curve.lift));
+    }
+  }
+}
+
+int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
+  // A panel without curves has places under the pointer, too.
+  if (panel >= digits_.size() || curve >= digits_[panel].size()) return kDigits;
+  int digits = digits_[panel][curve];
+  if (panel < y_axes_.size() && !y_axes_[panel].log) {
+    const AxisScale& axis = y_axes_[panel];
+    digits = std::max(digits, digits_for(axis.value(axis.min), axis.value(axis.max)));
+  }
+  return digits;
+}
+
+QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t place) const {
+  const ChartPanel& of = page_.panels[panel];
+  const ChartCurve& curve = of.curves[index];
+  if (place >= curve.low.size() || place >= curve.high.size()) return {};
+  const auto text = [&](double v) {
+    return text_of(pretty_quantity(v - curve.lift, of.unit, digitsOf(panel, index)));
+  };
+  const QString low = text(curve.low[place]), high = text(curve.high[place]);
+  const bool known = std::isfinite(curve.low[place]) && std::isfinite(curve.high[place]);
+  return known && low != high ? tr(" (%1 to %2)").arg(low, high) : QString();
+}
+
+QStringList ChartScene::readoutParts(QPointF position) const {
+  if (const std::vector<long> runs = runsAt(position); !runs.empty())
+    return {
+        runs.size() == 1
+            ? tr("run %1: a click shows it").arg(runs.front())
+            : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front())};
+  if (isPlane()) return planeReadout(position);
+  if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
+  const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
+  const QString place = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
+  QStringList parts;
+  for (std::size_t p = 0; p < page_.panels.size(); ++p) {
+    const ChartPanel& panel = page_.panels[p];
+    bool first = true;
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+      const ChartCurve& curve = panel.curves[c];
+      if (i >= curve.y.size() || curve.hidden) continue;
+      QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
+      value += bandAt(p, c, i);
+      QString part = curve.name.empty() ? value : told(curve.name, value);
+      const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
+      const bool named = !panel.curves.front().name.empty();
+      if (first && titled)
+        part = named ? text_of(panel.title) + " " + part : told(panel.title, part);
+      parts << (first ? "   " : ", ") + part;
+      first = false;
+    }
+  }
+  if (parts.isEmpty()) return {place};
+  parts.front().prepend(place);
+  return parts;
+}
+
+QString ChartScene::readout(QPointF position) const { return readoutParts(position).join(""); }
+
+}  // namespace adore::desktop
