@@ -285,9 +285,7 @@ void ChartScene::build() {
   const auto count = static_cast<qreal>(page_.panels.size());
   const qreal rise = mark_rise(page_, m.tick_font, size_.width());
   const qreal legend = has_heads(page_) ? m.legend : 0.0;
-  const auto share = [&] {
-    return (space.height() - m.gap * (count - 1) - legend - rise) / count;
-  };
+  const auto share = [&] { return (space.height() - m.gap * (count - 1) - legend - rise) / count; };
   // Low panels of a small picture need the room between them more than the eye does.
   constexpr qreal kLow = 24.0, kLeastGap = 14.0;
   if (style_ == ChartStyle::Compact && share() < kLow) m.gap = std::min(m.gap, kLeastGap);

@@ -34,8 +34,8 @@ inline QStringList nameless_widgets(const QMainWindow& window) {
   QStringList out;
   const auto labels = window.findChildren<QLabel*>();
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    // Whatever the keyboard can reach, and buttons that it cannot. A scroll area takes the focus for
-    // what is in it, which has its own name.
+    // Whatever the keyboard can reach, and buttons that it cannot. A scroll area takes the focus
+    // for what is in it, which has its own name.
     const bool used = (widget->focusPolicy() != Qt::NoFocus &&
                        qobject_cast<const QScrollArea*>(widget) == nullptr) ||
                       qobject_cast<const QAbstractButton*>(widget) != nullptr;
