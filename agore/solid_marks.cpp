@@ -120,11 +120,15 @@ LoadArrow load_arrow_of(const SolidLayer& layer, const WayCutter::Place& tail,
 
 void draw_head(QPainter& p, const LoadArrow& arrow, const QColor& paper) {
   constexpr double kEdge = 2.4;  // half of it outside
-  if (arrow.hidden)
-    desktop::arrow_head(p, arrow.tip, arrow.way, arrow.head, paper, QPen(arrow.colour, kEdge));
-  else
-    desktop::arrow_head(p, arrow.tip, arrow.way, arrow.head, arrow.colour,
-                        QPen(paper, 2.0 * kCasing));
+  const auto head = [&](const QColor& ink, const QPen& edge) {
+    desktop::arrow_head(p, arrow.tip, arrow.way, arrow.head, ink, edge);
+  };
+  if (arrow.hidden) {
+    head(paper, QPen(paper, kEdge + 2.0 * kCasing));
+    head(paper, QPen(arrow.colour, kEdge));
+  } else {
+    head(arrow.colour, QPen(paper, 2.0 * kCasing));
+  }
 }
 
 }  // namespace
@@ -149,7 +153,7 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
   std::array<DrawnLines, 2> out{};
   const auto* const contacts = s.animation.contacts_at(s.index);
   if (contacts == nullptr || !(s.animation.contacts->largest_load > 0.0)) return out;
-  constexpr double kSeen = 6.0, kWidth = 2.6, kHiddenWidth = 1.8;  // pixels
+  constexpr double kSeen = 6.0, kWidth = 2.6, kHiddenWidth = 2.4;  // pixels
   const Projection at(s, eye);
   const double radius = s.geometry().element_radius;
   std::vector<LoadArrow> arrows;
