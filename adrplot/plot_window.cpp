@@ -156,7 +156,8 @@ desktop::ChartPage PlotWindow::currentPageChart() {
   desktop::ChartPage chart = document()->build(page_, options_);
   if (!chart.equal_axes) {
     chart.log_x = log_x_.value_or(chart.log_x);
-    for (auto& panel : chart.panels) panel.log = log_y_.value_or(panel.log);
+    for (auto& panel : chart.panels)
+      panel.log = panel.unit != "dB" && log_y_.value_or(panel.log);  // dB are logarithms
   }
   return chart;
 }

@@ -161,7 +161,10 @@ void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
                           : chart.equal_axes ? tr("Both axes of this page are equal.")
                                              : tr("There are no curves on this page.");
   const bool axes = !chart.equal_axes && !chart.study && !chart.panels.empty();
-  for (QAction* action : {log_x_action_, log_y_action_}) offer(action, axes, no_axes);
+  offer(log_x_action_, axes, no_axes);
+  const bool decibels = std::any_of(chart.panels.begin(), chart.panels.end(),
+                                    [](const auto& panel) { return panel.unit == "dB"; });
+  offer(log_y_action_, axes && !decibels, axes ? tr("dB are logarithms already.") : no_axes);
   const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
   for (QAction* action : spectrum_actions_)
     offer(action, spectra, tr("This page shows no spectra: choose \"spectrum\" above it."));

@@ -162,8 +162,13 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   const auto step = [](QComboBox* box, int by) {
     box->setCurrentIndex(std::clamp(box->currentIndex() + by, 0, box->count() - 1));
   };
-  menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [this, step] { step(speed_, -1); });
-  menu->addAction(tr("Fas&ter"), Qt::Key_BracketRight, this, [this, step] { step(speed_, 1); });
+  const auto pace = [this, step](int by) {
+    if (slow_ == 0.0) return step(speed_, by);
+    // The list goes from the frames' own pace to the slowest motion.
+    if (by < 0 || slow_motion_->currentIndex() > 1) step(slow_motion_, -by);
+  };
+  menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [pace] { pace(-1); });
+  menu->addAction(tr("Fas&ter"), Qt::Key_BracketRight, this, [pace] { pace(1); });
   menu->addAction(tr("Slow &Motion"), Qt::Key_S, this, [this] {
     slow_motion_->setCurrentIndex((slow_motion_->currentIndex() + 1) % slow_motion_->count());
   });

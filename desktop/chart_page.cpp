@@ -196,6 +196,8 @@ CurveStatistics statistics_between(const std::vector<double>& x, const std::vect
   std::size_t last = 0;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     if (!(x[i] >= from && x[i] <= to) || !is_drawable(y[i])) continue;
+    if (out.count == 0) out.first = x[i];
+    out.last = x[i];
     out.lowest = out.count == 0 ? y[i] : std::min(out.lowest, y[i]);
     out.highest = out.count == 0 ? y[i] : std::max(out.highest, y[i]);
     if (out.count > 0) {

@@ -85,7 +85,8 @@ struct ChartPage {
 /// both included. Means weigh every stored value by the abscissa that it stands for (trapezoidal
 /// rule); with one value they are that value.
 struct CurveStatistics {
-  std::size_t count = 0;  ///< of values
+  std::size_t count = 0;           ///< of values
+  double first = 0.0, last = 0.0;  ///< where the first and the last of them stand
   double lowest = 0.0, highest = 0.0, mean = 0.0, rms = 0.0;
 };
 [[nodiscard]] CurveStatistics statistics_between(const std::vector<double>& x,

@@ -65,6 +65,7 @@ void ChartView::showPage(ChartPage page) {
   if (cursor_axis(page) != cursor_axis(old)) cursors_ = {kNone, kNone};
   pointer_ = -1.0;  // its values are of the page before
   point_.reset();
+  pointed_at_.reset();
   ranges_ = now().ranges;
   if (hidden_.size() > kMostPages) hidden_.clear();
   auto& hidden = hidden_[name_of(old)];
@@ -100,6 +101,7 @@ void ChartView::apply(const View& view) {
   const auto own = ranges_.find(name_of(scene_->page()));
   scene_->setZoom({same ? view.low : scene_->viewLow(), same ? view.high : scene_->viewHigh(),
                    own == ranges_.end() ? Ranges{} : own->second});
+  read();
 }
 
 void ChartView::remember() {
@@ -139,6 +141,7 @@ void ChartView::zoomAll() {
     scene_->resetView();
   else
     scene_->showAll();
+  read();
 }
 
 void ChartView::setCursor(int which, double abscissa) {
@@ -230,6 +233,11 @@ QString ChartView::cursorReport() const {
                   .arg(quantity(s.lowest, panel.unit, digits),
                        quantity(s.highest, panel.unit, digits),
                        quantity(s.mean, panel.unit, digits), quantity(s.rms, panel.unit, digits));
+        // A curve that ends between the cursors, such as that of a shorter run.
+        const auto [from, to] = std::minmax(cursors_[0], cursors_[1]);
+        if (s.count > 0 && (s.first > from || s.last < to))
+          line += tr(" (of %1 to %2, where it has values)")
+                      .arg(quantity(s.first, unit), quantity(s.last, unit));
         if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
           line += tr("  between the values %1 to %2")
                       .arg(quantity(band->first - curve.lift, panel.unit, digits),
@@ -281,6 +289,7 @@ std::optional<QPointF> ChartView::planeCursor(std::size_t which) const {
 void ChartView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
   scene_->setPageSize(viewport()->size());
+  read();
 }
 
 void ChartView::wheelEvent(QWheelEvent* event) {
@@ -310,6 +319,7 @@ void ChartView::wheelEvent(QWheelEvent* event) {
     scene_->setView(scene_->abscissaAt(position.x() - (position.x() - area.left()) * factor),
                     scene_->abscissaAt(position.x() + (area.right() - position.x()) * factor));
   }
+  read();
   event->accept();
 }
 
@@ -382,6 +392,14 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     // Moving beyond the data would squeeze the view, so it stops at the ends.
     if (!x.empty() && low >= x.front() && high <= x.back()) scene_->setView(low, high);
   }
+  pointed_at_ = event->position().toPoint();
+  read();
+}
+
+/// What stands below the pointer now: also where the view has moved below it.
+void ChartView::read() {
+  if (!pointed_at_) return;
+  const QPointF position = mapToScene(*pointed_at_);
   const QStringList parts = scene_->readoutParts(position);
   pointer_ = parts.isEmpty() || scene_->page().equal_axes ? -1.0 : position.x();
   const auto near =
@@ -415,6 +433,7 @@ void ChartView::mouseReleaseEvent(QMouseEvent* event) {
   boxing_ = false;
   band_->hide();
   zoomBox(QRectF(mapToScene(box_from_), mapToScene(event->position().toPoint())).normalized());
+  read();
 }
 
 void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -422,6 +441,7 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ChartView::leaveEvent(QEvent* event) {
+  pointed_at_.reset();
   pointer_ = -1.0;
   point_.reset();
   emit readoutChanged({});

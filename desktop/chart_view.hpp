@@ -80,6 +80,7 @@ class ChartView : public QGraphicsView {
   void travel(std::vector<View>& from, std::vector<View>& to);
   void remember();
   void zoomBox(const QRectF& box);
+  void read();
   [[nodiscard]] QString planeReport() const;
   /// Place of an orbit at a cursor; none without, or outside what is seen.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
@@ -90,9 +91,10 @@ class ChartView : public QGraphicsView {
   bool dragging_ = false, boxing_ = false;
   QPoint box_from_;
   double drag_from_ = 0.0;
-  QPointF last_;                  ///< of a drag over a page with equal axes
-  double pointer_ = -1.0;         ///< scene x of the pointer's line; negative = none
-  std::optional<QPointF> point_;  ///< stored point of an orbit beside the pointer
+  QPointF last_;                      ///< of a drag over a page with equal axes
+  std::optional<QPoint> pointed_at_;  ///< of the viewport; none: not on this page
+  double pointer_ = -1.0;             ///< scene x of the pointer's line; negative = none
+  std::optional<QPointF> point_;      ///< stored point of an orbit beside the pointer
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   std::vector<View> back_, forward_;

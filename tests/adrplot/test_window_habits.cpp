@@ -136,6 +136,20 @@ TEST_CASE("plot_window: what a page does not have is grey and says why", "[gui][
   for (const auto& panel : window.view().chartScene().page().panels) CHECK_FALSE(panel.log);
   window.setDomain(Domain::Spectrum);
   CHECK(amplitude->isEnabled());
+  CHECK(values->isEnabled());
+  window.setLogAxes(std::nullopt, true);
+  for (const bool decibel : {true, false}) {  // dB are logarithms already
+    for (QAction* one : window.findChildren<QAction*>())
+      if (one->text() == (decibel ? "in dB" : "in units")) one->trigger();
+    INFO("in dB " << decibel);
+    CHECK(values->isEnabled() == !decibel);
+    CHECK(values->toolTip().contains("already") == decibel);
+    for (const auto& panel : window.view().chartScene().page().panels) {
+      CHECK((panel.unit == "dB") == decibel);
+      CHECK(panel.log == !decibel);
+    }
+  }
+  window.setLogAxes(std::nullopt, std::nullopt);
   auto* abscissa = window.findChild<QComboBox*>("abscissa");
   CHECK_FALSE(abscissa->isEnabled());
   CHECK(abscissa->toolTip().contains("frequency"));

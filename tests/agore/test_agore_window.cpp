@@ -445,6 +445,29 @@ TEST_CASE("agore_window: slow motion follows the simulated time, and repeats whe
   window.pause();
 }
 
+TEST_CASE("agore_window: the keys for slower and faster act on the pace that plays", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  test::show_painted(window);
+  auto *rate = window.findChild<QComboBox*>("speed"), *slow = window.findChild<QComboBox*>("slow");
+  const auto press = [&](Qt::Key key) { QTest::keyClick(&window, key); };
+  const int before = rate->currentIndex();
+  press(Qt::Key_BracketRight);
+  CHECK(rate->currentIndex() == before + 1);
+  press(Qt::Key_BracketLeft);
+  press(Qt::Key_BracketLeft);
+  CHECK(rate->currentIndex() == before - 1);
+  slow->setCurrentText("1/1000");
+  press(Qt::Key_BracketLeft);
+  CHECK(slow->currentText() == "1/5000");
+  press(Qt::Key_BracketRight);
+  press(Qt::Key_BracketRight);
+  CHECK(slow->currentText() == "1/100");
+  for (int i = 0; i < 4; ++i) press(Qt::Key_BracketRight);
+  CHECK(slow->currentText() == "1/10");  // still slow motion
+  CHECK(rate->currentIndex() == before - 1);
+}
+
 TEST_CASE("agore_window: a click on the curve goes to that moment, the wheel zooms the picture",
           "[gui]") {
   test::use_qt();

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace adore;
@@ -278,4 +279,72 @@ TEST_CASE("plane_zoom: start and end of an orbit are of two shapes, in the pictu
   CHECK(ends == 1);
   CHECK(key.contains(QString::fromUtf8("● start")));
   CHECK(key.contains(QString::fromUtf8("■ end")));
+}
+
+TEST_CASE("chart_view: what is read below the pointer is of the view that is there now",
+          "[gui][desktop]") {
+  test::use_qt();
+  ChartPage lines;
+  lines.title = "Lines";
+  lines.x_title = "Time", lines.x_unit = "s";
+  ChartPanel panel{"Load", "N", {{"load", {}, {}}}};
+  for (int i = 0; i <= 1000; ++i) {
+    lines.x.push_back(0.01 * i);
+    panel.curves[0].y.push_back(0.3 * i);
+  }
+  lines.panels = {panel};
+  for (const ChartPage& page : {lines, orbit_page()}) {
+    ChartView view;
+    view.resize(900, 600);
+    view.show();
+    view.showPage(page);
+    ChartScene& scene = view.chartScene();
+    QStringList told;
+    QObject::connect(&view, &ChartView::readoutChanged,
+                     [&](const QStringList& parts) { told = parts; });
+    const QRectF area = scene.plotAreas()[0];
+    const QPoint at = view.mapFromScene(area.center() + QPointF(0.31, 0.12) * area.height());
+    move(view, at);
+    const auto now = [&] { return scene.readoutParts(view.mapToScene(at)); };
+    CHECK(told == now());
+    const QStringList whole = told;
+    wheel(view, view.mapToScene(at), 3);
+    wheel(view, area.center(), 2);
+    CHECK(told != whole);
+    CHECK(told == scene.readoutParts(view.mapToScene(at)));
+    view.zoomAll();
+    CHECK(told == now());
+    view.zoomBack();
+    CHECK(told == now());
+    view.zoomForward();
+    CHECK(told == now());
+    view.resize(700, 450);
+    CHECK(told == now());
+    view.showPage(page);
+    view.zoomAll();
+  }
+}
+
+TEST_CASE("chart_view: a mean of a curve that ends between the cursors says what it is of",
+          "[gui][desktop]") {
+  test::use_qt();
+  ChartPage page;
+  page.title = "Lines";
+  page.x_title = "Time", page.x_unit = "s";
+  ChartPanel panel{"Load", "N", {{"long", {}, {}}, {"short", {}, {}}}};
+  for (int i = 0; i <= 100; ++i) {
+    page.x.push_back(i);
+    panel.curves[0].y.push_back(2.0);
+    panel.curves[1].y.push_back(i <= 60 ? 3.0 : std::numeric_limits<double>::quiet_NaN());
+  }
+  page.panels = {panel};
+  ChartView view;
+  view.showPage(page);
+  view.setCursor(0, 80.0);
+  view.setCursor(1, 20.0);
+  const QStringList lines = view.cursorReport().split('\n');
+  INFO(view.cursorReport().toStdString());
+  REQUIRE(lines.size() == 3);
+  CHECK_FALSE(lines[1].contains("where it has values"));
+  CHECK(lines[2].contains("mean 3 N  RMS 3 N (of 20 s to 60 s, where it has values)"));
 }
