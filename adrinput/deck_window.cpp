@@ -54,6 +54,7 @@ QString text_in(const std::string& bytes) {
 
 constexpr int kListWidth = 144;   // of the records, at least
 constexpr int kFormWidth = 320;   // of a record's page, which scrolls where it needs more
+constexpr int kUsualForm = 390;   // where the window opens with room for it
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
@@ -200,7 +201,8 @@ void DeckWindow::makeCentre() {
   auto* right = new QSplitter(Qt::Vertical, this);
   right->addWidget(form);
   right->addWidget(tabs_);
-  right->setMinimumWidth(kFormWidth);
+  constexpr int kRoomForUsual = 700;  // of the window; a screen of 640x480 has less
+  right->setMinimumWidth(width() < kRoomForUsual ? kFormWidth : kUsualForm);
   right->setStretchFactor(0, 3);
   right->setStretchFactor(1, 1);
   right->setSizes({620, 190});
