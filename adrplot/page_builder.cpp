@@ -167,9 +167,10 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       if (!any_value(curve->y) && !any_but_zero(band->second)) continue;
       curve->low = band->second.low;
       curve->high = band->second.high;
-      chart.band_note =
-          fmt::format("Pale areas reach from the lowest to the highest value between the {} steps.",
-                      file.every > 1 ? "drawn" : "stored");
+      chart.band_note = file.every > 1 ? "Pale areas reach from the lowest to the highest value "
+                                         "between the drawn steps."
+                                       : "Pale areas reach from the lowest to the highest value "
+                                         "between the stored steps.";
     }
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
