@@ -58,21 +58,6 @@ std::vector<qreal> places(const std::vector<AxisTick>& ticks, const AxisScale& a
   return out;
 }
 
-/// So few of an axis that their numbers, `high` pixels each, do not lie on each other in a low
-/// panel.
-std::vector<AxisTick> apart(const std::vector<AxisTick>& ticks, const AxisScale& axis, qreal length,
-                            qreal high) {
-  const std::vector<qreal> at = places(ticks, axis, length);
-  std::vector<AxisTick> out;
-  qreal last = 0.0;
-  for (std::size_t i = 0; i < ticks.size(); ++i) {
-    if (!out.empty() && std::abs(at[i] - last) < high) continue;
-    out.push_back(ticks[i]);
-    last = at[i];
-  }
-  return out;
-}
-
 }  // namespace
 
 void ChartScene::addFrame(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
@@ -81,11 +66,7 @@ void ChartScene::addFrame(const QRectF& area, const AxisScale& x_scale, const Ax
   lines_.push_back(0);
   if (page_.schematic) return;
   const std::vector<AxisTick> x_ticks = axis_ticks(x_scale),
-                              y_ticks =
-                                  y_labels
-                                      ? apart(axis_ticks(y_scale), y_scale, area.height(),
-                                              QFontMetricsF(ui_font(m.tick_font)).capHeight() + 1.0)
-                                      : std::vector<AxisTick>();
+                              y_ticks = y_labels ? axis_ticks(y_scale) : std::vector<AxisTick>();
   std::vector<qreal> across = places(x_ticks, x_scale, area.width()),
                      up = places(y_ticks, y_scale, area.height());
   for (qreal& x : across) x += area.left();
