@@ -18,7 +18,7 @@ TEST_CASE(
   PlotWindow window;
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
   window.show();
-  CHECK(test::nameless_widgets(window) == QStringList());
+  CHECK(test::nameless_widgets(window).join("; ").toStdString() == "");
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
   const QString help = test::help_text(window, "Keys and Mouse");
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})

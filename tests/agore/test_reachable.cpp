@@ -17,7 +17,7 @@ TEST_CASE(
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8()));
   window.show();
-  CHECK(test::nameless_widgets(window) == QStringList());
+  CHECK(test::nameless_widgets(window).join("; ").toStdString() == "");
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
   const QString help = test::help_text(window, "Keys and Mouse");
   for (const char* word :

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -41,12 +42,17 @@ inline QStringList nameless_widgets(const QMainWindow& window) {
                       qobject_cast<const QAbstractButton*>(widget) != nullptr;
     if (!used || !widget->isVisible() || !widget->accessibleName().isEmpty()) continue;
     if (widget->objectName().startsWith("qt_")) continue;  // parts of a tool bar
+    const auto* area = qobject_cast<const QAbstractScrollArea*>(widget->parentWidget());
+    if (area != nullptr && area->viewport() == widget) continue;  // the area has the name
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
     if (button != nullptr && !button->text().isEmpty()) continue;
     bool labelled = false;
     for (const QLabel* label : labels) labelled = labelled || label->buddy() == widget;
     if (!labelled)
-      out << QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+      out << QString("%1 %2 in %3 %4")
+                 .arg(widget->metaObject()->className(), widget->objectName(),
+                      widget->parentWidget()->metaObject()->className(),
+                      widget->parentWidget()->objectName());
   }
   return out;
 }
