@@ -199,7 +199,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   panel.one_colour = true;
   panel.scale_bar = true;
   page.x = fall.frequency;
-  page.title = without_colon(page.title) + ": waterfall";
+  page.title = name + ": waterfall";
   page.view_low = 0.0;
   page.view_high = decibel ? fall.frequency.back() : end_of_view(fall, ends);
   page.x_title = "Frequency";

@@ -119,12 +119,14 @@ std::array<bool, 2> draw_all_loads(const Scene& s) {
     if (!(distance > 0.0)) continue;
     for (std::size_t j = 0; j < 2; ++j) {
       const double part = contacts[k].load[j] / s.animation.contacts->largest_load;
-      if (!(part > 0.0)) continue;
+      if (!(part >= kLeastLoad)) continue;
       const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
       const QPointF tip = centre + radius * outward, tail = tip + part * longest * outward;
-      any[j] = load_arrow(s, s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
-                          s.sketch.theme().curves[j], 2.6) ||
-               any[j];
+      const QPointF from = s.sketch.at(tail.x(), tail.y()), to = s.sketch.at(tip.x(), tip.y());
+      const QColor& colour = s.sketch.theme().curves[j];
+      if (!load_arrow(s, from, to, colour, 2.6))
+        load_stub(s.sketch.painter(), from, to, colour, s.sketch.theme().surface);
+      any[j] = true;
     }
   }
   return any;

@@ -237,7 +237,7 @@ std::vector<KeyEntry> scale_entries(const Scene& s) {
     out.push_back(now_and_then(
         no_contact_colour(),
         std::any_of(colours.touches.begin(), colours.touches.end(), [](bool on) { return !on; }),
-        "no contact", "all in contact now", KeyMark::Disc));
+        "no contact", "all touch a race now", KeyMark::Disc));
   return out;
 }
 

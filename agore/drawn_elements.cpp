@@ -49,6 +49,19 @@ bool load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour,
   return true;
 }
 
+void load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colour,
+               const QColor& casing) {
+  constexpr double kLeast = 3.0, kWidth = 3.0;  // pixels
+  const QPointF along = tail - tip;
+  const double length = std::hypot(along.x(), along.y());
+  const QPointF way = length > 0.0 ? along / length : QPointF(0.0, -1.0);
+  const QPointF end = tip + std::max(length, kLeast) * way;
+  painter.setPen(QPen(casing, kWidth + 2.0 * kCasing, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(tip, end + kCasing * way);
+  painter.setPen(QPen(colour, kWidth, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(tip, end);
+}
+
 std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
   constexpr std::size_t kMost = 400;
   const double pitch = 2.0 * kPi / std::max(1, s.animation.file.elements);

@@ -133,6 +133,18 @@ void draw_head(QPainter& p, const LoadArrow& arrow, const QColor& paper) {
 
 }  // namespace
 
+namespace {
+
+double length_of(const std::vector<std::vector<WayPoint>>& ways) {
+  double out = 0.0;
+  for (const std::vector<WayPoint>& way : ways)
+    for (std::size_t i = 1; i < way.size(); ++i)
+      if (way[i].joined) out += QLineF(way[i - 1].at, way[i].at).length();
+  return std::isfinite(out) ? out : 0.0;
+}
+
+}  // namespace
+
 DrawnLines draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   CutWay ways;
   WayCutter cutter(layer, ways);
@@ -146,7 +158,11 @@ DrawnLines draw_paths(const Scene& s, const SolidLayer& layer, const Eye& eye) {
   const QColor colour = trail_colour(s), edge = s.sketch.theme().surface;
   draw_ways(p, s.sketch.area(), ways.hidden, {colour, 1.6, edge, true});
   draw_ways(p, s.sketch.area(), ways.seen, {colour, 1.8, edge});
-  return {!ways.seen.empty(), !ways.hidden.empty()};
+  // A twentieth of them is hardly found.
+  constexpr double kPart = 0.05;
+  const double seen = length_of(ways.seen), hidden = length_of(ways.hidden);
+  if (!(seen + hidden > 0.0)) return {!ways.seen.empty(), !ways.hidden.empty()};
+  return {seen > kPart * hidden, hidden > kPart * seen};
 }
 
 std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, const Eye& eye) {
@@ -156,18 +172,30 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
   constexpr double kSeen = 6.0, kWidth = 2.6, kHiddenWidth = 2.4;  // pixels
   const Projection at(s, eye);
   const double radius = s.geometry().element_radius;
+  struct Stub {
+    QPointF tail, tip;
+    QColor colour;
+  };
+  std::vector<Stub> stubs;
   std::vector<LoadArrow> arrows;
   for (std::size_t k = 0; k < contacts->size(); ++k)
     for (std::size_t j = 0; j < 2; ++j) {
       const double part = (*contacts)[k].load[j] / s.animation.contacts->largest_load;
       const double angle = s.animation.value("contact.angle", s.index, 2 * k + j);
-      if (!(part > 0.0) || !std::isfinite(angle)) continue;
+      if (!(part >= kLeastLoad) || !std::isfinite(angle)) continue;
       const double way = j == 0 ? 1.0 : -1.0;
       const Vec3 u = way * (Vec3(std::sin(angle), 0.0, 0.0) +
                             std::cos(angle) * outwards(s.frame.elements.at(k).theta));
       const Vec3 tip = element_place(s, k) + radius * u;
       const WayCutter::Place from = at(Vec3(tip + 1.3 * part * radius * u)), to = at(tip);
-      if (!(QLineF(from.at, to.at).length() >= kSeen)) continue;
+      const double length = QLineF(from.at, to.at).length();
+      if (!std::isfinite(length)) continue;
+      if (length < kSeen) {
+        if (layer.hides(to.at, to.depth)) continue;
+        stubs.push_back({from.at, to.at, s.sketch.theme().curves[j]});
+        out[j].seen = true;
+        continue;
+      }
       arrows.push_back(load_arrow_of(layer, from, to, kWidth, s.sketch.theme().curves[j]));
       out[j].seen = out[j].seen || !arrows.back().hidden;
       out[j].hidden = out[j].hidden || arrows.back().hidden || !arrows.back().shaft.hidden.empty();
@@ -183,6 +211,7 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
     draw_ways(p, s.sketch.area(), arrow.shaft.seen, {arrow.colour, kWidth, paper});
     if (!arrow.hidden) draw_head(p, arrow, paper);
   }
+  for (const Stub& stub : stubs) load_stub(p, stub.tail, stub.tip, stub.colour, paper);
   return out;
 }
 

@@ -100,6 +100,13 @@ inline constexpr const char* kTooSmall = ", arrow too small to draw";
 /// too short to be seen, which the key says
 bool load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& colour, double width);
 
+/// Of the largest load of the run: smaller ones of many elements have no arrow.
+inline constexpr double kLeastLoad = 0.01;
+/// A load of which an arrow would be too short: as long as its scale says, and 3 pixels at least,
+/// so that no element which is loaded seems to be free.
+void load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colour,
+               const QColor& casing);
+
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {}, bool marked = true);
 /// All of them, coloured as the options ask, with the scale. Where paths are to run over them,

@@ -279,24 +279,26 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   // its own, which is never shortened, and its letters get smaller before any are left out.
   constexpr int kLeastLetters = 10;
   const qreal room = title_room(area, m.gap);
-  const auto write = [&](const QString& text, qreal left) {
+  const auto write = [&](const QString& text, qreal left, qreal most) {
     QFont used = title_font;
     for (int size = m.text_font;
-         size > kLeastLetters && QFontMetricsF(used).horizontalAdvance(text) > room;)
+         size > kLeastLetters && QFontMetricsF(used).horizontalAdvance(text) > most;)
       used = ui_font(--size);
     const QFontMetricsF letters(used);
-    const QString fitted = letters.elidedText(text, Qt::ElideRight, room);
+    const QString fitted = letters.elidedText(text, Qt::ElideRight, most);
     auto* title = add(fitted, used, theme_->text, {});
     title->setRotation(-90);
     title->setPos(left, area.center().y() + 0.5 * letters.horizontalAdvance(fitted));
   };
   const qsizetype unit = y_title.lastIndexOf(" [");
   if (title_metrics.horizontalAdvance(y_title) <= room || unit < 0) {
-    write(y_title, area.left() - m.left + 8);
+    write(y_title, area.left() - m.left + 8, room);
     return;
   }
-  write(y_title.left(unit), area.left() - m.left + 1);
-  write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
+  constexpr qreal kUnitMore = 8.0;  // nearer to the units of other panels: they are short
+  write(y_title.left(unit), area.left() - m.left + 1, room);
+  write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2,
+        room + kUnitMore);
 }
 
 qreal ChartScene::labelsTop(const QRectF& area, const AxisScale& y_axis, const Metrics& m) const {

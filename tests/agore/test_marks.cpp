@@ -12,6 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 /// Marks over bodies: what can be told from what it lies on, and what hides what.
 using namespace adore;
@@ -152,7 +155,7 @@ TEST_CASE("marks: an element without contact has a colour of its own, which the 
     // Where all are in contact nothing else is said; a run that never loses one says nothing.
     const QByteArray before = picture.svg({1280, 800}, frame - 1, options);
     CHECK_FALSE(before.contains("no contact<"));
-    CHECK(before.contains("all in contact now"));
+    CHECK(before.contains("all touch a race now"));
   }
 }
 
@@ -277,4 +280,56 @@ TEST_CASE("marks: loads behind bodies are dashed in 3D, and the key says what da
   CHECK(before > 2 * behind);
   CHECK(behind_said);
   CHECK(before > 100);
+}
+
+TEST_CASE("marks: every element that carries has its arrow or a stub of it, in small pictures too",
+          "[gui][agore]") {
+  test::use_qt();
+  for (const char* type : {"ball", "spherical"}) {
+    const Animation animation = open_motion(test::example_run(type) / "RESULTS.h5");
+    const std::size_t frame = animation.frames() - 1;
+    const auto& contacts = *animation.contacts_at(frame);
+    MotionPicture picture(animation);
+    ViewOptions options;
+    options.contacts = true;
+    for (const QSize size : {QSize(700, 450), QSize(1280, 800)})
+      for (const std::size_t race : {0U, 1U}) {
+        int carry = 0;
+        for (const auto& contact : contacts)
+          carry += contact.load[race] >= 0.011 * animation.contacts->largest_load ? 1 : 0;
+        REQUIRE(carry > 2);
+        const QImage image = picture.image(size, frame, options);
+        const QColor ink = desktop::theme(desktop::ThemeKind::Light).curves[race];
+        const QRect area =
+            MotionPicture::pictureAreas(QRectF(QPointF(0, 0), QSizeF(size)), 1).front().toRect();
+        // Pieces of the colour that hang together: the arrows, and one in the key.
+        std::set<std::pair<int, int>> left;
+        for (int y = area.top(); y < area.bottom(); ++y)
+          for (int x = area.left(); x < area.right(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) +
+                    std::abs(c.blue() - ink.blue()) <
+                40)
+              left.emplace(x, y);
+          }
+        int pieces = 0;
+        while (!left.empty()) {
+          ++pieces;
+          std::vector<std::pair<int, int>> next{*left.begin()};
+          left.erase(left.begin());
+          while (!next.empty()) {
+            const auto [x, y] = next.back();
+            next.pop_back();
+            for (int dx = -2; dx <= 2; ++dx)
+              for (int dy = -2; dy <= 2; ++dy)
+                if (const auto found = left.find({x + dx, y + dy}); found != left.end()) {
+                  next.push_back(*found);
+                  left.erase(found);
+                }
+          }
+        }
+        INFO(type << ", " << size.width() << " pixels, race " << race << ": " << carry << " carry");
+        CHECK(pieces >= carry + 1);
+      }
+  }
 }
