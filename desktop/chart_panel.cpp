@@ -133,8 +133,15 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const bool scaled = any && !log_of_none;
   const QRectF below_legend = area.adjusted(
       0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
-  const qreal legend =
-      scaled ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m) : area.right();
+  // Low panels of a small picture have no room for the same names twice.
+  const bool named_before =
+      style_ == ChartStyle::Compact && size_.height() < kLowCompact && index > 0 &&
+      std::equal(panel.curves.begin(), panel.curves.end(), page_.panels.front().curves.begin(),
+                 page_.panels.front().curves.end(),
+                 [](const ChartCurve& a, const ChartCurve& b) { return a.name == b.name; });
+  const qreal legend = scaled && !named_before
+                           ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m)
+                           : area.right();
   // A title too long for the side of its panel, even without its unit, stands above it.
   const bool numbered = scaled && !panel.scale_bar;
   QString y_title = numbered ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);

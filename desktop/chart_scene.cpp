@@ -15,9 +15,8 @@
 namespace adore::desktop {
 
 ChartScene::Metrics ChartScene::metrics() const {
-  constexpr qreal kLow = 190.0;  // then panels need the room between words
-  if (style_ == ChartStyle::Compact && size_.height() < kLow)
-    return {74, 14, 44, 40, 14, 16, 13, 11, 10, 1.4, 1.0};
+  if (style_ == ChartStyle::Compact && size_.height() < kLowCompact)
+    return {74, 14, 49, 40, 14, 16, 13, 11, 10, 1.4, 1.0};
   if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 20, 13, 11, 10, 1.4, 1.0};
   const qreal note = noteHeight(28);
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};

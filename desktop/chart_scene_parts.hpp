@@ -68,6 +68,9 @@ struct ChartScene::Metrics {
   qreal line, thin_line;
 };
 
+/// Height of small pictures below which their panels need the room between words.
+inline constexpr qreal kLowCompact = 190.0;
+
 /// Between a panel and the names of its lines beside it.
 inline constexpr qreal kLineNameGap = 6.0;
 
