@@ -38,11 +38,13 @@ QMap<QString, bool> options_of(const char* program) {
 
 /// Something other than what a window has anyway.
 const QMap<QString, QString> kValues{
-    {"--size", "900x700"},   {"--page", "2"},        {"--from", "2"},       {"--to", "5"},
-    {"--every", "2"},        {"--abscissa", "time"}, {"--view", "cage"},    {"--beside", "element"},
-    {"--race", "outer"},     {"--element", "2"},     {"--exaggerate", "7"}, {"--frame", "2"},
-    {"--movie", "film.gif"}, {"--fps", "5"},         {"--slow", "1e-4"},    {"--colour", "load"},
-    {"--scale", "run"}};
+    {"--size", "900x700"},   {"--page", "2"},         {"--from", "2"},
+    {"--to", "5"},           {"--every", "2"},        {"--abscissa", "time"},
+    {"--view", "cage"},      {"--beside", "element"}, {"--race", "outer"},
+    {"--element", "2"},      {"--exaggerate", "7"},   {"--frame", "2"},
+    {"--movie", "film.gif"}, {"--fps", "5"},          {"--slow", "1e-4"},
+    {"--colour", "load"},    {"--scale", "run"},      {"--domain", "spectrum"},
+    {"--curve", "2"}};
 /// Of pictures alone: no window comes.
 const QSet<QString> kOfPictures{"--size", "--frame", "--movie", "--fps", "--slow"};
 
@@ -91,6 +93,9 @@ TEST_CASE("no option of a window's command line is remembered for the next windo
         REQUIRE(kValues.contains(option.key()));  // a new option: give it a value above
         words << kValues[option.key()];
       }
+      if (option.key() == "--curve")
+        words << "--domain"
+              << "waterfall";
       const bool picture = kOfPictures.contains(option.key()) ||
                            (program.name == std::string("adrinput") && option.key() == "--dark") ||
                            (program.name == std::string("agore") &&
