@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <thread>
 
 namespace adore::desktop {
 namespace {
@@ -148,16 +149,13 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
   return out;
 }
 
-StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const QColor& colour,
-                       const QRect& within) {
-  StampImage out;
-  if (within.isEmpty()) return out;
-  const int columns = within.width(), rows = within.height();
-  std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
-                                  static_cast<std::size_t>(rows));
-  const auto reach =
-      static_cast<float>(0.5 * width + 0.5);  // where the cover of a pixel ends, from its middle
-  bool any = false;
+namespace {
+
+/// Covers of the pixels of the rows `first` to before `end`; `reach`: where the cover of a pixel
+/// ends, from the middle of a stroke.
+void stamp_rows(const std::vector<QPolygonF>& lines, float reach, const QRect& within, int first,
+                int end, std::vector<std::uint8_t>& cover) {
+  const int columns = within.width();
   for (const QPolygonF& line : lines)
     for (qsizetype i = 1; i < line.size(); ++i) {
       // Single numbers: thousandths of a pixel, in half the time.
@@ -168,8 +166,9 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
       const float square = dx * dx + dy * dy, per = square > 0.0F ? 1.0F / square : 0.0F;
       const bool steep = std::abs(dy) > 2.0F * reach;
       const float per_row = steep ? 1.0F / dy : 0.0F;
-      const int top = std::max(0, static_cast<int>(std::floor(py + std::min(0.0F, dy) - reach))),
-                bottom = std::min(rows - 1, static_cast<int>(py + std::max(0.0F, dy) + reach));
+      const int top =
+                    std::max(first, static_cast<int>(std::floor(py + std::min(0.0F, dy) - reach))),
+                bottom = std::min(end - 1, static_cast<int>(py + std::max(0.0F, dy) + reach));
       for (int r = top; r <= bottom; ++r) {
         // The part of the stroke that is near this row.
         const float y = static_cast<float>(r) + 0.5F - py;
@@ -191,11 +190,36 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
           if (away >= reach * reach) continue;
           const float here = std::min(1.0F, reach - std::sqrt(away));
           row[c] = std::max(row[c], static_cast<std::uint8_t>(255.0F * here + 0.5F));
-          any = true;
         }
       }
     }
-  if (!any) return out;
+}
+
+}  // namespace
+
+StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const QColor& colour,
+                       const QRect& within) {
+  StampImage out;
+  if (within.isEmpty()) return out;
+  const int columns = within.width(), rows = within.height();
+  std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
+                                  static_cast<std::size_t>(rows));
+  const auto reach = static_cast<float>(0.5 * width + 0.5);
+  // Each thread has rows of its own; few strokes are stamped sooner than a thread begins.
+  constexpr qsizetype kMany = 20'000;
+  qsizetype points = 0;
+  for (const QPolygonF& line : lines) points += line.size();
+  const int bands =
+      points < kMany ? 1 : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
+  {
+    std::vector<std::jthread> others;
+    for (int band = 1; band < bands; ++band)
+      others.emplace_back([&, band] {
+        stamp_rows(lines, reach, within, band * rows / bands, (band + 1) * rows / bands, cover);
+      });
+    stamp_rows(lines, reach, within, 0, rows / bands, cover);
+  }
+  if (std::all_of(cover.begin(), cover.end(), [](std::uint8_t c) { return c == 0; })) return out;
   QRgb inks[256];
   for (int c = 0; c < 256; ++c)
     inks[c] = qPremultiply(
