@@ -186,7 +186,7 @@ qreal mark_rise(const ChartPage& page, int tick_font, qreal width) {
   return tick_font + 6.0 + mark_steps(rows) + (rows - 1) * row_pitch(tick_font);
 }
 
-void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool label,
+void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool label, bool drawn,
                           const Metrics& m) {
   const QFont font = ui_font(m.tick_font);
   const QFontMetricsF metrics(font);
@@ -198,7 +198,7 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
       if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
       const qreal x =
           area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
-      addLine(QLineF(x, area.top(), x, area.bottom()), pen);
+      if (drawn) addLine(QLineF(x, area.top(), x, area.bottom()), pen);
       names.push_back({.all = {text_of(mark.label)}, .line = x});
       continue;
     }
@@ -207,7 +207,7 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
     for (const QPolygonF& part : parts_inside(way_of(mark, area, x_axis_, y_axis), area)) {
       QPainterPath path;
       path.addPolygon(part);
-      addPath(path, pen);
+      if (drawn) addPath(path, pen);
       last = part.back().x();
     }
     if (last) names.push_back({.all = {text_of(mark.label)}, .line = *last});

@@ -181,7 +181,10 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
-  if (any) addMarks(area, y_axis, index == 0, m);  // lines across a message hide its words
+  // Lines across a message would hide its words; their names are those of the panels below, too.
+  const bool named =
+      index == 0 && std::any_of(page_.panels.begin(), page_.panels.end(), has_values);
+  if (any || named) addMarks(area, y_axis, named, any, m);
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
 }

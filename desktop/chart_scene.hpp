@@ -203,7 +203,8 @@ class ChartScene : public QGraphicsScene {
                                 const Metrics& m) const;
   /// Names stand above the panel, as near to their lines as they have room; a step between the two
   /// leads from a name to a line that is not below it.
-  void addMarks(const QRectF& area, const AxisScale& y_axis, bool label, const Metrics& m);
+  void addMarks(const QRectF& area, const AxisScale& y_axis, bool names, bool lines,
+                const Metrics& m);
   [[nodiscard]] bool panelsWhole() const;
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   /// What the page begins with.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -124,4 +125,29 @@ TEST_CASE("chart_scene: leaders of marks neither merge nor cross, nor go through
     }
   }
   CHECK(steps > 50);
+}
+
+TEST_CASE("chart_scene: marks have their names also where the first panel has no values",
+          "[gui][desktop]") {
+  test::use_qt();
+  for (const bool all : {false, true}) {
+    ChartPage page = page_with({{1000.0, "FTF"}, {4000.0, "BPFO"}}, false);
+    for (ChartPanel& panel : page.panels) {
+      if (!all && &panel != &page.panels.front()) continue;
+      panel.message = "Nothing vibrates here: " + panel.title;
+      panel.curves.front().y.assign(page.x.size(), std::numeric_limits<double>::quiet_NaN());
+    }
+    ChartScene scene;
+    scene.setPage(page);
+    int names = 0, lines = 0;
+    for (QGraphicsItem* item : scene.items()) {
+      if (const auto* text = qgraphicsitem_cast<QGraphicsSimpleTextItem*>(item))
+        names += text->text() == "FTF" || text->text() == "BPFO" ? 1 : 0;
+      if (const auto* line = qgraphicsitem_cast<QGraphicsLineItem*>(item))
+        lines += line->pen().style() == Qt::DashLine ? 1 : 0;
+    }
+    INFO("all panels without values " << all);
+    CHECK(names == (all ? 0 : 2));
+    CHECK(lines == (all ? 0 : 4));  // of the two panels that are drawn
+  }
 }
