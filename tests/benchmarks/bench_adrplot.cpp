@@ -92,6 +92,28 @@ BENCHMARK(pan)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
+/// The same with extremes between the stored steps, whose areas are looked for where they are seen.
+void pan_bands(benchmark::State& state) {
+  need_application();
+  desktop::ChartPage page = million(static_cast<std::size_t>(state.range(0)));
+  page.band_note = "Pale areas reach from the lowest to the highest value between the steps.";
+  for (desktop::ChartPanel& panel : page.panels)
+    for (desktop::ChartCurve& curve : panel.curves) {
+      curve.low = curve.high = curve.y;
+      for (double& v : curve.low) v -= 0.05;
+      for (double& v : curve.high) v += 0.05;
+    }
+  const QSize size(1280, 800);
+  desktop::ChartScene scene;
+  scene.setPageSize(size);
+  scene.setPage(std::move(page));
+  pan_along(state, scene, size);
+}
+BENCHMARK(pan_bands)
+    ->ArgsProduct({{2'500, 100'000, 1'000'000}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
 /// An orbit of as many points, enlarged to `1 / part` of its width and moved about: turns of 500
 /// points that precess, with or without noise that fills their ring.
 void pan_orbit(benchmark::State& state) {
