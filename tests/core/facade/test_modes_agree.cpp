@@ -61,7 +61,8 @@ Means means_of(const deck::Deck& deck, const std::filesystem::path& folder, doub
   facade::run(request);
   const json report = json::parse(testing::read_bytes(folder / "RUN.json"));
   Means out;
-  out.cage_ratio = report.at("summary").value("mean_cage_ratio", 0.0);  // none without a cage
+  if (deck.real("nCseg") > 0.0)
+    out.cage_ratio = report.at("summary").at("mean_cage_ratio").get<double>();
   for (const auto& [name, value] : report.at("conservation").at("energy").items()) {
     if (!name.starts_with("heat, ")) continue;
     const double heat = value.get<double>();
