@@ -3,6 +3,8 @@
 #include "results/channels.hpp"
 #include "results/sol_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,6 +12,11 @@
 /// The numbers of one file by the ids of their columns, without those that mean "nobody computed
 /// this": the classic files have no other way to say it than a zero.
 namespace adore::adrplot {
+
+/// Is any of them a number?
+[[nodiscard]] inline bool any_value(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
 
 struct KnownValues {
   std::vector<double> values;  ///< one per step, in the file's unit; NaN: none

@@ -33,10 +33,6 @@ std::vector<double> times(const SolFile& file) {
   return numbers;
 }
 
-bool any_value(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
 /// Panels of a page with its curves over the stored steps. A curve without any value leaves its
 /// reason in the panel, or in the page's note beside curves that have some.
 /// @return why curves have gaps, a sentence each

@@ -32,10 +32,6 @@ double alias_interval(const SolFile& file, double frequency) {
   return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
 }
 
-bool any_value(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
 /// Is it 0 but for rounding (a thousandth of the least range of its axis)?
 bool is_nothing(double value, const std::string& unit) {
   return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);

@@ -1,5 +1,6 @@
 #include "adrplot/spectrum_page.hpp"
 
+#include "adrplot/known_values.hpp"
 #include "adrplot/sentence_words.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -25,10 +26,6 @@ constexpr std::string_view kSo = ", so there is no frequency spectrum.";
 constexpr auto kStill = "Nothing vibrates here: the value does not change.";
 constexpr auto kAllStill = "Nothing vibrates here: no value of this page changes.";
 constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
-
-bool any_value(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
 
 /// Where a curve that has some values has none, for it cannot have a spectrum; empty: it has all.
 std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
