@@ -3,11 +3,11 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/record_page.hpp"
 #include "support/bytes.hpp"
+#include "support/message.hpp"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 #include <catch2/catch.hpp>
@@ -20,6 +20,8 @@
 /// What tests of AdrInput do to its window.
 namespace adore::adrinput {
 
+using test::take_message;
+
 inline Cell cell(const std::string& name, int instance = 1, std::size_t element = 0) {
   const auto refs = deck::find_variable(name);
   REQUIRE_FALSE(refs.empty());
@@ -30,16 +32,6 @@ inline void press(DeckWindow& window, const QString& button) {
   auto* push = window.findChild<QPushButton*>(button);
   REQUIRE(push != nullptr);
   QTest::mouseClick(push, Qt::LeftButton);
-}
-
-/// Text of the message shown, which is then closed; empty when there is none.
-inline QString take_message(QWidget& window) {
-  auto* box = window.findChild<QMessageBox*>("message");
-  if (box == nullptr) return {};
-  const QString text = box->text();
-  box->close();
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  return text;
 }
 
 inline void replace_text(QLineEdit* line, const QString& text) {

@@ -4,6 +4,7 @@
 #include "adrplot/range_dialog.hpp"
 #include "desktop/chart_view.hpp"
 #include "support/drops.hpp"
+#include "support/message.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -14,7 +15,6 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPointer>
 #include <QRegularExpression>
@@ -41,16 +41,6 @@ void press(PlotWindow& window, const QString& button) {
   for (auto* action : window.findChild<QToolBar*>("buttons")->actions())
     if (action->text() == button) return action->trigger();
   FAIL("no button " << button.toStdString());
-}
-
-/// Text of the message shown, which is then closed; empty when there is none.
-QString take_message(QWidget& window) {
-  auto* box = window.findChild<QMessageBox*>("message");
-  if (!box) return {};
-  const QString text = box->text();
-  box->close();
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  return text;
 }
 
 /// A page over three moments, whose panels `fill` adds.
@@ -89,7 +79,7 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
   for (int page = 2; page <= 8; ++page) {
     press(window, "Next Plot");
     CHECK(window.currentPage() == page);
-    CHECK(take_message(window).isEmpty());
+    CHECK(test::take_message(window).isEmpty());
     CHECK_FALSE(window.view().chartScene().plotAreas().empty());
     for (std::size_t i = 0; i < window.view().chartScene().plotAreas().size(); ++i)
       CHECK(window.view().chartScene().linesOf(i) > 0);
@@ -157,10 +147,10 @@ TEST_CASE("plot_window: files are opened, refused with a reason, and truncated o
   auto* note = window.findChild<QLabel*>("note");
   CHECK(note->text().isEmpty());
   CHECK_FALSE(window.openFile(base / "letter.txt"));
-  CHECK(take_message(window).contains("letter.txt"));
+  CHECK(test::take_message(window).contains("letter.txt"));
   CHECK(window.fileCount() == 1);
   CHECK_FALSE(window.openFile(base / "nowhere"));
-  CHECK_FALSE(take_message(window).isEmpty());
+  CHECK_FALSE(test::take_message(window).isEmpty());
   CHECK(window.openFile(base / "cut"));
   CHECK(note->text().contains("incomplete"));
   CHECK(window.view().chartScene().page().x.size() == 59);
@@ -270,7 +260,7 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   REQUIRE(dialog->selectedFiles().size() == 1);
   CHECK(dialog->selectedFiles().front().endsWith("wave-2.jpg"));
   emit dialog->fileSelected("/proc/no/such/folder/x.jpg");
-  CHECK(take_message(window).contains("cannot write"));
+  CHECK(test::take_message(window).contains("cannot write"));
   // Lines and text, too; any other name is refused and told what there is.
   for (const auto& [ending, begins] : {std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
     const QString page = folder.filePath(QString("wave.") + ending);
@@ -281,7 +271,7 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
     CHECK(file.size() > 5000);
   }
   emit dialog->fileSelected(folder.filePath("wave.bmp"));
-  CHECK(take_message(window).contains(".svg or .pdf"));
+  CHECK(test::take_message(window).contains(".svg or .pdf"));
 }
 
 TEST_CASE("plot_window: the values of all panels under the mouse are read whole, at any size",

@@ -2,9 +2,9 @@
 
 #include "agore/agore_window.hpp"
 #include "agore/short_run.hpp"
+#include "support/message.hpp"
 
 #include <QCoreApplication>
-#include <QMessageBox>
 
 namespace adore::test {
 
@@ -17,16 +17,6 @@ inline agore::PictureWidget* show_painted(agore::AgoreWindow& window) {
   auto* canvas = window.findChild<agore::PictureWidget*>();
   canvas->grab();
   return canvas;
-}
-
-/// The message that the window shows, closed; empty where there is none.
-inline QString take_message(QWidget& window) {
-  auto* box = window.findChild<QMessageBox*>("message");
-  if (!box) return {};
-  const QString text = box->text();
-  box->close();
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  return text;
 }
 
 }  // namespace adore::test
