@@ -24,25 +24,6 @@ void add(desktop::ChartPage& page, const std::string& title, const std::string& 
   if (page.x.size() < history.time.size()) page.x = history.time;
 }
 
-/// Do extremes between stored steps stand out of any curve, so that their pale areas are seen?
-bool shows_extremes(const desktop::ChartPage& page) {
-  constexpr double kSeen = 0.02;  // of the curve's span
-  for (const desktop::ChartPanel& panel : page.panels)
-    for (const desktop::ChartCurve& curve : panel.curves) {
-      const std::size_t n = std::min({curve.y.size(), curve.low.size(), curve.high.size()});
-      double least = 0.0, most = 0.0, beyond = 0.0;
-      for (std::size_t i = 1; i < n; ++i) {
-        if (!std::isfinite(curve.y[i]) || !std::isfinite(curve.y[i - 1])) continue;
-        least = std::min(least, curve.y[i]);
-        most = std::max(most, curve.y[i]);
-        beyond = std::max({beyond, curve.high[i] - std::max(curve.y[i], curve.y[i - 1]),
-                           std::min(curve.y[i], curve.y[i - 1]) - curve.low[i]});
-      }
-      if (beyond > kSeen * (most - least)) return true;
-    }
-  return false;
-}
-
 }  // namespace
 
 desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options) {
@@ -120,7 +101,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
   }
-  if (shows_extremes(page)) page.note = "Pale: extremes between stored steps.";
+  page.band_note = "Pale: extremes between stored steps.";
   // What is behind the end of RESULTS.h5 has other digits, or none.
   if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});
   return page;

@@ -110,7 +110,7 @@ KeyEntry loads_entry(const Scene& s, std::size_t race, bool any) {
   const QString name = race == 0 ? "outer race loads" : "inner race loads";
   return now_and_then(s.sketch.theme().curves[race], any,
                       name + longest_load(s, s.animation.contacts->largest_of_race[race]),
-                      QString("no %1 now").arg(name));
+                      QString("no %1 to draw now").arg(name));
 }
 
 void name_arms(const Scene& s, bool named, std::vector<KeyEntry>& key) {

@@ -28,7 +28,8 @@ double bar_space(const QRectF& area) { return low(area) ? 44.0 : 58.0; }
 
 /// Value of each curve nearest to a time, as text under the data area's title: one line or, where
 /// that is too narrow, two; the values alone in the order of the legends where these are as well.
-QStringList present_values(const desktop::ChartPage& page, double time, double width) {
+QStringList present_values(const desktop::ChartScene& scene, double time, double width) {
+  const desktop::ChartPage& page = scene.page();
   QStringList parts, values;
   const std::size_t at = desktop::nearest_index(page.x, time);
   for (const auto& panel : page.panels)
@@ -48,7 +49,7 @@ QStringList present_values(const desktop::ChartPage& page, double time, double w
   const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
   const QString whole = parts.join("   ");
   if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) {
-    const QString note = QString::fromStdString(page.note);  // on pale areas
+    const QString note = scene.tellsOfBands() ? QString::fromStdString(page.band_note) : QString();
     if (note.isEmpty() || small.horizontalAdvance(note) > width) return {whole};
     return {whole, note};
   }
@@ -360,8 +361,7 @@ void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size
   }
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
-  const QStringList lines =
-      present_values(data_.page(), animation_.time.at(frame), area.width() - 20);
+  const QStringList lines = present_values(data_, animation_.time.at(frame), area.width() - 20);
   const bool two = lines.size() > 1;
   if (two || QFontMetricsF(painter.font()).horizontalAdvance(lines.front()) > area.width() - 20)
     painter.setFont(desktop::ui_font(kSmall));

@@ -113,6 +113,9 @@ class ChartScene : public QGraphicsScene {
   /// Numbers of the runs behind a place in a picture of a study; empty: none.
   [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
 
+  /// Are pale areas seen in the picture, so that the page's sentence on them is told?
+  [[nodiscard]] bool tellsOfBands() const { return bands_told_ && !page_.band_note.empty(); }
+
   void paintPage(QPainter& painter, const QRectF& target);
   [[nodiscard]] QImage image(QSize size);
 

@@ -152,7 +152,7 @@ qreal ChartScene::leastHeight() const {
 
 std::string ChartScene::noteText() const {
   std::string out = page_.note;
-  for (const std::string& more : {bands_told_ ? page_.band_note : std::string(), beyond_log_})
+  for (const std::string& more : {tellsOfBands() ? page_.band_note : std::string(), beyond_log_})
     if (!more.empty()) out += (out.empty() ? "" : " ") + more;
   return out;
 }

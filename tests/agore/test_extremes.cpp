@@ -1,6 +1,8 @@
 #include "agore/animation.hpp"
 #include "agore/made_run.hpp"
+#include "agore/motion_picture.hpp"
 #include "agore/views.hpp"
+#include "support/qt_app.hpp"
 
 #include <algorithm>
 
@@ -9,7 +11,8 @@ using namespace adore::agore;
 using namespace adore::testing;
 
 TEST_CASE("curves beside the pictures have the extremes between stored steps",
-          "[unit][h5][step-band]") {
+          "[gui][h5][step-band]") {
+  test::use_qt();
   constexpr long kEvery = 3, kLast = 30;
   const auto force = [](long step) { return 20.0 + static_cast<double>(step % 2 == 0 ? step : 0); };
   const auto load = [](long step) { return 100.0 - static_cast<double>(step % 2 == 0 ? 0 : step); };
@@ -55,10 +58,13 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
   check(View::Pocket, 0, force);
   check(View::Section, 0, load);
   CHECK(animation.source.find("peaks between") == std::string::npos);
-  options.view = View::Pocket;  // whose peaks stand out
-  CHECK(data_page(animation, options).note == "Pale: extremes between stored steps.");
-  options.view = View::Element;  // of speeds, which have none
-  CHECK(data_page(animation, options).note.empty());
+  MotionPicture picture(animation);
+  const auto told = [&](View view) {
+    options.view = view;
+    return picture.svg({1280, 800}, 1, options).contains("Pale: extremes between stored steps.");
+  };
+  CHECK(told(View::Pocket));         // whose peaks stand out
+  CHECK_FALSE(told(View::Element));  // of speeds, which have none
 }
 
 TEST_CASE("curves of a file without extremes say that peaks between stored steps are not in it",
