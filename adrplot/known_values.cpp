@@ -20,6 +20,11 @@ bool zero(const std::vector<double>& values) {
          std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; });
 }
 
+const std::string kTotalHeat = "thermal.total_heat", kCoolantHeat = "thermal.coolant_heat";
+constexpr std::string_view kCoolant = "thermal.coolant_";
+
+bool is_heat(const std::string& id) { return id.starts_with("thermal.") && id.ends_with("_heat"); }
+
 /// "contact.angle.outer" and "contact.angle" -> ".outer"
 std::string behind(const std::string& id, std::string_view channel) {
   return id.substr(channel.size());
@@ -65,6 +70,7 @@ std::vector<std::string> KnownColumns::sources(const std::string& id) {
   if (id.starts_with("pocket.position.")) return {"pocket.force" + behind(id, "pocket.position")};
   if (id.starts_with("flange."))
     return {"flange.gap" + id.substr(id.find('.', std::string("flange.").size()))};
+  if (is_heat(id) || id.starts_with(kCoolant)) return {kTotalHeat, kCoolantHeat};
   return {};
 }
 
@@ -151,6 +157,15 @@ KnownValues KnownColumns::values(const std::string& id) const {
                                  [](double v) { return std::isfinite(v); }))
       nothing(file_.part ? "The life is infinite at each of these steps."
                          : "The life is infinite at every step.");
+  } else if (is_heat(id) || is(kCoolant)) {
+    const bool none = always_zero(kTotalHeat);
+    if (!none && is(kCoolant) && always_zero(kCoolantHeat))
+      nothing("No coolant flows " + here + ": all heat leaves through the races.");
+    else if (is_heat(id)) {  // an average over a thermal step that has ended
+      const std::vector<double> total = stored(kTotalHeat);
+      for (std::size_t i = 0; i < out.values.size() && total[i] == 0.0; ++i) out.values[i] = kNone;
+      if (none) nothing("No thermal step ended " + here + ".");
+    }
   } else if (id.find("wear_rate") != std::string::npos) {  // also "race.wear_rate.inner"
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;

@@ -33,7 +33,9 @@ struct KnownValues {
 /// - contact angle, spin to roll and slip at a load of exactly 0: the contact is open;
 /// - a life of 0: no life model, or none computed yet; 9.99E+30: infinite (N77);
 /// - the angle of a land of exactly 0 while the cage has not left its middle;
-/// - an average wear rate at time 0: there is no time to average over.
+/// - an average wear rate at time 0: there is no time to average over;
+/// - a heat over a thermal step, before the first one has ended;
+/// - temperatures of a coolant that never takes heat while there is some: none flows.
 class KnownColumns {
  public:
   explicit KnownColumns(const results::SolFile& file);
