@@ -54,7 +54,7 @@ class Cells {
         next_r += per_r;
         --along;
       }
-      any = any || is_new(cell);
+      any |= is_new(cell);
       pass(cell);
     }
     return any;
@@ -82,6 +82,9 @@ QRectF whole_cells(const QRectF& area) {
 
 /// Cuts a stroke at the edges of `area`. False: nothing of it is inside.
 bool cut(QPointF& p, QPointF& q, const QRectF& area) {
+  if (std::max(p.x(), q.x()) < area.left() || std::min(p.x(), q.x()) > area.right() ||
+      std::max(p.y(), q.y()) < area.top() || std::min(p.y(), q.y()) > area.bottom())
+    return false;
   double from = 0.0, to = 1.0;
   const QPointF a = p, way = q - p;
   const auto keep = [&](double start, double length, double low, double high) {

@@ -48,9 +48,17 @@ class Finder {
     const auto tile = [](double pixel, int least, int most) {
       return static_cast<int>(std::clamp(std::floor(pixel / kTile), least - 1.0, most + 1.0));
     };
+    // Values that are seen at all: most runs of an enlarged way are elsewhere.
+    const double across[] = {tiles_.left() * kTile - reach, (tiles_.right() + 1) * kTile + reach},
+                 along[] = {tiles_.top() * kTile - reach, (tiles_.bottom() + 1) * kTile + reach};
+    const auto [least_x, most_x] = std::minmax(
+        {(across[0] - scale.x_at) / scale.x_per, (across[1] - scale.x_at) / scale.x_per});
+    const auto [least_y, most_y] =
+        std::minmax({(along[0] - scale.y_at) / scale.y_per, (along[1] - scale.y_at) / scale.y_per});
     for (std::size_t run = 0; run < way.boxes().size(); ++run) {
       const WayRuns::Box& box = way.boxes()[run];
-      if (box.left > box.right) continue;
+      if (box.left > most_x || box.right < least_x || box.low > most_y || box.high < least_y)
+        continue;
       const QPointF one = scale.place(box.left, box.low), other = scale.place(box.right, box.high);
       const auto [left, right] = std::minmax({one.x(), other.x()});
       const auto [top, bottom] = std::minmax({one.y(), other.y()});

@@ -120,8 +120,9 @@ BENCHMARK(pan_bands)
     ->MeasureProcessCPUTime();
 
 /// An orbit of as many points, enlarged to `1 / part` of its width and moved about in a circle for
-/// more than a turn: points of 500 to a turn that precess, with or without noise that fills their
-/// ring. `first_ms` is the picture before the first move, of which nothing is known.
+/// more than a turn, with what stands below the pointer read after each move: points of 500 to a
+/// turn that precess, with or without noise that fills their ring. `first_ms` is the picture before
+/// the first move, of which nothing is known.
 void pan_orbit(benchmark::State& state) {
   need_application();
   desktop::ChartPage page;
@@ -139,7 +140,8 @@ void pan_orbit(benchmark::State& state) {
     curve.y.push_back(r * std::sin(a));
   }
   page.panels = {{"Z", "", {std::move(curve)}}};
-  const QSize size(1280, 800);
+  const QSize size(static_cast<int>(state.range(3)), static_cast<int>(state.range(4)));
+  const QPointF pointer(0.4 * size.width(), 0.6 * size.height());
   desktop::ChartScene scene;
   scene.setPageSize(size);
   scene.setPage(std::move(page));
@@ -151,6 +153,8 @@ void pan_orbit(benchmark::State& state) {
     turn += 0.1;
     const double x = 0.4 * std::cos(turn), y = 0.4 * std::sin(turn);
     scene.setZoom({0.0, 1.0, {std::pair(y - half, y + half), std::pair(x - half, x + half)}});
+    benchmark::DoNotOptimize(scene.readoutParts(pointer));
+    benchmark::DoNotOptimize(scene.pointNear(pointer, 20.0));
     QPainter painter(&image);
     scene.paintPage(painter, QRectF(QPointF(0, 0), QSizeF(size)));
     return thread_time() - before;
@@ -161,7 +165,8 @@ void pan_orbit(benchmark::State& state) {
   tell(state, times);
 }
 BENCHMARK(pan_orbit)
-    ->ArgsProduct({{1'000'000}, {200, 100, 10}, {0, 1}})
+    ->ArgsProduct({{1'000'000}, {200, 100, 10}, {0, 1}, {1280}, {800}})
+    ->ArgsProduct({{1'000'000}, {200, 100, 10}, {0, 1}, {1920}, {1080}})
     ->Iterations(100)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
