@@ -176,7 +176,7 @@ TEST_CASE("way_tiles: a frame that moves over a way shows the same as one that h
 TEST_CASE("way_tiles: an orbit that was moved is drawn as one that was built there",
           "[gui][desktop]") {
   test::use_qt();
-  const ChartPage page = page_of(near_turns(300, 2.0));
+  const ChartPage page = page_of(near_turns(100, 2.0));
   for (const int scale : {1, 2}) {
     ChartScene moved;
     moved.setPage(page);
@@ -186,7 +186,7 @@ TEST_CASE("way_tiles: an orbit that was moved is drawn as one that was built the
     std::mt19937 random(11);
     std::uniform_real_distribution<double> some(-40.0, 40.0);
     int inked = 0;
-    for (int move = 0; move < 25; ++move) {
+    for (int move = 0; move < 12; ++move) {
       const bool dragged = move % 3 != 0;  // by whole pixels
       QPointF by(some(random), some(random));
       if (dragged) by = by.toPoint();
@@ -201,7 +201,7 @@ TEST_CASE("way_tiles: an orbit that was moved is drawn as one that was built the
       built.showCurve(0, 0, false);
       inked += most_apart(one, drawn(built, scale)) > 60 ? 1 : 0;
     }
-    CHECK(inked > 20);
+    CHECK(inked > 9);
   }
 }
 
