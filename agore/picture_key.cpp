@@ -154,29 +154,6 @@ struct Layout {
 
 Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 
-/// Entries beside each other in lines that they fill, each whole: what is longer than a line goes
-/// on in the next ones.
-Layout flowing(const std::vector<KeyEntry>& entries, double width, int letters) {
-  constexpr double kGap = 14.0;
-  Layout out = empty_layout(letters);
-  const QFontMetricsF metrics(desktop::ui_font(letters));
-  double x = 0.0;
-  for (const KeyEntry& entry : entries) {
-    const double wanted = width_of(entry, metrics);
-    if (x > 0.0 && x + wanted > width) x = 0.0, ++out.rows;
-    Placed part{&entry, {entry.text}, out.rows, x, x + wanted};
-    if (wanted > width) {
-      part.lines = in_lines(entry.text, width - kKeyIndent, metrics);
-      part.right = width;
-      out.rows += static_cast<std::size_t>(part.lines.size()) - 1;
-    }
-    x = part.right + kGap;
-    out.parts.push_back(std::move(part));
-  }
-  if (!entries.empty()) ++out.rows;
-  return out;
-}
-
 /// In columns of their longest entries; nothing where those are wider than there is room.
 std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size_t columns,
                                  double width, int letters) {
@@ -198,21 +175,63 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
   return out;
 }
 
+/// Beside each other from left to right, each beginning at one of the columns' left edges: entries
+/// that are wider than a column go over the next ones, those wider than all on into next lines.
+Layout at_stops(const std::vector<KeyEntry>& entries, const std::vector<double>& stops,
+                double width, int letters) {
+  constexpr double kGap = 10.0;
+  Layout out = empty_layout(letters);
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  std::size_t next = 0;
+  for (const KeyEntry& entry : entries) {
+    const double wanted = width_of(entry, metrics);
+    if (next == stops.size() || (next > 0 && stops[next] + wanted > width)) next = 0, ++out.rows;
+    Placed part{&entry, {entry.text}, out.rows, stops[next], stops[next] + wanted};
+    if (part.right > width) {  // alone in its line
+      part.lines = in_lines(entry.text, width - kKeyIndent, metrics);
+      part.right = width;
+      out.rows += static_cast<std::size_t>(part.lines.size()) - 1;
+    }
+    do ++next;
+    while (next < stops.size() && stops[next] < part.right + kGap);
+    out.parts.push_back(std::move(part));
+  }
+  if (!entries.empty()) ++out.rows;
+  return out;
+}
+
+/// In as few lines as columns that stand below each other can have, and as few columns.
+Layout aligned(const std::vector<KeyEntry>& entries, double width, int letters) {
+  constexpr double kGap = 10.0;
+  Layout best = at_stops(entries, {0.0}, width, letters);
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  for (const std::size_t columns : {2U, 3U})
+    for (const KeyEntry& widest : entries) {
+      std::vector<double> stops{0.0};
+      while (stops.size() < columns)
+        stops.push_back(stops.back() + width_of(widest, metrics) + kGap);
+      if (stops.back() >= width) continue;
+      Layout other = at_stops(entries, stops, width, letters);
+      if (other.rows < best.rows) best = std::move(other);
+    }
+  return best;
+}
+
 /// Two columns in a small picture or of many entries, one of others; in smaller letters, and
-/// flowing, where those cut an entry or take too much of the picture.
+/// wide entries over several columns, where those cut an entry or take too much of the picture.
 Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;
   const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
   const int usual = key_letters(entries.size(), area);
   constexpr int kLeast = 10;
-  // Few long entries read better in lines that they fill than in small letters.
+  // Few long entries read better in usual letters, over several columns, than in small ones.
   for (int letters = usual; letters >= (entries.size() > kMany ? kLeast : usual); --letters)
     if (const auto plain = in_columns(entries, columns, width, letters))
       if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
   Layout out;
   for (int letters = usual; letters >= kLeast; --letters) {
-    out = flowing(entries, width, letters);
+    out = aligned(entries, width, letters);
     if (out.height() < kMostOfHeight * area.height()) break;
   }
   return out;
@@ -299,7 +318,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
                       const std::vector<KeyEntry>& entries) {
   Layout key;
   for (const int letters : {12, 11, 10, 9}) {
-    key = flowing(entries, place.width(), letters);
+    key = aligned(entries, place.width(), letters);
     if (key.height() <= place.height()) break;
   }
   p.setFont(desktop::ui_font(key.letters));

@@ -69,6 +69,32 @@ TEST_CASE("the arrow of a pocket points to the wall that carries", "[unit][agore
   }
 }
 
+TEST_CASE("a roller meets its wall where the run says, or where it is drawn next to it",
+          "[unit][agore][pocket]") {
+  using agore::touching_place, agore::upright;
+  const agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
+  const auto near = [](QPointF a, QPointF b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y()) < 0.02;
+  };
+  const QPolygonF straight = upright(shape.outline(), 0.0);
+  for (const std::size_t side : {0U, 1U}) {
+    const double x = side == 0 ? -5.0 : 5.0;
+    CHECK(near(touching_place(straight, 0.0, side, {}), {x, 0.0}));
+    CHECK(near(touching_place(straight, 0.0, side, 3.0), {x, 3.0}));
+    CHECK(near(touching_place(straight, 0.0, side, 99.0), {x, 7.0}));
+    // A skew to the right brings its upper end to the right wall, its lower one to the left.
+    const QPolygonF skewed = upright(shape.outline(), 0.1);
+    const QPointF touch = touching_place(skewed, 0.0, side, {});
+    CHECK((side == 0 ? -1.0 : 1.0) * touch.y() > 6.0);
+    CHECK(std::abs(touch.x()) == Approx(5.0 * std::cos(0.1) + 7.0 * std::sin(0.1)).epsilon(0.01));
+    // A cone lies along the walls of its window.
+    const agore::RollerProfile cone{.half = 7.0, .radius = 5.0, .slope = -0.1};
+    const QPointF on_cone = touching_place(upright(cone.outline(), 0.0), -0.1, side, 4.0);
+    CHECK(std::abs(on_cone.x()) == Approx(4.6).epsilon(0.01));
+    CHECK(on_cone.y() == Approx(4.0));
+  }
+}
+
 TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
           "[unit][agore][pocket]") {
   agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
@@ -276,6 +302,16 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
     for (int x = from; x < to; ++x) free[x < (from + to) / 2 ? 0 : 1] += is(x, paper);
     CHECK(free[first ? 0 : 1] <= 1);
     CHECK(free[first ? 1 : 0] > 20);
+    // What presses on it comes from that wall, and ends where it touches.
+    int wall = first ? from : to, red = 0, beyond = 0;
+    while (is(wall, cage)) wall += first ? 1 : -1;
+    for (int y = row - 100; y < row + 200; ++y)
+      for (int x = 0; x < 780; ++x)
+        if (image.pixelColor(x, y) == theme_of(options).red)
+          ++red, beyond += first ? x > wall + 4 : x < wall - 4;
+    INFO(red << " pixels of the arrow, " << beyond << " beyond the wall");
+    CHECK(red > 40);
+    CHECK(beyond == 0);
   }
 }
 
