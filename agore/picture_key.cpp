@@ -56,12 +56,14 @@ QStringList in_lines(const QString& text, double width, const QFontMetricsF& met
 namespace {
 
 constexpr std::size_t kMany = 6;  // entries of a key that stands in columns wherever it has room
-constexpr double kKeyIndent = 26.0;
+/// Of words behind their mark, in letters of a size.
+double indent_of(int letters) { return letters < 11 ? 21.0 : 26.0; }
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
 
 /// Of the mark and its words, or of those that stand there in other frames.
-double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
-  return kKeyIndent +
+double width_of(const KeyEntry& entry, int letters) {
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  return indent_of(letters) +
          std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
 }
 
@@ -159,13 +161,12 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
                                  double width, int letters) {
   constexpr double kGap = 12.0;
   Layout out = empty_layout(letters);
-  const QFontMetricsF metrics(desktop::ui_font(letters));
   out.rows = (entries.size() + columns - 1) / columns;
   double left = 0.0;
   for (std::size_t first = 0; first < entries.size(); first += out.rows) {
     double longest = 0.0;
     for (std::size_t i = first; i < std::min(first + out.rows, entries.size()); ++i) {
-      const double wide = width_of(entries[i], metrics);
+      const double wide = width_of(entries[i], letters);
       longest = std::max(longest, wide);
       out.parts.push_back({&entries[i], {entries[i].text}, i - first, left, left + wide});
     }
@@ -175,28 +176,33 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
   return out;
 }
 
-/// Beside each other from left to right, each beginning at one of the columns' left edges: entries
-/// that are wider than a column go over the next ones, those wider than all on into next lines.
+/// Each beginning at one of the columns' left edges, in the first line that has room: entries that
+/// are wider than a column go over the next ones, those wider than all on into next lines.
 Layout at_stops(const std::vector<KeyEntry>& entries, const std::vector<double>& stops,
                 double width, int letters) {
   constexpr double kGap = 10.0;
   Layout out = empty_layout(letters);
   const QFontMetricsF metrics(desktop::ui_font(letters));
-  std::size_t next = 0;
+  std::vector<std::size_t> free;  // of each line: its first column that is
   for (const KeyEntry& entry : entries) {
-    const double wanted = width_of(entry, metrics);
-    if (next == stops.size() || (next > 0 && stops[next] + wanted > width)) next = 0, ++out.rows;
-    Placed part{&entry, {entry.text}, out.rows, stops[next], stops[next] + wanted};
-    if (part.right > width) {  // alone in its line
-      part.lines = in_lines(entry.text, width - kKeyIndent, metrics);
+    const double wanted = width_of(entry, letters);
+    const auto fits = [&](std::size_t column) {
+      return column < stops.size() && stops[column] + wanted <= width;
+    };
+    const auto line = std::find_if(free.begin(), free.end(), fits);
+    const auto row = static_cast<std::size_t>(line - free.begin());
+    if (line == free.end()) free.push_back(0);
+    Placed part{&entry, {entry.text}, row, stops[free[row]], stops[free[row]] + wanted};
+    if (part.right > width) {  // alone in its lines
+      part.lines = in_lines(entry.text, width - indent_of(letters), metrics);
       part.right = width;
-      out.rows += static_cast<std::size_t>(part.lines.size()) - 1;
+      free.resize(row + static_cast<std::size_t>(part.lines.size()), stops.size());
     }
-    do ++next;
-    while (next < stops.size() && stops[next] < part.right + kGap);
+    do ++free[row];
+    while (free[row] < stops.size() && stops[free[row]] < part.right + kGap);
     out.parts.push_back(std::move(part));
   }
-  if (!entries.empty()) ++out.rows;
+  out.rows = free.size();
   return out;
 }
 
@@ -204,12 +210,11 @@ Layout at_stops(const std::vector<KeyEntry>& entries, const std::vector<double>&
 Layout aligned(const std::vector<KeyEntry>& entries, double width, int letters) {
   constexpr double kGap = 10.0;
   Layout best = at_stops(entries, {0.0}, width, letters);
-  const QFontMetricsF metrics(desktop::ui_font(letters));
   for (const std::size_t columns : {2U, 3U})
     for (const KeyEntry& widest : entries) {
       std::vector<double> stops{0.0};
       while (stops.size() < columns)
-        stops.push_back(stops.back() + width_of(widest, metrics) + kGap);
+        stops.push_back(stops.back() + width_of(widest, letters) + kGap);
       if (stops.back() >= width) continue;
       Layout other = at_stops(entries, stops, width, letters);
       if (other.rows < best.rows) best = std::move(other);
@@ -237,15 +242,16 @@ Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   return out;
 }
 
-void draw_part(QPainter& p, const Placed& part, double line, QPointF corner,
+void draw_part(QPainter& p, const Placed& part, const Layout& key, QPointF corner,
                const desktop::Theme& theme) {
+  const double line = key.line, indent = indent_of(key.letters);
   double y = corner.y() + line * static_cast<double>(part.row + 1) - 4.0;
   const double left = corner.x() + part.left;
   const bool marked = part.entry != nullptr && part.entry->colour.isValid();
-  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, kKeyIndent - 8.0);
+  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, std::min(18.0, indent - 6.0));
   p.setPen(theme.muted);
   for (const QString& text : part.lines) {
-    p.drawText(QPointF(marked ? left + kKeyIndent : left, y), text);
+    p.drawText(QPointF(marked ? left + indent : left, y), text);
     y += line;
   }
 }
@@ -280,7 +286,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   p.setBrush(paper);
   p.drawPath(behind);
   p.setFont(desktop::ui_font(key.letters));
-  for (const Placed& part : key.parts) draw_part(p, part, key.line, corner, theme);
+  for (const Placed& part : key.parts) draw_part(p, part, key, corner, theme);
   return {area.left(), corner.y(), widest + 10.0, key.height() + 2.0};
 }
 
@@ -327,7 +333,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   for (const Placed& part : key.parts) {
     const std::size_t end = part.row + static_cast<std::size_t>(part.lines.size());
     if (key.rows > last && end >= last) break;
-    draw_part(p, part, key.line, place.topLeft(), theme);
+    draw_part(p, part, key, place.topLeft(), theme);
     p.setPen(theme.muted);
     ++drawn;
   }

@@ -68,7 +68,8 @@ namespace {
 QColor mark_edge(const QColor& colour) {
   return qGray(colour.rgb()) < 128 ? QColor("#f0f0f0") : QColor("#101418");
 }
-constexpr double kMarkEdge = 1.0;  // pixels
+/// Its width, thinner on the small bodies of a key [pixels].
+double edge_width(double r) { return std::min(1.0, 0.12 * r); }
 
 bool drawable(const std::array<double, 3>& mark, QPointF middle) {
   return mark != std::array<double, 3>{} &&
@@ -82,7 +83,8 @@ void draw_turning_mark(QPainter& painter, QPointF middle, double r,
   if (!drawable(mark, middle)) return;
   const QPointF way = QPointF(mark[0], -mark[1]) * r * 0.8, tip = middle + way;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
-  const double width = std::clamp(0.09 * r, 1.4, 5.0), dot = std::clamp(0.15 * r, 2.6, 10.0);
+  const double width = std::clamp(0.09 * r, 1.4, 5.0),
+               dot = std::clamp(0.15 * r, std::min(2.6, 0.3 * r), 10.0);
   const double ring = std::clamp(0.06 * r, 1.2, 3.0), hole = dot - 0.5 * ring;
   const bool behind = mark[2] < kBehind;
   const double length = std::hypot(way.x(), way.y());
@@ -102,7 +104,7 @@ void draw_turning_mark(QPainter& painter, QPointF middle, double r,
       painter.drawEllipse(tip, dot + 0.5 * extra, dot + 0.5 * extra);
     }
   };
-  draw(mark_edge(colour), 2.0 * kMarkEdge);
+  draw(mark_edge(colour), 2.0 * edge_width(r));
   draw(colour, 0.0);
 }
 
@@ -118,7 +120,7 @@ void draw_turning_sector(QPainter& painter, QPointF middle, double r,
   sector.closeSubpath();
   painter.setBrush(colour);
   painter.setPen(
-      QPen(mark_edge(colour), 2.0 * kMarkEdge, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      QPen(mark_edge(colour), 2.0 * edge_width(r), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(sector);
   painter.setPen(Qt::NoPen);  // over the inner half of its edge
   painter.drawPath(sector);
