@@ -202,13 +202,15 @@ std::string skew_remark(double skew, double drawn, bool low) {
                      desktop::tick_text(degrees(drawn), 1));
 }
 
-/// "side walls: left touched, right 38.1 µm away"
-QString gaps_text(const std::array<double, 2>& gaps, const std::string& unit) {
-  const auto text = [&](double gap) {
-    return gap > 0.0 ? desktop::pretty_quantity(gap, unit, 3) + " away" : std::string("touched");
+/// "side walls: left touched, right 38.1 µm away". A wall that carries nothing is not touched,
+/// though it may be at no distance to the digits of the file.
+QString gaps_text(const SideWalls& walls, const std::string& unit) {
+  const auto text = [&](std::size_t side) {
+    return walls.gap[side] <= 0.0 && walls.force[side] > 0.0
+               ? std::string("touched")
+               : desktop::pretty_quantity(std::max(walls.gap[side], 0.0), unit, 3) + " away";
   };
-  return QString::fromStdString(
-      fmt::format("side walls: left {}, right {}", text(gaps[0]), text(gaps[1])));
+  return QString::fromStdString(fmt::format("side walls: left {}, right {}", text(0), text(1)));
 }
 
 }  // namespace
@@ -312,8 +314,7 @@ void pocket_view(const Scene& s) {
        !contacts.empty() ? QString::fromStdString(contacts)
        : rollers         ? QString("no contact with the side walls; end walls are not stored")
                          : QString("no contact")}};
-  if (rollers && shape_known)
-    key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
+  if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
   if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,

@@ -1,5 +1,7 @@
+#include "agore/example_run.hpp"
 #include "agore/made_run.hpp"
 #include "agore/motion_picture.hpp"
+#include "agore/picture_words.hpp"
 #include "agore/pocket_outline.hpp"
 #include "agore/render.hpp"
 #include "agore/ring_profile.hpp"
@@ -93,6 +95,37 @@ TEST_CASE("a roller meets its wall where the run says, or where it is drawn next
     CHECK(std::abs(on_cone.x()) == Approx(4.6).epsilon(0.01));
     CHECK(on_cone.y() == Approx(4.0));
   }
+}
+
+TEST_CASE("the wall that carries by the stored angle is the one that is pressed in by its gap",
+          "[agore][pocket][h5][slow]") {
+  int contacts = 0;
+  for (const std::string& type : test::kTypes) {
+    const Animation a = open_motion(test::example_run(type) / "RESULTS.h5");
+    const auto& force = *a.motion->channel("pocket.force");
+    const auto& gap = *a.motion->channel("pocket.gap");
+    const auto& theta = *a.motion->channel("pocket.theta");
+    const bool balls = a.file.bearing_type == 1;
+    const std::size_t surfaces = a.motion->pocket_surfaces();
+    for (std::size_t frame = 0; frame < a.frames(); ++frame)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(a.file.elements); ++k)
+        for (std::size_t i = k * surfaces; i < (k + 1) * surfaces; ++i) {
+          if (!(force.at(frame, i) > 0.0)) continue;
+          ++contacts;
+          INFO(type << ", frame " << frame << ", element " << k + 1);
+          CHECK(gap.at(frame, i) < 0.0);
+          if (!balls) {  // the first of a pair drives the roller
+            CHECK((std::cos(theta.at(frame, i)) > 0.0) == ((i - k * surfaces) % 2 == 0));
+            continue;
+          }
+          // A ball has gone towards the wall that its angle names.
+          const auto& way = a.frame(frame).elements[k].pocket_vector;
+          const double turns = a.cage_angle.back() >= a.cage_angle.front() ? 1.0 : -1.0;
+          const QPointF wall = touched_wall(false, {}, theta.at(frame, i), turns);
+          CHECK(-way[1] * wall.x() + way[0] * wall.y() > 0.0);
+        }
+  }
+  CHECK(contacts > 3);
 }
 
 TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
@@ -313,6 +346,33 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
     CHECK(red > 40);
     CHECK(beyond == 0);
   }
+}
+
+TEST_CASE("views: a wall that carries nothing is not called touched", "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  const TemporaryFolder folder;
+  bearing::Bearing bearing = make_bearing(8);
+  bearing.cage->pocket = bearing::PocketShape::Rectangular;
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 3; ++step) {
+    scene::Snapshot snapshot = make_snapshot(bearing, step);
+    for (auto& element : snapshot.elements)
+      for (std::size_t i = 0; i < 4; ++i)
+        element.pocket[i].force = 0.0, element.pocket[i].gap = i % 2 == 0 ? 0.0 : 3.8e-4;
+    h5.write(recorder.record(snapshot));
+  }
+  h5.close();
+  write_sizes(folder / "RESULTS.h5", {{"bearing_type", 3.0}, {"roller_length", 0.013}});
+  MotionPicture picture = open_animation(folder / "RESULTS.h5");
+  ViewOptions options;
+  options.view = View::Pocket;
+  const QString words = test::all_words(picture.svg({1280, 800}, 2, options));
+  INFO(words.toStdString());
+  CHECK(words.contains("no contact with the side walls"));
+  CHECK(words.contains("right 380 µm away"));
+  CHECK_FALSE(words.contains("touched"));
 }
 
 TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",
