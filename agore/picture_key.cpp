@@ -60,13 +60,6 @@ constexpr std::size_t kMany = 6;  // entries of a key that stands in columns whe
 double indent_of(int letters) { return letters < 11 ? 21.0 : 26.0; }
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
 
-/// Of the mark and its words, or of those that stand there in other frames.
-double width_of(const KeyEntry& entry, int letters) {
-  const QFontMetricsF metrics(desktop::ui_font(letters));
-  return indent_of(letters) +
-         std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
-}
-
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width, const QFontMetricsF& metrics) {
   QStringList out;
@@ -156,9 +149,30 @@ struct Layout {
 
 Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 
+/// An entry, measured once: of several layouts the best is taken.
+struct Measured {
+  const KeyEntry* entry;
+  double width;       ///< of the mark and its words, or of those that stand there in other frames
+  QStringList lines;  ///< one, or of what is wider than there is room
+};
+
+std::vector<Measured> measured(const std::vector<KeyEntry>& entries, double room, int letters) {
+  const QFontMetricsF metrics(desktop::ui_font(letters));
+  const double indent = indent_of(letters);
+  std::vector<Measured> out;
+  for (const KeyEntry& entry : entries) {
+    const double words =
+        std::max(metrics.horizontalAdvance(entry.text),
+                 entry.room.isEmpty() ? 0.0 : metrics.horizontalAdvance(entry.room));
+    out.push_back({&entry, indent + words, {entry.text}});
+    if (out.back().width > room) out.back().lines = in_lines(entry.text, room - indent, metrics);
+  }
+  return out;
+}
+
 /// In columns of their longest entries; nothing where those are wider than there is room.
-std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size_t columns,
-                                 double width, int letters) {
+std::optional<Layout> in_columns(const std::vector<Measured>& entries, std::size_t columns,
+                                 double room, int letters) {
   constexpr double kGap = 12.0;
   Layout out = empty_layout(letters);
   out.rows = (entries.size() + columns - 1) / columns;
@@ -166,11 +180,11 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
   for (std::size_t first = 0; first < entries.size(); first += out.rows) {
     double longest = 0.0;
     for (std::size_t i = first; i < std::min(first + out.rows, entries.size()); ++i) {
-      const double wide = width_of(entries[i], letters);
-      longest = std::max(longest, wide);
-      out.parts.push_back({&entries[i], {entries[i].text}, i - first, left, left + wide});
+      const Measured& one = entries[i];
+      longest = std::max(longest, one.width);
+      out.parts.push_back({one.entry, {one.entry->text}, i - first, left, left + one.width});
     }
-    if (left + longest > width) return std::nullopt;
+    if (left + longest > room) return std::nullopt;
     left += longest + kGap;
   }
   return out;
@@ -178,45 +192,40 @@ std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size
 
 /// Each beginning at one of the columns' left edges, in the first line that has room: entries that
 /// are wider than a column go over the next ones, those wider than all on into next lines.
-Layout at_stops(const std::vector<KeyEntry>& entries, const std::vector<double>& stops,
-                double width, int letters) {
+Layout at_stops(const std::vector<Measured>& entries, const std::vector<double>& stops, double room,
+                int letters) {
   constexpr double kGap = 10.0;
   Layout out = empty_layout(letters);
-  const QFontMetricsF metrics(desktop::ui_font(letters));
   std::vector<std::size_t> free;  // of each line: its first column that is
-  for (const KeyEntry& entry : entries) {
-    const double wanted = width_of(entry, letters);
+  for (const Measured& one : entries) {
     const auto fits = [&](std::size_t column) {
-      return column < stops.size() && stops[column] + wanted <= width;
+      return column < stops.size() && stops[column] + one.width <= room;
     };
     const auto line = std::find_if(free.begin(), free.end(), fits);
     const auto row = static_cast<std::size_t>(line - free.begin());
     if (line == free.end()) free.push_back(0);
-    Placed part{&entry, {entry.text}, row, stops[free[row]], stops[free[row]] + wanted};
-    if (part.right > width) {  // alone in its lines
-      part.lines = in_lines(entry.text, width - indent_of(letters), metrics);
-      part.right = width;
-      free.resize(row + static_cast<std::size_t>(part.lines.size()), stops.size());
-    }
+    const double left = stops[free[row]], right = std::min(left + one.width, room);
+    out.parts.push_back({one.entry, one.lines, row, left, right});
+    if (left + one.width > room)  // alone in its lines
+      free.resize(row + static_cast<std::size_t>(one.lines.size()), stops.size());
     do ++free[row];
-    while (free[row] < stops.size() && stops[free[row]] < part.right + kGap);
-    out.parts.push_back(std::move(part));
+    while (free[row] < stops.size() && stops[free[row]] < right + kGap);
   }
   out.rows = free.size();
   return out;
 }
 
 /// In as few lines as columns that stand below each other can have, and as few columns.
-Layout aligned(const std::vector<KeyEntry>& entries, double width, int letters) {
+Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
   constexpr double kGap = 10.0;
-  Layout best = at_stops(entries, {0.0}, width, letters);
+  const std::vector<Measured> all = measured(entries, room, letters);
+  Layout best = at_stops(all, {0.0}, room, letters);
   for (const std::size_t columns : {2U, 3U})
-    for (const KeyEntry& widest : entries) {
+    for (const Measured& widest : all) {
       std::vector<double> stops{0.0};
-      while (stops.size() < columns)
-        stops.push_back(stops.back() + width_of(widest, letters) + kGap);
-      if (stops.back() >= width) continue;
-      Layout other = at_stops(entries, stops, width, letters);
+      while (stops.size() < columns) stops.push_back(stops.back() + widest.width + kGap);
+      if (stops.back() >= room) continue;
+      Layout other = at_stops(all, stops, room, letters);
       if (other.rows < best.rows) best = std::move(other);
     }
   return best;
@@ -232,7 +241,7 @@ Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   constexpr int kLeast = 10;
   // Few long entries read better in usual letters, over several columns, than in small ones.
   for (int letters = usual; letters >= (entries.size() > kMany ? kLeast : usual); --letters)
-    if (const auto plain = in_columns(entries, columns, width, letters))
+    if (const auto plain = in_columns(measured(entries, width, letters), columns, width, letters))
       if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
   Layout out;
   for (int letters = usual; letters >= kLeast; --letters) {
