@@ -5,6 +5,7 @@
 
 #include <vector>
 
+class QColor;
 class QPainter;
 class QPen;
 
@@ -26,5 +27,9 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 /// and fro of many points by dense_way.hpp.
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
                 const QPen& pen);
+
+/// Fills an area of upright rectangles by stroke_mask.hpp. False: not on a screen, nothing is
+/// drawn.
+bool draw_band(QPainter& painter, const QPolygonF& outline, const QColor& colour);
 
 }  // namespace adore::desktop

@@ -103,14 +103,15 @@ void pan_bands(benchmark::State& state) {
       for (double& v : curve.low) v -= 0.05;
       for (double& v : curve.high) v += 0.05;
     }
-  const QSize size(1280, 800);
+  const QSize size(static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
   desktop::ChartScene scene;
   scene.setPageSize(size);
   scene.setPage(std::move(page));
   pan_along(state, scene, size);
 }
 BENCHMARK(pan_bands)
-    ->ArgsProduct({{2'500, 100'000, 1'000'000}})
+    ->ArgsProduct({{2'500, 100'000, 1'000'000}, {1280}, {800}})
+    ->ArgsProduct({{2'500, 1'000'000}, {1920}, {1080}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
