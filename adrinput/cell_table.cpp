@@ -170,6 +170,11 @@ void CellTable::setUp() {
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWordWrap(false);
   setRowCount(static_cast<int>(lines_.size()));
+  verticalHeader()->setVisible(repeated_ || severalRecords());
+  sync();
+}
+
+void CellTable::nameRows() {
   const deck::RecordSpec& spec = *deck::find_record(record_);
   QStringList names;
   for (const Line& line : lines_) {
@@ -182,13 +187,11 @@ void CellTable::setUp() {
     }
     if (repeated_ && variable.length != "1")
       name += " " + QString::fromStdString(deck::element_name(variable, line.element));
-    const std::string unit = unit_of(document_.deck(), variable);
-    if (!unit.empty()) name += QString(" [%1]").arg(QString::fromStdString(unit));
+    const QString unit = shown_unit(document_, variable);
+    if (!unit.isEmpty()) name += QString(" [%1]").arg(unit);
     names << name;
   }
   setVerticalHeaderLabels(names);
-  verticalHeader()->setVisible(repeated_ || severalRecords());
-  sync();
 }
 
 Cell CellTable::cellAt(int row, int column) const {
@@ -234,6 +237,7 @@ void CellTable::setOtherUnits(bool shown) {
 
 void CellTable::sync() {
   const QSignalBlocker quiet(this);
+  nameRows();
   constexpr int kListed = 10;  // deviations in a record
   const int columns = severalRecords() ? kListed
                       : repeated_

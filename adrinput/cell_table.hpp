@@ -42,6 +42,8 @@ class CellTable : public QTableWidget {
   };
   explicit CellTable(Document& document, QWidget* parent);
   void setUp();
+  /// Each with the unit that its values are shown in.
+  void nameRows();
   void fillCell(int row, int column);
   void fitHeight();
   [[nodiscard]] bool atEnd(bool next) const;

@@ -78,11 +78,10 @@ void RecordPage::syncRow(Row& row, bool all) {
     if ((all || !typing) && row.line->text() != value) row.line->setText(value);
   }
   if (row.combo != nullptr) syncCombo(row, value, all);
-  QString unit = QString::fromStdString(unit_of(document_.deck(), variable));
+  QString unit = shown_unit(document_, variable);
   const QString limits = QString::fromStdString(limits_of(document_.deck(), variable));
   if (row.choice != nullptr) {
-    const QString chosen = chosen_unit(variable.unit.si);
-    row.choice->setText(chosen.isEmpty() || unit.isEmpty() ? unit : chosen);
+    row.choice->setText(unit);
     row.choice->setVisible(!unit.isEmpty());
     unit.clear();
   }

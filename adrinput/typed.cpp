@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 #include <span>
 
 namespace adore::adrinput {
@@ -29,6 +30,15 @@ std::string plain_number(std::string_view typed) {
   const auto commas = std::count(text.begin(), text.end(), ',');
   if (commas == 1 && text.find('.') == std::string::npos) text[text.find(',')] = '.';
   return text;
+}
+
+/// "10,000": ten to three decimals, or ten thousand. Nobody groups 0,125 or 1234,567.
+deck::NumberProblem thousands_or_decimals(std::string_view typed) {
+  static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,])");
+  std::cmatch found;
+  if (!std::regex_search(typed.begin(), typed.end(), found, kGroup)) return {};
+  return {"can be read with a decimal comma or with thousands",
+          fmt::format("write {0}{1} or {0}.{1}", found.str(2), found.str(3))};
 }
 
 Typed parse_string(std::string_view text) {
@@ -65,6 +75,7 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   if (variable.type == deck::VarType::String) return parse_string(text);
   const std::string number = plain_number(text);
   const bool integer = variable.type == deck::VarType::Integer;
+  if (deck::NumberProblem problem = thousands_or_decimals(text)) return {{}, problem};
   if (number.empty())
     return {{}, {"is missing", integer ? "give an integer" : "give a number such as 0.05"}};
   if (!integer) {
@@ -85,6 +96,7 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
                   std::string_view text) {
   if (variable.type != deck::VarType::Real) return parse_typed(variable, text);
   const std::string number = plain_number(text);
+  if (deck::NumberProblem problem = thousands_or_decimals(text)) return {{}, problem};
   double value = 0.0;
   const bool plain = !deck::parse_real(number, value);
   const bool words = number.find_first_of("0123456789") == std::string::npos;

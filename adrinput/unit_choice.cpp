@@ -78,6 +78,11 @@ QString unit_in_view(const Document& document, const deck::VariableSpec& variabl
 
 }  // namespace
 
+QString shown_unit(const Document& document, const deck::VariableSpec& variable) {
+  const QString chosen = unit_in_view(document, variable);
+  return chosen.isEmpty() ? QString::fromStdString(unit_of(document.deck(), variable)) : chosen;
+}
+
 QString shown_value(const Document& document, const Cell& cell) {
   const QString text = QString::fromStdString(document.text(cell));
   const deck::VariableSpec* variable = variable_of(cell);

@@ -430,7 +430,6 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
                               : p_shown == q_shown;
   };
   const Agreement seen_alike = agreement(one, other, from, to, near);
-  const bool bands_alike = bands_agree(one, other, from, to, seen * std::abs(y_axis.factor));
   const auto place = [&](std::size_t i) {
     return area.left() +
            (x_axis_.shown(page_.x[i]) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
@@ -438,8 +437,11 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
   shown.partly =
       seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
   // On a steep way lines that lie on each other have values that differ by more than a line.
-  shown.alike = !seen_alike.agree
-                    ? (runs_to_and_fro(shown, same) || !bands_alike ? Alike::Covers : Alike::Near)
+  const auto near_by_ways = [&] {
+    return !runs_to_and_fro(shown, same) &&
+           bands_agree(one, other, from, to, seen * std::abs(y_axis.factor));
+  };
+  shown.alike = !seen_alike.agree ? (near_by_ways() ? Alike::Near : Alike::Covers)
                 : agreement(one, other, from, to, equal).agree ? Alike::Equal
                                                                : Alike::Near;
 }

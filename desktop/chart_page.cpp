@@ -59,17 +59,36 @@ CurveBlocks blocks_of(const std::vector<double>& y, bool wraps) {
   for (std::size_t b = 0; b < out.blocks.size(); ++b) {
     CurveBlocks::Block& block = out.blocks[b];
     const std::size_t begin = b * CurveBlocks::kLength, end = begin + CurveBlocks::kLength;
-    block = {begin, begin, true, false, 0};
+    block = {begin, begin, 0.0, 0.0, true, false, 0};
     for (std::size_t i = begin; i < end; ++i) {
       block.whole = block.whole && is_drawable(y[i]);
       if (y[i] < y[block.lowest]) block.lowest = i;
       if (y[i] > y[block.highest]) block.highest = i;
       block.begun += begins_piece(y, i, wraps) ? 1 : 0;
     }
+    block.low = y[block.lowest], block.high = y[block.highest];
     block.smooth = block.whole;
     if (!wraps || !block.whole) continue;
     const double before = begin > 0 && is_drawable(y[begin - 1]) ? y[begin - 1] : y[begin];
-    block.smooth = std::max(y[block.highest], before) - std::min(y[block.lowest], before) <= kWrap;
+    block.smooth = std::max(block.high, before) - std::min(block.low, before) <= kWrap;
+  }
+  out.spans.resize(y.size() / CurveBlocks::kSpan);
+  for (std::size_t i = 0; i < out.spans.size() * CurveBlocks::kSpan; ++i)
+    out.spans[i / CurveBlocks::kSpan].include(y[i]);
+  return out;
+}
+
+Extent extent_between(const std::vector<double>& y, std::size_t from, std::size_t to,
+                      const CurveBlocks& blocks) {
+  Extent out;
+  for (std::size_t i = from; i < std::min(to, y.size());) {
+    const std::size_t k = i / CurveBlocks::kSpan;
+    if (i % CurveBlocks::kSpan == 0 && i + CurveBlocks::kSpan <= to && k < blocks.spans.size()) {
+      out.include(blocks.spans[k]);
+      i += CurveBlocks::kSpan;
+    } else {
+      out.include(y[i++]);
+    }
   }
   return out;
 }
@@ -127,8 +146,8 @@ Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std
     std::size_t lowest = i, highest = i;
     do {
       const CurveBlocks::Block& block = blocks.blocks[i / CurveBlocks::kLength];
-      const std::size_t low = y[block.lowest] < y[lowest] ? block.lowest : lowest,
-                        high = y[block.highest] > y[highest] ? block.highest : highest;
+      const std::size_t low = block.low < y[lowest] ? block.lowest : lowest,
+                        high = block.high > y[highest] ? block.highest : highest;
       if (wraps && i > from && y[high] - y[low] > kWrap) break;
       lowest = low, highest = high;
       i += CurveBlocks::kLength;

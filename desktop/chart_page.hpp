@@ -1,5 +1,7 @@
 #pragma once
 
+#include "desktop/axis_scale.hpp"
+
 #include <memory>
 #include <string>
 #include <utility>
@@ -116,19 +118,25 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
                                       double low, double high, int columns, bool wraps,
                                       const CurveBlocks* blocks = nullptr);
 
-/// Places of the lowest and the highest of every kLength values of a long curve: made once, so that
-/// moving along a million of them is quick and hides no peak.
+/// Places of the lowest and the highest of every kLength values of a long curve, and what they are:
+/// made once, so that moving along a million of them is quick and hides no peak.
 struct CurveBlocks {
-  static constexpr std::size_t kLength = 32;
+  static constexpr std::size_t kLength = 32, kSpan = 32 * kLength;
   struct Block {
     std::size_t lowest = 0, highest = 0;
+    double low = 0.0, high = 0.0;
     bool whole = false;   ///< no gap in it
     bool smooth = false;  ///< nor a wrap, nor one to the value before
     int begun = 0;        ///< pieces between gaps and wraps that begin in it
   };
   std::vector<Block> blocks;  ///< of whole lengths; values behind the last have none
+  std::vector<Extent> spans;  ///< of every kSpan values, those that are none left out
 };
 [[nodiscard]] CurveBlocks blocks_of(const std::vector<double>& y, bool wraps);
+
+/// Range of the values from place `from` to before `to`, those that are none left out.
+[[nodiscard]] Extent extent_between(const std::vector<double>& y, std::size_t from, std::size_t to,
+                                    const CurveBlocks& blocks);
 
 /// Pieces of a curve from place `first` to before `last` between its gaps and, where it `wraps`,
 /// its wraps; whole blocks are not looked into.

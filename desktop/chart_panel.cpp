@@ -33,20 +33,13 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
     const bool by_blocks = !blocks_.empty() && !panel.log;
     std::size_t which = 0;
     for (const auto* values : {&curve.y, &curve.low, &curve.high}) {
-      const CurveBlocks* blocks = by_blocks ? &blocks_[index][c].of(which) : nullptr;
+      if (by_blocks) extent.include(extent_between(*values, from, to, blocks_[index][c].of(which)));
       ++which;
-      for (std::size_t i = from; i < std::min(to, values->size()); ++i) {
-        if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) continue;
-        const std::size_t b = i / CurveBlocks::kLength;
-        if (blocks != nullptr && i % CurveBlocks::kLength == 0 && i + CurveBlocks::kLength <= to &&
-            b < blocks->blocks.size() && blocks->blocks[b].whole) {
-          extent.include((*values)[blocks->blocks[b].lowest]);
-          extent.include((*values)[blocks->blocks[b].highest]);
-          i += CurveBlocks::kLength - 1;
-        } else if (!panel.log || (*values)[i] > 0.0) {
+      if (by_blocks) continue;
+      for (std::size_t i = from; i < std::min(to, values->size()); ++i)
+        if ((rising_ || (page_.x[i] >= low_ && page_.x[i] <= high_)) &&
+            (!panel.log || (*values)[i] > 0.0))
           extent.include((*values)[i]);
-        }
-      }
     }
   }
   const double least = std::max(panel.least_span, least_span_of(panel.unit));

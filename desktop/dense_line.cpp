@@ -57,15 +57,14 @@ void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 
 }  // namespace
 
-namespace {
-
-/// Is the painter one of pixels, which are whole ones of its own?
 bool paints_pixels(const QPainter& painter) {
   const QTransform& placed = painter.deviceTransform();
   return painter.paintEngine() != nullptr &&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
          placed.type() <= QTransform::TxScale && placed.m11() > 0.0 && placed.m22() > 0.0;
 }
+
+namespace {
 
 /// Fewer points are stroked as quickly.
 constexpr qsizetype kFewest = 16;
@@ -76,30 +75,20 @@ bool goes_right(const QPolygonF& line) {
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
 
-void draw_strokes(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
-                  const QPen& pen) {
-  const QTransform& placed = painter.deviceTransform();
-  std::vector<QPolygonF> on_device;
-  on_device.reserve(lines.size());
-  for (const QPolygonF& line : lines) on_device.push_back(placed.map(line));
-  const StrokeImage strokes = stroke_image(on_device, pen.widthF() * placed.m11(), pen.color(),
-                                           placed.mapRect(area).toAlignedRect());
-  if (strokes.image.isNull()) return;
-  painter.drawImage(placed.inverted().mapRect(QRectF(strokes.place, strokes.image.size())),
-                    strokes.image, strokes.image.rect());
+/// Lays an image in pixels of the device where it belongs.
+template <class Image>
+void draw_on_device(QPainter& painter, const Image& made) {
+  if (made.image.isNull()) return;
+  painter.drawImage(
+      painter.deviceTransform().inverted().mapRect(QRectF(made.place, made.image.size())),
+      made.image, made.image.rect());
 }
 
-void draw_stamps(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
-                 const QPen& pen) {
-  const QTransform& placed = painter.deviceTransform();
-  std::vector<QPolygonF> on_device;
-  on_device.reserve(lines.size());
-  for (const QPolygonF& line : lines) on_device.push_back(placed.map(line));
-  const StampImage stamps = stamp_image(on_device, pen.widthF() * placed.m11(), pen.color(),
-                                        placed.mapRect(area).toAlignedRect());
-  if (stamps.image.isNull()) return;
-  painter.drawImage(placed.inverted().mapRect(QRectF(stamps.place, stamps.image.size())),
-                    stamps.image, stamps.image.rect());
+std::vector<QPolygonF> on_device(const QPainter& painter, const std::vector<QPolygonF>& lines) {
+  std::vector<QPolygonF> out;
+  out.reserve(lines.size());
+  for (const QPolygonF& line : lines) out.push_back(painter.deviceTransform().map(line));
+  return out;
 }
 
 }  // namespace
@@ -120,12 +109,21 @@ void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QR
     (right ? strokes : ways).push_back(line);
     points += right ? 0 : line.size();
   }
+  const double width = pen.widthF() * painter.deviceTransform().m11();
+  const QRect within = painter.deviceTransform().mapRect(area).toAlignedRect();
   if (as_strokes && points > kMany)
-    draw_stamps(painter, ways, area, pen);
+    draw_on_device(painter, stamp_image(on_device(painter, ways), width, pen.color(), within));
   else
     for (const QPolygonF& line : ways) draw_in_pieces(painter, line, pen);
-  if (!strokes.empty()) draw_strokes(painter, strokes, area, pen);
+  if (!strokes.empty())
+    draw_on_device(painter, stroke_image(on_device(painter, strokes), width, pen.color(), within));
   painter.restore();
+}
+
+bool draw_band(QPainter& painter, const QPolygonF& outline, const QColor& colour) {
+  if (!paints_pixels(painter)) return false;
+  draw_on_device(painter, band_image(painter.deviceTransform().map(outline), colour));
+  return true;
 }
 
 }  // namespace adore::desktop

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+class QColor;
 class QPainter;
 class QPen;
 
@@ -22,9 +23,16 @@ struct ColumnBar {
 /// `left` and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
+/// Is the painter one of pixels, which are whole ones of its own?
+[[nodiscard]] bool paints_pixels(const QPainter& painter);
+
 /// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp, ways to
 /// and fro of many points by dense_way.hpp.
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
                 const QPen& pen);
+
+/// Fills an area of upright rectangles by stroke_mask.hpp. False: not on a screen, nothing is
+/// drawn.
+bool draw_band(QPainter& painter, const QPolygonF& outline, const QColor& colour);
 
 }  // namespace adore::desktop

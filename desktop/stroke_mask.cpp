@@ -72,6 +72,32 @@ struct Pen {
   [[nodiscard]] int most() const { return static_cast<int>(reach.size()) - 1; }
 };
 
+/// An empty image of a colour, to be laid on in covers.
+struct Cover {
+  Cover(const QRect& box, const QColor& colour)
+      : out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()},
+        stride(static_cast<std::size_t>(out.image.bytesPerLine()) / sizeof(QRgb)) {
+    out.image.fill(Qt::transparent);
+    pixels = reinterpret_cast<QRgb*>(out.image.bits());
+    for (int cover = 0; cover < 256; ++cover)
+      inks[static_cast<std::size_t>(cover)] = qPremultiply(
+          qRgba(colour.red(), colour.green(), colour.blue(), cover * colour.alpha() / 255));
+  }
+  /// Where more lies already it stays. `x` counts from the left of the picture, not of the image.
+  void lay(Column& column, int x) {
+    column.take([&](int row, float cover) {
+      QRgb& pixel = pixels[static_cast<std::size_t>(row) * stride +
+                           static_cast<std::size_t>(x - out.place.x())];
+      const QRgb ink = inks[static_cast<std::size_t>(std::lround(255.0F * cover))];
+      if (qAlpha(ink) > qAlpha(pixel)) pixel = ink;
+    });
+  }
+  StrokeImage out;
+  std::size_t stride;
+  QRgb* pixels = nullptr;
+  std::array<QRgb, 256> inks{};
+};
+
 struct Interval {
   double top = 1e300, bottom = -1e300;
   void include(const ColumnBar& bar, double reach) {
@@ -92,14 +118,7 @@ StrokeImage stroke_image(const std::vector<QPolygonF>& lines, double width, cons
       around.adjusted(-radius - 1.0, -radius - 1.0, radius + 1.0, radius + 1.0).toAlignedRect() &
       within;
   if (box.isEmpty()) return {};
-  StrokeImage out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()};
-  out.image.fill(Qt::transparent);
-  std::array<QRgb, 256> inks;
-  for (int cover = 0; cover < 256; ++cover)
-    inks[static_cast<std::size_t>(cover)] = qPremultiply(
-        qRgba(colour.red(), colour.green(), colour.blue(), cover * colour.alpha() / 255));
-  auto* const pixels = reinterpret_cast<QRgb*>(out.image.bits());
-  const auto stride = static_cast<std::size_t>(out.image.bytesPerLine()) / sizeof(QRgb);
+  Cover cover(box, colour);
   const Pen pen(radius);
   const int most = pen.most();  // strips to either side
   Column column(box.height());
@@ -112,18 +131,10 @@ StrokeImage stroke_image(const std::vector<QPolygonF>& lines, double width, cons
     const int from = std::max(first - most, box.left() * kStrips),
               to = std::min(last + most, (box.right() + 1) * kStrips - 1);
     int now = from >= 0 ? from / kStrips : -((kStrips - 1 - from) / kStrips);
-    const auto draw = [&] {
-      column.take([&](int row, float cover) {
-        QRgb& pixel = pixels[static_cast<std::size_t>(row) * stride +
-                             static_cast<std::size_t>(now - box.left())];
-        const QRgb ink = inks[static_cast<std::size_t>(std::lround(255.0F * cover))];
-        if (qAlpha(ink) > qAlpha(pixel)) pixel = ink;
-      });
-    };
     for (int strip = from; strip <= to; ++strip) {
       const int of = strip >= 0 ? strip / kStrips : -((kStrips - 1 - strip) / kStrips);
       if (of != now) {
-        draw();
+        cover.lay(column, now);
         now = of;
       }
       Interval inner;
@@ -137,9 +148,34 @@ StrokeImage stroke_image(const std::vector<QPolygonF>& lines, double width, cons
       column.add(inner.top - box.top(), inner.bottom - box.top(), (1.0F - pen.part) / kStrips);
       column.add(outer.top - box.top(), outer.bottom - box.top(), pen.part / kStrips);
     }
-    draw();
+    cover.lay(column, now);
   }
-  return out;
+  return std::move(cover.out);
+}
+
+StrokeImage band_image(const QPolygonF& outline, const QColor& colour) {
+  const QRect box = outline.boundingRect().toAlignedRect();
+  if (box.isEmpty()) return {};
+  Cover cover(box, colour);
+  Column column(box.height());
+  const qsizetype pieces = outline.size() / 4;
+  int now = box.left();
+  for (qsizetype k = 0; k < pieces; ++k) {
+    const QPointF &top = outline[2 * k], &bottom = outline[outline.size() - 1 - 2 * k];
+    const double right = outline[2 * k + 1].x();
+    for (double x = top.x(); x < right;) {
+      const int of = static_cast<int>(std::floor(x));
+      if (of != now) {
+        cover.lay(column, now);
+        now = of;
+      }
+      const double end = std::min(right, of + 1.0);
+      column.add(top.y() - box.top(), bottom.y() - box.top(), static_cast<float>(end - x));
+      x = end;
+    }
+  }
+  cover.lay(column, now);
+  return std::move(cover.out);
 }
 
 }  // namespace adore::desktop

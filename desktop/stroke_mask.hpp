@@ -9,9 +9,10 @@
 
 class QPen;
 
-/// Strokes of lines that go to the right, as an image: how much of each pixel a round pen covers.
-/// A general painter cuts such a stroke into its outline first, which takes several microseconds
-/// for each point; here a point takes none and a column of pixels less than one.
+/// What goes to the right, as an image of how much of each pixel it covers: strokes of a round pen,
+/// and areas. A general painter cuts a stroke into its outline first, which takes several
+/// microseconds for each point, and sorts the edges of an outline; here a point takes none and a
+/// column of pixels less than one.
 namespace adore::desktop {
 
 struct StrokeImage {
@@ -23,5 +24,10 @@ struct StrokeImage {
 /// `within`.
 [[nodiscard]] StrokeImage stroke_image(const std::vector<QPolygonF>& lines, double width,
                                        const QColor& colour, const QRect& within);
+
+/// An area of upright rectangles side by side, as an image: how much of each pixel they cover. Its
+/// outline goes to the right along the upper ends, two points for each, and back along the lower
+/// ones.
+[[nodiscard]] StrokeImage band_image(const QPolygonF& outline, const QColor& colour);
 
 }  // namespace adore::desktop

@@ -7,12 +7,30 @@
 namespace adore::results {
 namespace {
 
-/// "appLoadX 1500, appLoadZ 500" of the directions with a given load that is not 0.
+/// How far the carried load is off the asked one along a direction with a given one [N].
+double off(const MeanLoad& load, std::size_t k) {
+  const auto i = static_cast<Eigen::Index>(k);
+  return load.given[k] ? std::abs(load.mean[i] - load.asked[i]) : 0.0;
+}
+
+/// The same across the asked load, along directions of which 0 is asked.
+double across(const MeanLoad& load) {
+  double out = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (load.asked[static_cast<Eigen::Index>(k)] == 0.0) out = std::hypot(out, off(load, k));
+  return out;
+}
+
+double off(const MeanLoad& load) { return std::hypot(off(load, 0), off(load, 1), off(load, 2)); }
+
+/// "appLoadX 1500, appLoadZ 500" of the directions with a given load that is not 0, or with one of
+/// 0 that is not kept.
 std::string named(const MeanLoad& load, const scene::Vec3& values, UnitSystem units) {
+  constexpr double kSmall = 0.2;  // of all that is off
   std::string out;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    if (!load.given[k] || load.asked[i] == 0.0) continue;
+    if (!load.given[k] || (load.asked[i] == 0.0 && off(load, k) <= kSmall * off(load))) continue;
     out += fmt::format("{}appLoad{} {:.4g}", out.empty() ? "" : ", ", "XYZ"[k],
                        from_si(values[i], unit::kForce, units));
   }
@@ -22,14 +40,10 @@ std::string named(const MeanLoad& load, const scene::Vec3& values, UnitSystem un
 }  // namespace
 
 double MeanLoad::departure() const {
-  double difference = 0.0, size = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!given[k]) continue;
-    const auto i = static_cast<Eigen::Index>(k);
-    difference = std::hypot(difference, mean[i] - asked[i]);
-    size = std::hypot(size, asked[i]);
-  }
-  return size > 0.0 ? difference / size : 0.0;
+  double size = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (given[k]) size = std::hypot(size, asked[static_cast<Eigen::Index>(k)]);
+  return size > 0.0 ? off(*this) / size : 0.0;
 }
 
 MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
@@ -72,12 +86,8 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
       "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): ",
       named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
   std::size_t furthest = 0;
-  const auto off = [&](std::size_t k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    return load.given[k] ? std::abs(load.mean[i] - load.asked[i]) : 0.0;
-  };
   for (std::size_t k = 1; k < 3; ++k)
-    if (off(k) > off(furthest)) furthest = k;
+    if (off(load, k) > off(load, furthest)) furthest = k;
   if (load.balanced)
     return out +
            "in mode 2 the inner race has no inertia, and elements that centrifugal force, gravity "
@@ -99,6 +109,16 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
            "record 9.3B moves a race to and fro past its quasi-static place, and springs that "
            "stiffen under load, or periods that are not whole, leave a mean of their own; compare "
            "with a run without the vibration before the load is changed";
+  constexpr double kMost =
+      0.5;  // of all that is off: another load along the asked one mends the rest
+  if (across(load) > kMost * off(load))
+    return out +
+           "a dynamic run holds the inner race where the quasi-static solution put it, and "
+           "moving elements push across the load there, by where they stand and how far they lead "
+           "or "
+           "lag; another load along the asked one would not mend that. A longer run or a cage "
+           "spreads them more evenly, and a race that moves under its load (kDCR = 1 and kFD = 0) "
+           "carries it on the mean";
   out +=
       "a dynamic run holds the inner race where the quasi-static solution put it, and moving "
       "elements push back differently there. ";

@@ -5,6 +5,7 @@
 #include "deck/element_names.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
+#include "deck/templates.hpp"
 
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
@@ -39,6 +40,20 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
     CHECK(typed.problem);
     CHECK_FALSE(typed.problem.remedy.empty());
   }
+  // Ten or ten thousand? A comma before three digits may be either, unless nobody groups so.
+  const deck::Deck deck = deck::new_deck("ball");
+  for (const char* either : {"10,000", "1,500", " -12,700", "12,700 mm", "2*1,250", "1,500e3"}) {
+    INFO(either);
+    for (const Typed& typed : {parse_typed(real, either), parse_typed(deck, real, either)}) {
+      CHECK(typed.problem.message == "can be read with a decimal comma or with thousands");
+      CHECK(typed.problem.remedy.find(" or ") != std::string::npos);
+    }
+  }
+  CHECK(parse_typed(real, "10,000").problem.remedy == "write 10000 or 10.000");
+  CHECK(number("0,125") == 0.125);
+  CHECK(number("1234,567") == 1234.567);
+  CHECK(number("1,5000") == 1.5);
+  CHECK(number("12,12") == 12.12);
   CHECK(std::get<long long>(parse_typed(whole, "12").value) == 12);
   CHECK(parse_typed(whole, "12.0").problem);
   CHECK(parse_typed(whole, "-3").problem);

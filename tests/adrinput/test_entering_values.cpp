@@ -1,3 +1,4 @@
+#include "adrinput/cell_table.hpp"
 #include "adrinput/deck_window.hpp"
 #include "adrinput/drawing_view.hpp"
 #include "adrinput/driver.hpp"
@@ -97,6 +98,43 @@ TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
   choose_unit("m", {});
   choose_unit("K", {});
   choose_unit("N", {});
+}
+
+TEST_CASE("the unit beside values is the one that they are shown in, in tables, too",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  const auto told = [&] {
+    QString out;
+    for (const auto* label : window.page()->findChildren<QLabel*>()) out += label->text() + "\n";
+    for (const auto* table : window.page()->findChildren<CellTable*>())
+      for (int row = 0; row < table->rowCount(); ++row)
+        if (const auto* head = table->verticalHeaderItem(row)) out += head->text() + "\n";
+    return out;
+  };
+  window.showRecord("7.2.i");
+  auto* table = window.page()->findChild<CellTable*>("instances");
+  REQUIRE(table->focusCell(cell("cageGsCls", 1)));
+  const int row = table->currentRow();
+  CHECK(table->verticalHeaderItem(row)->text().contains("[m]"));
+  auto* choices = window.findChild<QMenu*>("unit-choices");
+  REQUIRE(choices != nullptr);
+  const auto choose = [&](const QString& unit) {
+    QMenu* lengths = choices->actions().first()->menu();
+    emit lengths->aboutToShow();
+    for (QAction* action : lengths->actions())
+      if (action->text() == unit) action->trigger();
+  };
+  choose("mm");
+  CHECK(table->item(row, 0)->text().endsWith(" mm"));
+  CHECK(table->verticalHeaderItem(row)->text().contains("[mm]"));
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.showRecord("5G.1D.1");
+  INFO(told().toStdString());
+  CHECK(told().split('\n').contains("mm"));
+  CHECK_FALSE(told().split('\n').contains("m"));
+  choose("as in the deck");
 }
 
 TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adrinput][daily]") {

@@ -1,3 +1,4 @@
+#include "adrplot/known_values.hpp"
 #include "adrplot/plot_document.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "desktop/axis_scale.hpp"
@@ -99,6 +100,98 @@ TEST_CASE("pages: a roller has a place on a wall of its pocket while it touches 
   set(file, "pocket.force.", 0.0);
   CHECK(page_with(file, "Pocket 1 ").panels.at(2).message.find("never touched") !=
         std::string::npos);
+}
+
+TEST_CASE("pages: heat has no average before a thermal step has ended, and no coolant none at all",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Power);
+  const auto columns = results::sol_columns(file.header);
+  REQUIRE(file.steps.size() > 4);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      double& value = file.steps[i].values.at(c);
+      const std::string& id = columns[c].id;
+      if (id.starts_with("thermal.")) value = 300.0;
+      if (id.ends_with("_heat")) value = i < 3 || id == "thermal.coolant_heat" ? 0.0 : 50.0;
+    }
+  const auto none = [](const desktop::ChartCurve& curve) { return !any_value(curve.y); };
+  auto heat = page_with(file, "Average heat"), warm = page_with(file, "Bearing temperatures");
+  const std::string no_coolant = "No coolant flows in this run: all heat leaves through the races.";
+  CHECK(heat.panels.at(1).message == no_coolant);
+  CHECK(none(heat.panels[1].curves.at(0)));
+  CHECK(warm.panels.at(0).message == no_coolant);
+  CHECK_FALSE(none(warm.panels.at(1).curves.at(0)));
+  for (const std::size_t panel : {0U, 2U})
+    for (const desktop::ChartCurve& curve : heat.panels.at(panel).curves) {
+      CHECK(std::isnan(curve.y.at(2)));
+      CHECK(curve.y.at(3) == 50.0);
+    }
+  set(file, "thermal.coolant_heat", 10.0);
+  heat = page_with(file, "Average heat");
+  CHECK(heat.panels.at(1).curves.at(0).y.at(3) == 10.0);
+  CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
+  for (const char* id :
+       {"thermal.total_heat", "thermal.coolant_heat", "thermal.outer_heat", "thermal.inner_heat"})
+    set(file, id, 0.0);
+  heat = page_with(file, "Average heat");
+  for (const desktop::ChartPanel& panel : heat.panels)
+    CHECK(panel.message == "No thermal step ended in this run.");
+  CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
+}
+
+TEST_CASE("pages: wear that nothing integrated is no curve, beside some a cage may have none",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Power);
+  const std::vector<std::string> ids{"power.element1_wear_rate", "race.wear_rate",
+                                     "power.cage_wear_rate"};
+  for (const std::string& id : ids) set(file, id, 0.0);
+  for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels)
+    CHECK(panel.message == "No wear was computed in this run, or the wear coefficients are 0.");
+  set(file, "race.wear_rate", 1e-15);
+  for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels) {
+    CHECK(panel.message.empty());
+    for (const desktop::ChartCurve& curve : panel.curves) CHECK(any_value(curve.y));
+  }
+}
+
+TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a place at rest are",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  const auto columns = results::sol_columns(file.header);
+  const auto fill = [&](const std::string& id, double slope) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].id == id)
+        for (std::size_t i = 0; i < file.steps.size(); ++i)
+          file.steps[i].values.at(c) = slope == 0.0 ? 0.0 : 0.02 + slope * static_cast<double>(i);
+  };
+  const auto message = [&](const std::string& page, std::size_t panel) {
+    const desktop::ChartPanel built = page_with(file, page).panels.at(panel);
+    CHECK(built.message.empty() == any_value(built.curves.at(0).y));
+    return built.message;
+  };
+  const auto& velocity = page_with(file, "Velocity").panels;
+  std::size_t radial = 0;
+  while (radial < velocity.size() && velocity[radial].title.find("adial") == std::string::npos)
+    ++radial;
+  REQUIRE(radial < velocity.size());
+  fill("element.radial_position", 1e-6);
+  fill("element.radial_velocity", 0.0);
+  fill("element.radial_acceleration", 0.0);
+  for (const char* page : {"Velocity", "Accelerations"})
+    CHECK(message(page, radial).find("a balance gives the place") != std::string::npos);
+  fill("element.radial_velocity", 1e-3);  // the same with a velocity that changes
+  CHECK(message("Velocity", radial).empty());
+  CHECK(message("Accelerations", radial).find("Not computed") != std::string::npos);
+  fill("element.radial_velocity", 0.0);
+  set(file, "element.radial_position", 0.02);  // what rests has rates of 0
+  for (const char* page : {"Velocity", "Accelerations"}) CHECK(message(page, radial).empty());
+  for (const char* id : {"element.theta", "element.phi", "element.rotation"}) set(file, id, 0.0);
+  for (const double turns : {100.0, 0.0}) {
+    set(file, "element.angular_velocity", turns);
+    for (const std::size_t panel : {0U, 1U, 2U})
+      CHECK((message("Angular orientation", panel) ==
+             "The orientation was not integrated in this run.") == (turns > 0.0));
+  }
 }
 
 TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {

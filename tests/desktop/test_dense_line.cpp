@@ -175,3 +175,53 @@ TEST_CASE("dense_line: a spike is as wide beside many points as beside few", "[g
   CHECK(ink_of_spike(0.1) == Approx(1.6).margin(0.1));
   CHECK(ink_of_spike(8.0) == Approx(ink_of_spike(0.1)).margin(0.15));
 }
+
+TEST_CASE("dense_line: an area covers each pixel as much as a painter's does", "[gui][desktop]") {
+  adore::test::use_qt();
+  // Rectangles narrower and wider than a pixel, at places between pixels, with a high one and one
+  // of no height.
+  for (const double ratio : {1.0, 1.5, 2.0})
+    for (const double width : {0.3, 1.0, 1.7, 9.4}) {
+      QPolygonF outline;
+      std::vector<QRectF> pieces;
+      double x = 10.35;
+      for (int k = 0; x + width < kWidth - 10.0; ++k, x += width) {
+        const double top = k == 7 ? 20.3 : 100.0 + 30.0 * std::sin(0.3 * k), height = k == 9 ? 0.0
+                                                                                      : k % 3 == 0
+                                                                                          ? 0.4
+                                                                                          : 12.6;
+        pieces.emplace_back(x, top, width, height);
+      }
+      for (const QRectF& p : pieces) outline << p.topLeft() << p.topRight();
+      for (auto p = pieces.rbegin(); p != pieces.rend(); ++p)
+        outline << p->bottomRight() << p->bottomLeft();
+      const QColor colour(20, 90, 200, 95);
+      const auto painted = [&](bool ours) {
+        QImage image(QSize(kWidth, kHeight) * ratio, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        image.setDevicePixelRatio(ratio);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (ours) {
+          REQUIRE(draw_band(painter, outline, colour));
+        } else {
+          painter.setPen(Qt::NoPen);
+          painter.setBrush(colour);
+          painter.drawPolygon(outline);
+        }
+        painter.end();
+        return image;
+      };
+      const QImage one = painted(true), other = painted(false);
+      int most = 0, inked = 0;
+      for (int row = 0; row < one.height(); ++row)
+        for (int column = 0; column < one.width(); ++column) {
+          const int a = qRed(one.pixel(column, row)), b = qRed(other.pixel(column, row));
+          most = std::max(most, std::abs(a - b));
+          inked += a < 250 ? 1 : 0;
+        }
+      INFO("scale " << ratio << ", pieces of " << width);
+      CHECK(inked > 1000);
+      CHECK(most <= 3);  // of 87 between paper and area
+    }
+}

@@ -198,3 +198,23 @@ TEST_CASE("chart_scene: the axis of a long curve reaches its only peak", "[gui]"
   scene.setView(0.5 * curve.x.back(), 0.52 * curve.x.back());
   CHECK(top() >= 7.0);
 }
+
+TEST_CASE("chart_page: the range of any part of a long curve is that of its values",
+          "[unit][desktop]") {
+  const Curve curve = long_curve();
+  const CurveBlocks blocks = blocks_of(curve.y, false);
+  const std::size_t span = CurveBlocks::kSpan, count = curve.y.size();
+  REQUIRE(count > 4 * span);
+  for (const std::size_t from :
+       {std::size_t{0}, std::size_t{1}, span - 1, span, span + 7, 2 * span})
+    for (const std::size_t to :
+         {from, from + 1, 2 * span - 1, 2 * span, 3 * span + 5, count - 1, count, count + 5}) {
+      if (to < from) continue;
+      Extent exact;
+      for (std::size_t i = from; i < std::min(to, count); ++i) exact.include(curve.y[i]);
+      const Extent quick = extent_between(curve.y, from, to, blocks);
+      INFO(from << " to " << to);
+      CHECK(quick.low == exact.low);
+      CHECK(quick.high == exact.high);
+    }
+}

@@ -96,6 +96,27 @@ TEST_CASE("A load other than the asked one is told with its remedy, displaced di
   CHECK(mean_load(averages.averages(), bearing).departure() == 0.0);
 }
 
+TEST_CASE("A load across the asked one is told, and no other load is proposed against it",
+          "[unit][results]") {
+  MeanLoad load;
+  load.time = 1.0;
+  load.given = {true, true, true};
+  load.asked = {1000.0, 0.0, 0.0};
+  load.mean = {980.0, 0.001, 300.0};
+  const std::string text = load_warning(load, UnitSystem::SI);
+  INFO(text);
+  CHECK(text.find("carried appLoadX 980, appLoadZ 300 N") != std::string::npos);
+  CHECK(text.find("asks for appLoadX 1000, appLoadZ 0 N (30.1 % off)") != std::string::npos);
+  CHECK(text.find("first guess") == std::string::npos);
+  CHECK(text.find("push across the load") != std::string::npos);
+  // Of one that is mostly along it the other is told, too, where it is seen.
+  load.mean = {800.0, 20.0, 60.0};
+  const std::string along = load_warning(load, UnitSystem::SI);
+  INFO(along);
+  CHECK(along.find("carried appLoadX 800, appLoadZ 60 N") != std::string::npos);
+  CHECK(along.find("appLoadX 1250") != std::string::npos);
+}
+
 TEST_CASE("A load that turns is not compared, and of a free race it is not said that it is held",
           "[unit][results]") {
   bearing::Bearing bearing;
