@@ -68,7 +68,8 @@ TEST_CASE("a start state that is not there is refused by the record that asks fo
     facade::LoadedDeck input;
     input.path = folder.filePath("DATA.txt").toStdString();
     input.deck = deck::new_deck("ball");
-    input.deck.set_all({{"kIcOpt", code}});
+    const std::vector<std::pair<std::string, std::string>> sets{{"kIcOpt", code}};
+    input.deck.set_all(sets);
     const std::vector<Issue> refused = facade::refusals_of_run(std::move(input));
     REQUIRE(refused.size() == 1);
     CHECK(refused[0].variable == "kIcOpt");
