@@ -23,7 +23,7 @@ using namespace adore;
 namespace {
 
 int render(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
-           const adrplot::RenderOptions& options) {
+           adrplot::RenderOptions options) {
   if (files.empty())
     throw InputError(
         "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv), or a "
@@ -31,6 +31,9 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
         "folder, to draw");
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
+  options.tell = [](const std::string& sentence) {
+    fmt::print(stderr, "adrplot: note: {}\n", sentence);
+  };
   for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -18,8 +19,13 @@
 namespace adore::adrplot {
 namespace {
 
+/// What tells a curve from all others: its quantity, its body and its run.
+using Names = std::array<std::string, 3>;
+
 struct Taken {
   std::string name, unit, title;
+  Names names = {};
+  std::string brief = {};  ///< without what all curves of the chart have in common
   std::vector<double> x, y;
   bool wraps = false;
   std::vector<bool> own = {};  ///< as long as x: a value that is stored; empty: all are
@@ -38,9 +44,45 @@ std::vector<bool> own_places(const Taken& curve, const std::vector<double>& wher
   return out;
 }
 
-std::string run_of(const PlotDocument& file) {
-  const std::string folder = run_folder(file.path).filename().string();
-  return (folder.empty() ? "" : folder + "/") + file.path.filename().string();
+/// The last `parts` of a file's path.
+std::string end_of_path(const PlotDocument& file, std::size_t parts) {
+  std::filesystem::path out = file.path.filename(), folder = run_folder(file.path);
+  for (std::size_t i = 1; i < parts && !folder.filename().empty(); ++i) {
+    out = folder.filename() / out;
+    folder = folder.parent_path();
+  }
+  return out.generic_string();
+}
+
+/// Names of the runs' files, "ball/SOL7": as long as tells different ones apart.
+std::vector<std::string> runs_of(const std::vector<CurvePick>& picks) {
+  constexpr std::size_t kLongest = 8;
+  std::set<std::filesystem::path> files;
+  for (const CurvePick& pick : picks)
+    files.insert(run_folder(pick.file->path) / pick.file->path.filename());
+  std::vector<std::string> out;
+  for (std::size_t parts = 2; parts <= kLongest; ++parts) {
+    out.clear();
+    for (const CurvePick& pick : picks) out.push_back(end_of_path(*pick.file, parts));
+    if (std::set(out.begin(), out.end()).size() == files.size()) break;
+  }
+  return out;
+}
+
+std::string joined(const Names& names, const std::array<bool, 3>& which) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (which.at(i)) out += (out.empty() ? "" : " · ") + names.at(i);
+  return out;
+}
+
+/// Which of their names tell curves apart, and the quantity always.
+std::array<bool, 3> telling(const std::vector<Taken>& curves) {
+  std::array<bool, 3> out{true, false, false};
+  for (const Taken& one : curves)
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out.at(i) = out.at(i) || one.names.at(i) != curves.front().names.at(i);
+  return out;
 }
 
 /// Sentences, each with its full stop.
@@ -130,7 +172,7 @@ std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<
 std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& options,
                         Domain domain, desktop::ChartPage& page, SourceNotes& notes) {
   std::vector<Taken> taken;
-  std::set<std::string> runs;
+  const std::vector<std::string> runs = runs_of(picks);
   for (const CurvePick& pick : picks) {
     const desktop::ChartPage source = pick.file->build(pick.page, options);
     if (source.equal_axes || pick.panel >= source.panels.size() ||
@@ -152,8 +194,9 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
     one.title = panel.title;
     one.unit = panel.unit;
     one.wraps = panel.wraps;
-    one.name = fmt::format("{}{}{} · {} · {}", panel.title, curve.name.empty() ? "" : ", ",
-                           curve.name, pick.file->subject, run_of(*pick.file));
+    one.names = {panel.title + (curve.name.empty() ? "" : ", ") + curve.name, pick.file->subject,
+                 runs[taken.size()]};
+    one.name = joined(one.names, {true, true, true});
     one.x = source.x;
     one.y = curve.y;
     if (curve.low.size() == curve.y.size()) {
@@ -164,10 +207,11 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
     shown.domain = source.x_title == "Time" ? domain : Domain::History;
     notes.add(one.name, {});
     for (const std::string& remark : remarks_on(pick, source, shown)) notes.add(one.name, remark);
-    runs.insert(run_of(*pick.file));
     taken.push_back(std::move(one));
   }
-  for (const std::string& run : runs)
+  const std::array<bool, 3> apart = telling(taken);
+  for (Taken& one : taken) one.brief = joined(one.names, apart);
+  for (const std::string& run : std::set(runs.begin(), runs.end()))
     page.subtitle += (page.subtitle.empty() ? "" : "   ·   ") + run;
   return taken;
 }
@@ -223,6 +267,7 @@ std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop:
 std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra,
                                desktop::ChartPage& page) {
   const Taken& first = taken.front();
+  const std::array<bool, 3> apart = telling(taken);
   std::vector<Taken> out;
   for (std::size_t i = 1; i < taken.size(); ++i) {
     Taken one = taken[i];
@@ -239,6 +284,10 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
     const std::vector<bool> of_first = own_places(first, one.x);
     for (std::size_t k = 0; k < one.own.size(); ++k) one.own[k] = one.own[k] && of_first[k];
     one.title = "Difference";
+    for (std::size_t k = 0; k < one.names.size(); ++k)
+      if (one.names.at(k) != first.names.at(k)) one.names.at(k) += " less " + first.names.at(k);
+    one.name = joined(one.names, {true, true, true});
+    one.brief = "Difference: " + joined(one.names, apart);
     if (!one.low.empty() || !first.low.empty())
       add_note(page, "Extremes between the stored steps are not known of a difference.");
     one.low.clear(), one.high.clear();
@@ -296,6 +345,7 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
 void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool one_title) {
   for (const Taken& one : curves) {
     desktop::ChartCurve curve{one.name, read_off(one.x, one.y, page.x), {}};
+    curve.brief = one.brief;
     if (!one.low.empty()) {
       curve.low = extremes_at(one.x, one.low, page.x);
       curve.high = extremes_at(one.x, one.high, page.x);

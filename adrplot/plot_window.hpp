@@ -72,7 +72,8 @@ class PlotWindow : public QMainWindow {
   void askForFolder();
   void askForCurves();
   void closeFile();
-  void copyPicture();
+  void copyPicture();     ///< or the words that are marked in the statistics
+  void copyStatistics();  ///< values at the cursors and between them, as text
   void exportPage();
   void exportAll();
   /// Reads the file again whenever it has grown.

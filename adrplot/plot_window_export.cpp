@@ -12,6 +12,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
+#include <QLabel>
 
 #include <algorithm>
 #include <exception>
@@ -142,10 +143,36 @@ void PlotWindow::exportPage() { askForExport(false); }
 
 void PlotWindow::exportAll() { askForExport(true); }
 
+namespace {
+
+/// As other programs read it: a line each, and minus signs that are ones to them.
+QString plain(QString text) {
+  return text.replace(QChar::ParagraphSeparator, '\n')
+      .replace(QChar::LineSeparator, '\n')
+      .replace(QChar(0x2212), '-');
+}
+
+}  // namespace
+
 void PlotWindow::copyPicture() {
   if (!document()) return;
+  // Somebody has marked words of the statistics: these are meant.
+  if (cursors_->hasSelectedText()) {
+    QGuiApplication::clipboard()->setText(plain(cursors_->selectedText()));
+    desktop::tell_in_foot(this, tr("The marked text is in the clipboard."));
+    return;
+  }
   QGuiApplication::clipboard()->setImage(view_->chartScene().image(view_->viewport()->size()));
   desktop::tell_in_foot(this, tr("The picture is in the clipboard."));
+}
+
+void PlotWindow::copyStatistics() {
+  if (cursors_->text().isEmpty()) {
+    desktop::tell_in_foot(this, tr("Set a cursor first: Ctrl and a click, with Shift for B."));
+    return;
+  }
+  QGuiApplication::clipboard()->setText(plain(cursors_->text()));
+  desktop::tell_in_foot(this, tr("The values at the cursors are in the clipboard."));
 }
 
 void PlotWindow::print() {

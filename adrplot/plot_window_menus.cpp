@@ -73,6 +73,8 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("Export &All Pages..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
                   &PlotWindow::exportAll);
   file->addAction(tr("Cop&y Picture"), QKeySequence::Copy, this, &PlotWindow::copyPicture);
+  file->addAction(tr("Copy &Values at the Cursors"), Qt::CTRL | Qt::SHIFT | Qt::Key_C, this,
+                  &PlotWindow::copyStatistics);
   file->addAction(tr("&Print..."), QKeySequence::Print, this, &PlotWindow::print);
   file->addSeparator();
   file->addAction(tr("&Quit"), Qt::CTRL | Qt::Key_Q, this, &PlotWindow::close);

@@ -54,12 +54,36 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
   return written;
 }
 
-void refuse_curve(const std::string& files, const RenderOptions& options,
+/// @param file the name of the one that was asked; empty: there were several
+void refuse_curve(const std::string& file, const RenderOptions& options,
                   const std::string& others) {
   throw InputError(
-      fmt::format("{} has no curve \"{}\" for a waterfall{}{}", files, options.view.waterfall_of,
+      fmt::format("{} \"{}\" for a waterfall{}{}{}",
+                  file.empty() ? "none of the files has a curve" : file + " has no curve",
+                  options.view.waterfall_of,
                   options.page == 0 ? std::string() : fmt::format(" on page {}", options.page),
-                  others.empty() ? std::string() : "; it has: " + others));
+                  others.empty() ? ""
+                  : file.empty() ? "; they have: "
+                                 : "; it has: ",
+                  others));
+}
+
+/// The beginning of a picture's name, which tells it from those of the other files.
+std::string stem_of(const fs::path& path, const std::vector<fs::path>& files) {
+  const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
+                      return other.filename() == path.filename();
+                    }) > 1;
+  const std::string folder = run_folder(path).filename().string();
+  fs::path name = path.filename();
+  if (name.empty()) name = path.parent_path().filename();  // "clearance.study/"
+  return (twin ? folder + "-" : "") + name.string();
+}
+
+/// A file that has no page of the number, in words.
+std::string too_short(const PlotDocument& document) {
+  const std::size_t count = document.pages.size();
+  return fmt::format("{} has {}", document.path.string(),
+                     count == 1 ? "one page" : fmt::format("{} pages", count));
 }
 
 }  // namespace
@@ -81,22 +105,27 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
   desktop::make_folder(options.folder);
   std::vector<fs::path> written;
   std::string others;
+  std::vector<std::string> shorter;
   for (const auto& path : files) {
     const PlotDocument document = open_document(path, options.range);
-    const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
-                        return other.filename() == path.filename();
-                      }) > 1;
-    const std::string folder = run_folder(path).filename().string();
-    fs::path name = path.filename();
-    if (name.empty()) name = path.parent_path().filename();  // "clearance.study/"
-    const std::string stem = (twin ? folder + "-" : "") + name.string();
-    const auto pictures = draw_document(document, stem, options, others);
-    written.insert(written.end(), pictures.begin(), pictures.end());
+    // One file alone refuses the page itself.
+    if (files.size() > 1 && options.page > static_cast<int>(document.pages.size())) {
+      shorter.push_back(too_short(document));
+    } else {
+      const auto pictures = draw_document(document, stem_of(path, files), options, others);
+      written.insert(written.end(), pictures.begin(), pictures.end());
+    }
     if (options.progress)
       options.progress(&path - files.data() + 1, static_cast<long>(files.size()));
   }
+  if (shorter.size() == files.size())
+    throw InputError(
+        fmt::format("none of the files has a page {}: {}", options.page, fmt::join(shorter, ", ")));
   if (written.empty() && !options.view.waterfall_of.empty())
-    refuse_curve(files.size() == 1 ? files.front().string() : "None of the files", options, others);
+    refuse_curve(files.size() == 1 ? files.front().string() : "", options, others);
+  if (options.tell)
+    for (const std::string& file : shorter)
+      options.tell(fmt::format("{}: no page {} of it is drawn", file, options.page));
   return written;
 }
 

@@ -14,6 +14,8 @@ struct RenderOptions {
   results::SolRange range;
   int width = 1280, height = 800;
   std::function<void(long done, long total)> progress;  ///< called after each file; may be empty
+  /// Told of each file that has no such page, when others were drawn; may be empty.
+  std::function<void(const std::string& sentence)> tell;
   bool dark = false;
   PageOptions view;
 };
@@ -25,8 +27,9 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
 /// Draws the pages of result files, and of those of folders (`files_of`), as PNG, named
 /// <file>-page-NN.png, and returns the names in order. Two files of the same name get their
 /// folder's name in front. Needs an application object (desktop/bootstrap.hpp).
-/// With a curve of waterfalls only pages that have it are drawn.
-/// @throws InputError for files that are not ours, that curve on no page, pages that do not exist,
+/// With a curve of waterfalls only pages that have it are drawn; a page that some files have is
+/// drawn of those.
+/// @throws InputError for files that are not ours, that curve on no page, a page that no file has,
 /// and folders that cannot be written.
 std::vector<std::filesystem::path> render_plots(const std::vector<std::filesystem::path>& paths,
                                                 const RenderOptions& options);

@@ -99,6 +99,16 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
 
 constexpr double kVisible = 0.01;  ///< of a curve's largest amplitude
 
+/// Is the first line, which reaches far up, of motion that goes one way from end to end of the run?
+/// A straight line taken off leaves less than half of it; of a sine of one period it leaves more.
+bool first_line_is_drift(const Spectrum& spectrum, const Samples& samples, Window window) {
+  constexpr double kTall = 0.1, kLost = 0.5;
+  const auto& all = spectrum.amplitude;
+  if (all.empty() || all.front() < kTall * *std::max_element(all.begin(), all.end())) return false;
+  const Spectrum level = amplitude_spectrum(without_trend(samples.values), samples.step, window);
+  return level.amplitude.front() < kLost * all.front();
+}
+
 /// Over the largest, whatever is drawn.
 std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumScale scale) {
   std::vector<double> out = y;
@@ -205,9 +215,21 @@ static bool one_value(const std::vector<double>& values) {
   return std::all_of(first, values.end(), [&](double v) { return !number(v) || v == *first; });
 }
 
+static void tell_drift(ChartPage& chart, const std::vector<std::string>& drifting,
+                       std::size_t drawn) {
+  if (drifting.empty()) return;
+  std::string of = drifting.size() == drawn ? "" : fmt::format("Of {} curves ", drifting.size());
+  if (drifting.size() < drawn && drifting.size() < 3)
+    of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
+  add_note(chart, fmt::format("{}{} first line is drift over the whole run, not vibration.", of,
+                              of.empty() ? "The" : "the"));
+}
+
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
   std::vector<double> frequency;
   std::vector<Aside> asides;
+  std::vector<std::string> drifting;
+  std::size_t drawn = 0;
   for (ChartPanel& panel : chart.panels) {
     std::vector<Reason> reasons;  // of the curves without a spectrum
     for (ChartCurve& curve : panel.curves) {
@@ -238,6 +260,9 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
         none(one_value(stored) ? kStill : kRounding);
         continue;
       }
+      if (first_line_is_drift(spectrum, samples, options.window))
+        drifting.push_back(panel.title + (curve.name.empty() ? "" : ", " + curve.name));
+      ++drawn;
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
       add_note(chart, samples.note);  // of what is drawn
@@ -255,6 +280,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
                   [](const ChartPanel& panel) { return panel.message == kStill; });
   for (ChartPanel& panel : chart.panels)
     if (all_still) panel.message = kAllStill;
+  tell_drift(chart, drifting, drawn);
   // One sentence for panels of which the same is to be said.
   for (const Aside& aside : asides)
     add_note(chart,
@@ -300,7 +326,7 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
       options.scale == SpectrumScale::Relative  ? "1 is the largest of its own curve. "
       : options.scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
                                                 : "";
-  add_note(chart, fmt::format("{}{}; a line every {}, none below.", over,
+  add_note(chart, fmt::format("{}{}, without the mean; a line every {}, none below.", over,
                               capital(window_name(options.window)), apart));
 }
 

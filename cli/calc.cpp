@@ -153,7 +153,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->callback([=] {
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
       if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
-      calc(*name, *source);
+      calc(calculator(*name).name, *source);
     });
   }
   {

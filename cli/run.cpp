@@ -37,7 +37,7 @@ struct RunOptions : DeckOptions {
 
   /// The command that goes on with this run, to its own end or to another one.
   [[nodiscard]] std::string continuation(bool tolerance_given, const std::string& to) const {
-    std::string line = "adore run " + quoted(deck);
+    std::string line = deck == "-" ? "cat DECK | adore run -" : "adore run " + quoted(deck);
     const auto add = [&](const char* name, const std::string& value) {
       if (!value.empty()) line += fmt::format(" {} {}", name, quoted(value));
     };

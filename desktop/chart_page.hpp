@@ -22,7 +22,8 @@ struct ChartCurve {
   /// Which values a file holds, as long as y: the others are read off straight lines between them.
   /// Empty: all of them.
   std::vector<bool> stored = {};
-  bool hidden = false;  ///< by its entry in the legend
+  bool hidden = false;     ///< by its entry in the legend
+  std::string brief = {};  ///< the whole of what readouts call it; empty: title and name
   /// What y holds beside the values, so that lines stand above each other.
   double lift = 0.0;
   double foot = 0.0;  ///< the value at which such a line begins, and is named

@@ -96,10 +96,13 @@ QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
       if (i >= curve.y.size() || curve.hidden) continue;
       QString value = text_of(pretty_quantity(curve.value(i), panel.unit, digitsOf(p, c)));
       value += bandAt(p, c, i);
-      QString part = curve.name.empty() ? value : told(curve.name, value);
+      const bool whole = !curve.brief.empty();
+      QString part = whole                ? text_of(curve.brief) + ": " + value
+                     : curve.name.empty() ? value
+                                          : told(curve.name, value);
       const bool titled = page_.panels.size() > 1 || panel.curves.front().name.empty();
       const bool named = !panel.curves.front().name.empty();
-      if (first && titled)
+      if (first && titled && !whole)
         part = named ? text_of(panel.title) + " " + part : told(panel.title, part);
       parts << (first ? "   " : ", ") + part;
       first = false;

@@ -220,11 +220,11 @@ QString ChartView::cursorReport() const {
       const bool any =
           std::any_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
       if (curve.hidden || !any) continue;
-      // A chart of one's own names its curves by their quantity.
       const bool named = curve.name.starts_with(panel.title);
-      QString line = QString::fromStdString(curve.name.empty() ? panel.title
-                                            : named            ? curve.name
-                                                               : panel.title + ", " + curve.name) +
+      QString line = QString::fromStdString(!curve.brief.empty() ? curve.brief
+                                            : curve.name.empty() ? panel.title
+                                            : named              ? curve.name
+                                                    : panel.title + ", " + curve.name) +
                      ":";
       const auto value = [&](double x) {
         const std::size_t i = nearest_index(page.x, x);

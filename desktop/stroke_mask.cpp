@@ -1,6 +1,7 @@
 #include "desktop/stroke_mask.hpp"
 
 #include "desktop/dense_line.hpp"
+#include "desktop/dense_way.hpp"
 
 #include <QColor>
 
@@ -76,12 +77,10 @@ struct Pen {
 struct Cover {
   Cover(const QRect& box, const QColor& colour)
       : out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()},
-        stride(static_cast<std::size_t>(out.image.bytesPerLine()) / sizeof(QRgb)) {
+        stride(static_cast<std::size_t>(out.image.bytesPerLine()) / sizeof(QRgb)),
+        inks(inks_of(colour)) {
     out.image.fill(Qt::transparent);
     pixels = reinterpret_cast<QRgb*>(out.image.bits());
-    for (int cover = 0; cover < 256; ++cover)
-      inks[static_cast<std::size_t>(cover)] = qPremultiply(
-          qRgba(colour.red(), colour.green(), colour.blue(), cover * colour.alpha() / 255));
   }
   /// Where more lies already it stays. `x` counts from the left of the picture, not of the image.
   void lay(Column& column, int x) {
@@ -95,7 +94,7 @@ struct Cover {
   StrokeImage out;
   std::size_t stride;
   QRgb* pixels = nullptr;
-  std::array<QRgb, 256> inks{};
+  std::array<QRgb, 256> inks;
 };
 
 struct Interval {

@@ -61,6 +61,9 @@ void plot(const PlotRequest& request) {
   options.range = request.range;
   options.dark = request.dark;
   options.progress = make_count_progress("file", request.progress);
+  options.tell = [](const std::string& sentence) {
+    fmt::print(stderr, "adore: note: {}\n", sentence);
+  };
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
   adrplot::set_domain(options.view, request.domain, request.curve);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));

@@ -204,7 +204,8 @@ void check_flanges(Checker& c) {
     const std::string layback = fmt::format("flngAng{}", code);
     const auto h = c.si(height);
     const auto angle = c.raw(layback);
-    if (h && *h == 0.0)
+    constexpr double kLeast = 1e-6;  // [m]
+    if (h && *h < kLeast)
       c.error(height, "the flange has no height and cannot touch a roller",
               "give a height above 0, " + off);
     if (angle && (*angle < 0.0 || *angle > 89.0))

@@ -106,8 +106,8 @@ void check_peak(Checker& c, std::string_view stem) {
   if (!rises || !falls)
     c.error(peak_name,
             fmt::format("the largest traction coefficient must be above those at zero slip "
-                        "({:.6g}) and at infinite slip ({:.6g})",
-                        *at_zero, *at_infinity),
+                        "({0}1 = {1:.6g}) and at infinite slip ({0}3 = {2:.6g})",
+                        stem, *at_zero, *at_infinity),
             "give a larger value, or use curve type 2 for a curve without a peak");
 }
 
@@ -123,8 +123,8 @@ void check_asymptote(Checker& c, std::string_view stem) {
   if (!constant && !(*slope * rise > 0.0))
     c.error(slope_name,
             fmt::format("a curve with this slope never reaches its asymptote: it has to go from "
-                        "{:.6g} to {:.6g}",
-                        *at_zero, *at_infinity),
+                        "{0}1 = {1:.6g} to {0}2 = {2:.6g}",
+                        stem, *at_zero, *at_infinity),
             rise > 0.0   ? "give a positive slope"
             : rise < 0.0 ? "give a negative slope"
                          : "give slope 0 for a constant coefficient");

@@ -10,6 +10,7 @@ using range::between;
 using range::kAny;
 using range::kNotNegative;
 using range::kPositive;
+using range::kSize;
 using range::kTilt;
 using unit::kAngle;
 using unit::kLength;
@@ -66,9 +67,9 @@ RecordSpec cage_options() {
 
 RecordSpec cage_geometry() {
   return record("7.1", "Cage geometry", "nCseg > 0",
-                {real("cageDia1", kLength, kPositive, "Outer diameter of the cage."),
-                 real("cageDia2", kLength, kPositive, "Inner diameter of the cage."),
-                 real("cageWidth", kLength, kPositive, "Width of the cage."),
+                {real("cageDia1", kLength, kSize, "Outer diameter of the cage."),
+                 real("cageDia2", kLength, kSize, "Inner diameter of the cage."),
+                 real("cageWidth", kLength, kSize, "Width of the cage."),
                  real("cageCls1", kLength, kAny,
                       "Diametral clearance between cage and outer race away from the guide lands; "
                       "lands have their own on records 7.2.i."),
@@ -92,8 +93,8 @@ RecordSpec cage_geometry() {
 
 RecordSpec guide_lands() {
   return repeated("7.2.i", "Cage guide land geometry", "nCseg > 0 && nGL > 0", "nGL",
-                  {real("cageGsDia", kLength, kPositive, "Diameter of the land on the cage."),
-                   real("cageGsWidth", kLength, kPositive, "Width of the land."),
+                  {real("cageGsDia", kLength, kSize, "Diameter of the land on the cage."),
+                   real("cageGsWidth", kLength, kSize, "Width of the land."),
                    real("cageGsPos", kLength, kAny,
                         "Axial distance from the cage centre to the outer edge of the land; "
                         "negative on the negative x side."),
@@ -119,9 +120,9 @@ RecordSpec pocket_surfaces() {
   spec.variables.push_back(
       real("bPocGsCen3", kLength, kAny, "z of the surface centre from the pocket centre."));
   spec.variables.push_back(
-      real("bPocGsLen1", kLength, kPositive, "Extent of the surface along z (width)."));
+      real("bPocGsLen1", kLength, kSize, "Extent of the surface along z (width)."));
   spec.variables.push_back(
-      real("bPocGsLen2", kLength, kPositive, "Extent of the surface along x (length)."));
+      real("bPocGsLen2", kLength, kSize, "Extent of the surface along x (length)."));
   return spec;
 }
 

@@ -16,6 +16,7 @@ using range::kContactAngle;
 using range::kGroove;
 using range::kNotNegative;
 using range::kPositive;
+using range::kSize;
 using range::kTilt;
 using unit::kAngle;
 using unit::kLength;
@@ -36,27 +37,27 @@ VariableSpec roughness(int race, std::string_view name) {
 RecordSpec envelope() {
   return record(
       "4", "Bearing envelope", "true",
-      {real("brgBore", kLength, kPositive, "Bore diameter of the bearing."),
-       real("brgOD", kLength, kPositive, "Outside diameter of the bearing."),
+      {real("brgBore", kLength, kSize, "Bore diameter of the bearing."),
+       real("brgOD", kLength, kSize, "Outside diameter of the bearing."),
        real("shftID", kLength, kNotNegative,
             "Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by "
             "a small bore "
             "and says so."),
        real("hsngOD", kLength, kNotNegative,
             "Outside diameter of the housing. It decides how far a fit shrinks the outer race."),
-       real("raceWidth1", kLength, kPositive, "Width of the outer race."),
-       real("raceWidth2", kLength, kPositive, "Width of the inner race.")});
+       real("raceWidth1", kLength, kSize, "Width of the outer race."),
+       real("raceWidth2", kLength, kSize, "Width of the inner race.")});
 }
 
 RecordSpec ball_geometry() {
   return record(
       "5A", "Ball bearing geometry", "kBrg == 1",
-      {real("bReDia", kLength, kPositive, "Nominal ball diameter."),
-       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the ball centres."),
+      {real("bReDia", kLength, kSize, "Nominal ball diameter."),
+       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the ball centres."),
        real("freeConAng", kAngle, range::kBallAngle,
             "Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 "
             "derives it from freeIntCls; 90 is a thrust bearing."),
-       real("freeIntCls", kLength, kAny,
+       real("freeIntCls", kLength, range::kPlay,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
        real(
@@ -92,7 +93,7 @@ std::vector<VariableSpec> straight_raceways() {
   std::vector<VariableSpec> variables;
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}}) {
     variables.push_back(real(
-        keep(fmt::format("raceLandLmt{}", race)), kLength, kPositive,
+        keep(fmt::format("raceLandLmt{}", race)), kLength, kSize,
         keep(fmt::format(
             "Usable surface width of the {} race along the roller, undercuts excluded.", name))));
     variables.push_back(
@@ -120,12 +121,12 @@ VariableSpec crown_radius() {
 }
 
 VariableSpec spherical_crown_radius() {
-  return real("bReCrn", kLength, kPositive,
+  return real("bReCrn", kLength, kSize,
               "Crown radius: the radius of the barrel-shaped roller profile.");
 }
 
 VariableSpec roller_length() {
-  return real("bReLen", kLength, kPositive, "Roller length from end to end.");
+  return real("bReLen", kLength, kSize, "Roller length from end to end.");
 }
 
 VariableSpec central_land() {
@@ -158,21 +159,20 @@ VariableSpec end_radius(int end, std::string_view where) {
 RecordSpec cylindrical_roller() {
   return record(
       "5B.1", "Cylindrical roller geometry", "kBrg == 2",
-      {real("bReDia", kLength, kPositive, "Nominal roller diameter."), crown_radius(),
-       roller_length(), central_land(), corner_radius(1, "negative x end"),
-       corner_radius(2, "positive x end"),
-       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the roller centres."),
-       real("freeIntCls", kLength, kAny, "Free diametral play; negative means preload.")});
+      {real("bReDia", kLength, kSize, "Nominal roller diameter."), crown_radius(), roller_length(),
+       central_land(), corner_radius(1, "negative x end"), corner_radius(2, "positive x end"),
+       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the roller centres."),
+       real("freeIntCls", kLength, range::kPlay, "Free diametral play; negative means preload.")});
 }
 
 RecordSpec spherical_roller() {
   return record(
       "5C", "Spherical roller bearing geometry", "kBrg == 3",
-      {real("bReDia", kLength, kPositive, "Nominal roller diameter at its largest section."),
+      {real("bReDia", kLength, kSize, "Nominal roller diameter at its largest section."),
        spherical_crown_radius(), roller_length(), corner_radius(1, "negative x end"),
        corner_radius(2, "positive x end"),
-       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the roller centres."),
-       real("freeIntCls", kLength, kAny, "Free diametral play; negative means preload."),
+       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the roller centres."),
+       real("freeIntCls", kLength, range::kPlay, "Free diametral play; negative means preload."),
        roller_groove(1, "outer"), roller_groove(2, "inner"),
        real("freeConAng", kAngle, kContactAngle,
             "Nominal contact angle of the row, from the radial plane: the tilt of the inner race "
@@ -183,7 +183,7 @@ RecordSpec spherical_roller() {
 RecordSpec tapered_roller() {
   return record(
       "5D.1", "Tapered roller geometry", "kBrg == 4",
-      {real("bReDia", kLength, kPositive, "Roller diameter at mid length."), crown_radius(),
+      {real("bReDia", kLength, kSize, "Roller diameter at mid length."), crown_radius(),
        roller_length(), central_land(), end_radius(1, "large end"), end_radius(2, "small end"),
        corner_radius(1, "negative x end, which is the large end"),
        corner_radius(2, "positive x end, which is the small end"), cone_angle(1, "outer"),
@@ -191,12 +191,12 @@ RecordSpec tapered_roller() {
 }
 
 RecordSpec spherical_tapered_roller() {
-  return record("5E", "Spherical tapered roller bearing geometry", "kBrg == 5",
-                {real("bReDia", kLength, kPositive, "Roller diameter at mid length."),
-                 spherical_crown_radius(), roller_length(), end_radius(1, "large end"),
-                 end_radius(2, "small end"), cone_angle(1, "outer"), cone_angle(2, "inner"),
-                 roller_groove(1, "outer"), roller_groove(2, "inner"), roughness(1, "outer"),
-                 roughness(2, "inner")});
+  return record(
+      "5E", "Spherical tapered roller bearing geometry", "kBrg == 5",
+      {real("bReDia", kLength, kSize, "Roller diameter at mid length."), spherical_crown_radius(),
+       roller_length(), end_radius(1, "large end"), end_radius(2, "small end"),
+       cone_angle(1, "outer"), cone_angle(2, "inner"), roller_groove(1, "outer"),
+       roller_groove(2, "inner"), roughness(1, "outer"), roughness(2, "inner")});
 }
 
 RecordSpec flanges() {

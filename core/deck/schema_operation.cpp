@@ -25,12 +25,12 @@ using unit::kTemperature;
 RecordSpec room_and_fits() {
   return record(
       "9.0", "Room temperature, fits, residual stress", "true",
-      {real("roomTemp", kTemperature, kPositive,
+      {real("roomTemp", kTemperature, range::kHeat,
             "Room temperature (absolute), at which all dimensions and fits are given."),
-       real("raceFit1", kLength, kAny,
+       real("raceFit1", kLength, range::kPlay,
             "Diametral fit of the outer race in the housing, mounted at room "
             "temperature; positive is interference."),
-       real("raceFit2", kLength, kAny,
+       real("raceFit2", kLength, range::kPlay,
             "Diametral fit of the inner race on the shaft, mounted at room temperature; "
             "positive is interference."),
        real("angVelOrient", kAngle, kAny,
@@ -59,13 +59,13 @@ RecordSpec loads() {
   constexpr std::array<std::pair<char, int>, 3> kAxes = {{{'X', 1}, {'Y', 2}, {'Z', 3}}};
   for (const auto& [axis, number] : kAxes)
     spec.variables.push_back(
-        real(keep(fmt::format("appLoad{}", axis)), unit::kForce, kAny,
+        real(keep(fmt::format("appLoad{}", axis)), unit::kForce, range::kLoad,
              keep(fmt::format("Force that the shaft applies to the inner race along {}, used when "
                               "kFS{} is 0.",
                               static_cast<char>(axis - 'A' + 'a'), number))));
   for (const auto& [axis, number] : kAxes)
     spec.variables.push_back(
-        real(keep(fmt::format("appDisp{}", axis)), kLength, kAny,
+        real(keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
              keep(fmt::format(
                  "Displacement of the inner race relative to the outer along {1} when kFS{0} "
                  "is 1; first guess when kFS{0} is 0, where 0 asks for an estimate. Measured from "
@@ -81,20 +81,22 @@ RecordSpec loads() {
 RecordSpec moments_and_speeds() {
   return record(
       "9.1.2", "Applied moments, misalignments, speeds", "true",
-      {real("appMomY", unit::kMoment, kAny,
+      {real("appMomY", unit::kMoment, range::kLoad,
             "Moment that the shaft applies to the inner race about y, used when kFS4 is 0."),
-       real("appMomZ", unit::kMoment, kAny,
+       real("appMomZ", unit::kMoment, range::kLoad,
             "Moment that the shaft applies to the inner race about z, used when kFS5 is 0."),
-       real("appMis11", unit::kRadian, kAny, "Misalignment of the reference (outer) race about y."),
-       real("appMis21", unit::kRadian, kAny, "Misalignment of the reference (outer) race about z."),
-       real("appMis12", unit::kRadian, kAny,
+       real("appMis11", unit::kRadian, range::kLean,
+            "Misalignment of the reference (outer) race about y."),
+       real("appMis21", unit::kRadian, range::kLean,
+            "Misalignment of the reference (outer) race about z."),
+       real("appMis12", unit::kRadian, range::kLean,
             "Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise a first "
             "guess."),
-       real("appMis22", unit::kRadian, kAny,
+       real("appMis22", unit::kRadian, range::kLean,
             "Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise a first "
             "guess."),
-       real("rpm1", kRotation, kAny, "Speed of the outer race, positive about x."),
-       real("rpm2", kRotation, kAny, "Speed of the inner race, positive about x.")});
+       real("rpm1", kRotation, range::kSpeed, "Speed of the outer race, positive about x."),
+       real("rpm2", kRotation, range::kSpeed, "Speed of the inner race, positive about x.")});
 }
 
 RecordSpec temperatures() {
@@ -108,7 +110,7 @@ RecordSpec temperatures() {
        {"cageTemp", "cage"}}};
   for (const auto& [name, part] : kParts)
     spec.variables.push_back(real(
-        name, kTemperature, kPositive,
+        name, kTemperature, range::kHeat,
         keep(fmt::format("Temperature (absolute) of the {}; dimensions grow with its difference "
                          "from room temperature.",
                          part))));
@@ -120,10 +122,10 @@ RecordSpec stiffness_table() {
       "9.2", "Stiffness table", "kStif > 0",
       {real("pctDisp", unit::kPercent, kPositive,
             "Displacement increment for the stiffness, in percent of the contact deflection."),
-       real("rpmRange11", kRotation, kAny, "First outer race speed of the table."),
-       real("rpmRange21", kRotation, kAny, "Last outer race speed of the table."),
-       real("rpmRange12", kRotation, kAny, "First inner race speed of the table."),
-       real("rpmRange22", kRotation, kAny, "Last inner race speed of the table.")});
+       real("rpmRange11", kRotation, range::kSpeed, "First outer race speed of the table."),
+       real("rpmRange21", kRotation, range::kSpeed, "Last outer race speed of the table."),
+       real("rpmRange12", kRotation, range::kSpeed, "First inner race speed of the table."),
+       real("rpmRange22", kRotation, range::kSpeed, "Last inner race speed of the table.")});
 }
 
 RecordSpec race_vibration() {
@@ -146,11 +148,11 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
       real("pocLubFilm", kLength, kNotNegative,
            "Largest lubricant film in the pockets; elements closer than this to the pocket wall "
            "feel the film."),
-      real("wvRatio", kPure, kAny,
+      real("wvRatio", kPure, range::kSpeedRatio,
            keep(fmt::format(
                "Whirl speed of the {} mass centre at the start, divided by the {}'s angular speed.",
                body, body))),
-      real("avRatio", kPure, kAny,
+      real("avRatio", kPure, range::kSpeedRatio,
            keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic speed.",
                             body)),
            ""),
@@ -168,7 +170,7 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
 
 RecordSpec thermal_inputs() {
   return record("9.7", "Thermal inputs", "kTherm > 0",
-                {real("baseTemp", kTemperature, kPositive,
+                {real("baseTemp", kTemperature, range::kHeat,
                       "Reference temperature (absolute) at the place chosen by kBaseTemp."),
                  real("cFlowRate", unit::kVolumeFlow, kNotNegative,
                       "Volume flow of the coolant; not used when kCoolant is 0."),

@@ -28,6 +28,15 @@ inline constexpr Range kGroove{0.5, 10.0, true, true};  ///< groove radius over 
 inline constexpr Range kConformity{0.5, 100.0,
                                    true};             ///< groove radius over twice the crown radius
 inline constexpr Range kRockwell{0.0, 100.0, false};  ///< HRC
+// What no bearing has, in SI units. A value beyond ends a computation far from where it stands.
+inline constexpr Range kSize{1e-6, 1e3, false};        ///< m; of bodies. One in mm is told so
+inline constexpr Range kPlay{-0.1, 0.1, false};        ///< m; plays and fits of rings
+inline constexpr Range kShift{-1.0, 1.0, false};       ///< m; of a ring
+inline constexpr Range kLean{-1.0, 1.0, false};        ///< rad; of a ring
+inline constexpr Range kSpeed{-1e7, 1e7, false};       ///< rpm
+inline constexpr Range kLoad{-5e8, 5e8, false};        ///< N, or N m
+inline constexpr Range kHeat{0.0, 5000.0, true};       ///< K
+inline constexpr Range kSpeedRatio{-1e6, 1e6, false};  ///< to another speed
 constexpr Range between(double min, double max) { return {min, max, false}; }
 }  // namespace range
 

@@ -142,8 +142,9 @@ Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_
   return run_one(request, value, stop);
 }
 
-/// Remarks that differ only in their numbers come once, from the first run that makes them.
-std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
+/// Remarks that differ only in their numbers come once, from the first run that makes them, which
+/// is named where others may not make them.
+std::vector<Issue> warnings_once(const std::string& variable, const std::vector<Row>& rows) {
   std::set<std::string> seen;
   std::vector<Issue> out;
   for (const Row& row : rows)
@@ -151,7 +152,11 @@ std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
       std::string words = issue.record + issue.variable;
       for (const char c : issue.message)
         if ((c < '0' || c > '9') && c != '.') words += c;
-      if (seen.insert(words).second) out.push_back(issue);
+      if (!seen.insert(words).second) continue;
+      out.push_back(issue);
+      if (rows.size() > 1)
+        out.back().message =
+            fmt::format("first at {} = {}: {}", variable, row.value, issue.message);
     }
   return out;
 }
@@ -299,7 +304,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   write_table();
   std::erase_if(rows,
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
-  out.warnings = warnings_once(rows);
+  out.warnings = warnings_once(variable, rows);
   if (auto still = nothing_moved(rows)) out.warnings.push_back(std::move(*still));
   constexpr int kInterrupted = 130;
   for (const Row& row : rows) {

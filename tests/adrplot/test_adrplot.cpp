@@ -8,6 +8,7 @@
 
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
@@ -374,6 +375,48 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   options.page = 9;
   CHECK_THROWS_WITH(render_plots({files[0]}, options), Catch::Contains("pages are 1 to 8"));
   CHECK_THROWS_AS(render_plots({base / "absent"}, options), InputError);
+}
+
+TEST_CASE("render_plots: a page is drawn of the files that have it, the others are told by name",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::SyntheticRun run;
+  run.steps = 30;
+  std::map<std::string, int> pages;  // of each file
+  for (const auto kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    const auto file = test::synthetic_sol(kind, run);
+    test::write_text(base / file.path, test::sol_text(file));
+    pages[file.path.string()] = static_cast<int>(open_document(base / file.path).pages.size());
+  }
+  const auto [least, most] = std::minmax_element(
+      pages.begin(), pages.end(), [](auto& a, auto& b) { return a.second < b.second; });
+  RenderOptions options;
+  options.width = 200, options.height = 150;
+  options.folder = base / "pictures";
+  long counted = 0;
+  options.progress = [&](long done, long) { counted = done; };
+  for (int page = least->second; page <= most->second; ++page) {
+    std::string told;
+    options.tell = [&](const std::string& sentence) { told += sentence + "\n"; };
+    options.page = page;
+    std::string drawn;
+    for (const auto& picture : render_plots({base}, options)) drawn += picture.string() + "\n";
+    CHECK(counted == 4);
+    for (const auto& [name, count] : pages) {
+      INFO(page << " of " << name << ": " << drawn << told);
+      CHECK((drawn.find(name + "-page") != std::string::npos) == (count >= page));
+      const std::string sentence = fmt::format("{} has {} pages: no page {} of it is drawn",
+                                               (base / name).string(), count, page);
+      CHECK((told.find(sentence) != std::string::npos) == (count < page));
+    }
+  }
+  options.page = most->second + 1;
+  CHECK_THROWS_WITH(
+      render_plots({base}, options),
+      Catch::Contains(fmt::format("none of the files has a page {}: ", options.page)) &&
+          Catch::Contains(fmt::format("{} has {} pages", least->first, least->second)));
 }
 
 TEST_CASE("plot_document: a file too long to be held is read for a few pages at a time", "[gui]") {

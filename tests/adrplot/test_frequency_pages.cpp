@@ -236,6 +236,87 @@ TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spe
   }
 }
 
+TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none near 0 Hz",
+          "[unit][adrplot]") {
+  constexpr std::size_t kSamples = 1000;
+  constexpr double kStep = 1e-4, kSize = 0.3, kOffset = 5e3;
+  const auto sine = [](double periods, double phase, double offset) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < kSamples; ++i)
+      out.push_back(offset + kSize * std::cos(2.0 * std::numbers::pi * periods *
+                                                  static_cast<double>(i) / kSamples +
+                                              phase));
+    return out;
+  };
+  // Lines beside that of a sine which the window widens it to; loss between two lines; and what a
+  // constant that is left over becomes in the first line.
+  struct Case {
+    Window window;
+    std::size_t wide;
+    double loss, first;
+  };
+  for (const auto& [window, wide, loss, first] :
+       {Case{Window::None, 0, 0.364, 0.0}, Case{Window::Hann, 1, 0.152, 1.0},
+        Case{Window::FlatTop, 4, 1.1e-3, 1.93}})
+    for (const double phase : {0.0, 0.7, 1.9}) {
+      for (const std::size_t line : {1UL, 2UL, 5UL, 23UL, 260UL, 499UL}) {
+        const Spectrum s =
+            amplitude_spectrum(sine(static_cast<double>(line), phase, kOffset), kStep, window);
+        INFO(window_name(window) << ", line " << line << ", phase " << phase);
+        REQUIRE(s.amplitude.size() == kSamples / 2);
+        CHECK(s.frequency[line - 1] == Approx(static_cast<double>(line) / (kSamples * kStep)));
+        // What a window spreads of a low line it spreads of its mirror, too.
+        if (line > 2 * wide && line < kSamples / 2 - wide)
+          CHECK(s.amplitude[line - 1] == Approx(kSize).epsilon(1e-8));
+        for (std::size_t k = 1; k <= kSamples / 2; ++k)
+          if (k > line + wide || k + wide < line) CHECK(s.amplitude[k - 1] < 1e-8 * kSize);
+      }
+      for (const double periods : {5.5, 40.5, 300.3}) {
+        const Spectrum s = amplitude_spectrum(sine(periods, phase, kOffset), kStep, window);
+        const Spectrum same = amplitude_spectrum(sine(periods, phase, 0.0), kStep, window);
+        INFO(window_name(window) << ", " << periods << " periods");
+        for (std::size_t k = 0; k < s.amplitude.size(); ++k)
+          CHECK(s.amplitude[k] == Approx(same.amplitude[k]).margin(1e-8 * kSize));
+        const double highest = *std::max_element(s.amplitude.begin(), s.amplitude.end());
+        CHECK(highest > (1.0 - loss) * 0.98 * kSize);
+        CHECK(highest < 1.05 * kSize);
+        // The mean of a part of a period is no offset: it leaves at most size / (pi periods).
+        if (window != Window::None)
+          CHECK(s.amplitude[0] < 1.2 * first * kSize / (std::numbers::pi * periods));
+      }
+    }
+}
+
+TEST_CASE("pages: spectra say that the mean is taken off, and where the first line is drift",
+          "[unit][adrplot]") {
+  const std::vector<double> t = times(600);
+  const auto curve = [&](double drift, double periods) {
+    std::vector<double> out = tone(t, periods / (kStep * static_cast<double>(t.size())), 5.0);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += drift * static_cast<double>(i) / static_cast<double>(out.size());
+    return out;
+  };
+  const auto note = [&](std::vector<std::vector<double>> curves) {
+    desktop::ChartPage page = page_of(std::move(curves));
+    to_spectra(page, t, {});
+    tell_lines(page, {page.x.front()}, {});
+    return page.note;
+  };
+  const std::string told = "irst line is drift over the whole run";
+  for (const double periods : {1.0, 2.0, 2.5, 30.0, 60.5})
+    for (const double drift : {0.0, 40.0}) {
+      const std::string all = note({curve(drift, periods)});
+      INFO(drift << " and " << periods << " periods: " << all);
+      CHECK(all.find("Hann window, without the mean; a line every") != std::string::npos);
+      // A wave of one period keeps more than half of the line that both share.
+      if (periods > 1.0 || drift == 0.0)
+        CHECK((all.find("The f" + told) != std::string::npos) == (drift > 0.0));
+    }
+  // Beside one that does not, the curve that does is named.
+  CHECK(note({curve(0.0, 30.0), curve(40.0, 30.0)}).find("Angle, outer race: the f" + told) !=
+        std::string::npos);
+}
+
 TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
           "[unit][adrplot]") {
   // Pieces of 10 ms: a line every 100 Hz. A tone of 1 N on the twentieth, a load that grows by 100

@@ -1,6 +1,7 @@
 #include "adrplot/curve_dialog.hpp"
 #include "adrplot/own_chart.hpp"
 #include "adrplot/plot_window.hpp"
+#include "adrplot/render.hpp"
 #include "adrplot/run_beside.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
@@ -261,6 +262,53 @@ TEST_CASE("own charts: values between stored ones lie on straight lines, none ou
   CHECK(y[4] == Approx(10.0));
   CHECK(y[5] == 0.0);
   CHECK(std::isnan(y[6]));
+}
+
+TEST_CASE("own charts: values below the pointer and between cursors say of what they are",
+          "[gui][adrplot]") {
+  test::use_qt();
+  const PlotDocument slow = run(1.0, 50, "bearings/slow"), fast = run(2.0, 50, "bearings/fast"),
+                     other = run(3.0, 50, "elsewhere/fast");
+  // What is told: whose values they are, without what all of the chart have in common.
+  const auto told = [](const std::vector<CurvePick>& picks, Combine how, const char* domain) {
+    PageOptions options;
+    set_domain(options, domain, "");
+    desktop::ChartView view;
+    view.resize(700, 450);
+    view.showPage(combine_curves(picks, how, options));
+    const desktop::ChartScene& scene = view.chartScene();
+    view.setCursor(0, scene.page().x.front());
+    return std::pair{scene.readout(scene.plotAreas().at(0).center()).toStdString(),
+                     view.cursorReport().toStdString()};
+  };
+  const auto both_say = [](const std::pair<std::string, std::string>& said,
+                           const std::string& text) {
+    INFO(said.first << "\n" << said.second);
+    CHECK(said.first.find(text + ": ") != std::string::npos);
+    CHECK(said.second.find("\n" + text + ":  A ") != std::string::npos);
+  };
+  const std::vector<CurvePick> runs{{&slow, 1, 0, 0}, {&fast, 1, 0, 0}};
+  const std::string title = slow.build(1, {}).panels.at(0).title;
+  for (const char* domain : {"history", "spectrum"}) {
+    both_say(told(runs, Combine::Difference, domain),
+             "Difference: " + title + " · fast/SOL7 less slow/SOL7");
+    both_say(told(runs, Combine::Overlay, domain), title + " · slow/SOL7");
+    both_say(told(runs, Combine::Overlay, domain), title + " · fast/SOL7");
+  }
+  // Two quantities of one run; two runs whose folders have one name.
+  const auto& panels = fast.build(1, {}).panels;
+  const std::vector<CurvePick> one{{&fast, 1, 0, 0}, {&fast, 1, 1, 0}};
+  REQUIRE(panels.size() > 1);
+  both_say(told(one, Combine::Overlay, "history"), panels[1].title);
+  const std::vector<CurvePick> twins{{&fast, 1, 0, 0}, {&other, 1, 0, 0}};
+  both_say(told(twins, Combine::Difference, "history"),
+           "Difference: " + title + " · elsewhere/fast/SOL7 less bearings/fast/SOL7");
+  // The waterfall of a difference is not that of a run.
+  PageOptions fall;
+  fall.domain = Domain::Waterfall;
+  const desktop::ChartPage page = combine_curves(runs, Combine::Difference, fall);
+  CHECK(page.choices ==
+        std::vector<std::string>{title + " · " + slow.subject + " · fast/SOL7 less slow/SOL7"});
 }
 
 TEST_CASE("plot_window: chosen curves of two files become a chart that outlives its files",

@@ -479,3 +479,32 @@ TEST_CASE("plot_window: the picture that is copied is the chart that is seen", "
     CHECK(unlike < seen.width() * seen.height() / 1000);
   }
 }
+
+TEST_CASE("plot_window: marked statistics are copied as text, and all of them by a command",
+          "[gui][adrplot]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  QClipboard* const clipboard = QApplication::clipboard();
+  clipboard->setText("nothing yet");
+  window.copyStatistics();  // without cursors there are none
+  CHECK(clipboard->text() == "nothing yet");
+  desktop::ChartView& view = window.view();
+  const std::vector<double>& x = view.chartScene().page().x;
+  view.setCursor(0, x[x.size() / 4]);
+  view.setCursor(1, x[x.size() / 2]);
+  window.copyStatistics();
+  QString report = view.cursorReport();
+  REQUIRE(report.contains(QChar(0x2212)));  // "B − A"
+  CHECK(clipboard->text() == report.replace(QChar(0x2212), '-'));
+  CHECK(clipboard->text().count('\n') >= 2);
+  auto* label = window.findChild<QLabel*>("cursors");
+  REQUIRE(label);
+  label->setSelection(0, label->text().indexOf('\n') + 4);
+  window.copyPicture();
+  CHECK(clipboard->image().isNull());
+  CHECK(clipboard->text() == report.left(report.indexOf('\n') + 4));
+  label->setSelection(0, 0);
+  window.copyPicture();
+  CHECK_FALSE(clipboard->image().isNull());
+}

@@ -39,7 +39,7 @@ const std::vector<Try>& tries() {
       {"a cage inside its elements", {{"cageGcPos[1]", "0.001"}}},
       {"a run to go on with", {{"kIcOpt", "1"}}},
       {"a state to start from", {{"kIcOpt", "-1"}}},
-      {"a load that no bearing carries", {{"appLoadX", "1e12"}}},
+      {"a load that no bearing carries", {{"appLoadX", "4e8"}}},
       {"no load at all", {{"appLoadX", "0"}, {"appLoadZ", "0"}}},
       {"a routine that is not there", {{"kDOF", "6"}}},
       {"an option without sense", {}, {{"ellipseMajor", "-3"}}},

@@ -151,7 +151,7 @@ class Errors(Folder):
 
     def test_an_equilibrium_that_cannot_be_is_a_solver_error(self):
         deck = adore.new("ball")
-        deck.update(appLoadX=1e9)
+        deck.update(appLoadX=4e8)
         with self.assertRaises(adore.SolverError) as caught:
             deck.statics()
         self.assertEqual(caught.exception.exit_code, 3)
