@@ -95,7 +95,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                      this);
   note_->setObjectName("study-note");
   note_->setWordWrap(true);
-  view_ = desktop::make_listing_view(this);
+  view_ = desktop::make_listing_view(tr("What accuracy costs"), this);
   view_->setObjectName("study-text");
   view_->hide();
   layout->addLayout(row);

@@ -6,6 +6,7 @@
 #include "adrinput/unit_view.hpp"
 #include "deck/element_names.hpp"
 #include "deck/lookup.hpp"
+#include "desktop/spoken_name.hpp"
 #include "desktop/theme.hpp"
 
 #include <QApplication>
@@ -95,6 +96,7 @@ class CellDelegate : public QStyledItemDelegate {
     const deck::VariableSpec& variable = *variable_of(at(index));
     if (variable.options.empty()) return new CellEditor(table_, parent);
     auto* combo = new QComboBox(parent);
+    desktop::name_box(*combo, QString::fromStdString(std::string(variable.name)));
     for (const deck::OptionSpec& choice : variable.options)
       combo->addItem(choice_text(choice.code, choice.meaning),
                      QString::fromStdString(std::string(choice.code)));

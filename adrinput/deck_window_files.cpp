@@ -304,12 +304,17 @@ void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()>
 bool DeckWindow::writeTo(const std::filesystem::path& path) {
   const Waiting sign;
   try {
+    const std::filesystem::path draft = document_.draft();
     document_.save(path);
     remember(document_.path());
     QString said = tr("Saved %1").arg(QString::fromStdString(path.string()));
     if (!document_.kept_copy().empty())
       said += tr("; the file as it was is kept as %1")
                   .arg(QString::fromStdString(document_.kept_copy().filename().string()));
+    std::error_code unknown;
+    if (!draft.empty() && document_.draft().empty() && !std::filesystem::exists(draft, unknown))
+      said += tr("; the draft %1 became it and is gone")
+                  .arg(QString::fromStdString(draft.filename().string()));
     statusBar()->showMessage(said, 8000);
     return true;
   } catch (const InputError& error) {

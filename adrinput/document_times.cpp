@@ -103,6 +103,12 @@ std::optional<facade::RunScales> Document::scales() const {
 
 Typed Document::parse(const Cell& cell, std::string_view text) const {
   const deck::VariableSpec& variable = *variable_of(cell);
+  if (variable.type == deck::VarType::Real) {
+    std::size_t values = 0;  // from this one on
+    for (Cell at = cell; value_at(state_.deck, at) != nullptr; ++at.element) ++values;
+    if (deck::NumberProblem problem = product_or_values(text, values))
+      return {{}, std::move(problem)};
+  }
   Typed plain = parse_typed(state_.deck, variable, text);
   if (!plain.problem || !is_run_time(variable) || !ends_with_letter(text)) return plain;
   double seconds = 0.0, angle = 0.0;

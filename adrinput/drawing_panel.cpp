@@ -1,5 +1,7 @@
 #include "adrinput/drawing_panel.hpp"
 
+#include "desktop/spoken_name.hpp"
+
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
@@ -31,7 +33,7 @@ DrawingPanel::DrawingPanel(QWidget* parent) : QWidget(parent) {
   setObjectName("drawing-panel");
   views_ = new QComboBox(this);
   views_->setObjectName("drawing-views");
-  views_->setAccessibleName(tr("View of the drawing"));
+  desktop::name_box(*views_, tr("View of the drawing"));
   auto* name = new QLabel(tr("Vie&w"), this);
   name->setBuddy(views_);
   picture_ = new DrawingView(this);

@@ -83,7 +83,7 @@ EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, Q
       function_(function),
       invitation_(invitation),
       note_(new QLabel(invitation, this)),
-      view_(desktop::make_listing_view(this)) {
+      view_(desktop::make_listing_view(tr("Result"), this)) {
   note_->setWordWrap(true);
   note_->setObjectName("note");
   view_->setObjectName("text");

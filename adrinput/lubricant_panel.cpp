@@ -4,6 +4,7 @@
 #include "calculators/deck_lubricant.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/lubricant_pages.hpp"
+#include "desktop/spoken_name.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -39,6 +40,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   pages_ = new QComboBox(this);
   pages_->setObjectName("lubricant-page");
+  desktop::name_box(*pages_, tr("Chart of the lubricant"));
   pages_->addItems(
       {tr("Traction over slip"), tr("Viscosity over pressure"), tr("Film and lambda")});
   chart_ = new desktop::ChartView(this);

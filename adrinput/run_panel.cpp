@@ -157,7 +157,7 @@ RunPanel::RunPanel(QWidget* parent)
       this);
   note_->setObjectName("run-note");
   note_->setWordWrap(true);
-  view_ = desktop::make_listing_view(this);
+  view_ = desktop::make_listing_view(tr("What the run tells"), this);
   view_->setObjectName("run-text");
   view_->hide();
   layout->addLayout(first);
@@ -348,7 +348,7 @@ void RunPanel::showListing() {
   desktop::delete_when_done(*window);
   window->setWindowTitle(file.fileName());
   desktop::open_at_size(*window, {1080, 760});
-  auto* listing = desktop::make_listing_view(window);
+  auto* listing = desktop::make_listing_view(file.fileName(), window);
   listing->setPlainText(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);
   connect(buttons, &QDialogButtonBox::rejected, window, &QDialog::reject);

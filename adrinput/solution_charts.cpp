@@ -1,6 +1,7 @@
 #include "adrinput/solution_charts.hpp"
 
 #include "desktop/chart_view.hpp"
+#include "desktop/spoken_name.hpp"
 #include "desktop/static_pages.hpp"
 
 #include <QBoxLayout>
@@ -28,7 +29,7 @@ SolutionCharts::SolutionCharts(QWidget* parent)
       note_(new QLabel(this)),
       view_(new desktop::ChartView(this)) {
   choice_->setObjectName("solution-page");
-  choice_->setAccessibleName(tr("Chart of the quasi-static solution"));
+  desktop::name_box(*choice_, tr("Chart of the quasi-static solution"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice_->setMinimumContentsLength(6);
   note_->setWordWrap(true);

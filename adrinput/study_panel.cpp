@@ -7,6 +7,7 @@
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
 #include "desktop/one_window.hpp"
+#include "desktop/spoken_name.hpp"
 #include "desktop/theme.hpp"
 
 #include <QBoxLayout>
@@ -82,7 +83,7 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   auto* engine_label = new QLabel(tr("E&ngine"), this);
   engine_ = new QComboBox(this);
   engine_->setObjectName("study-engine");
-  engine_->setAccessibleName(tr("Engine"));
+  desktop::name_box(*engine_, tr("Engine"));
   engine_->addItems({"local", "slurm"});
   engine_->setToolTip(tr("Who computes: processes here, or a cluster under Slurm"));
   engine_label->setBuddy(engine_);
@@ -111,9 +112,8 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   note_->setWordWrap(true);
   note_->setTextFormat(Qt::PlainText);
   layout->addWidget(note_);
-  view_ = desktop::make_listing_view(this);
+  view_ = desktop::make_listing_view(tr("Plan or report"), this);
   view_->setObjectName("study-text");
-  view_->setAccessibleName(tr("Plan or report"));
   layout->addWidget(view_, 1);
   pause_ = new QTimer(this);
   pause_->setSingleShot(true);

@@ -1,6 +1,7 @@
 #include "adrinput/study_table.hpp"
 
 #include "deck/schema.hpp"
+#include "desktop/spoken_name.hpp"
 #include "desktop/theme.hpp"
 #include "results/channels.hpp"
 #include "results/key_results.hpp"
@@ -51,6 +52,7 @@ class CellEditor : public QStyledItemDelegate {
     auto* self = const_cast<CellEditor*>(this);
     if (!column.choices.empty()) {
       auto* box = new QComboBox(parent);
+      desktop::name_box(*box, from(column.title));
       for (const std::string_view choice : column.choices) box->addItem(from(choice));
       connect(box, &QComboBox::activated, self, [self, box] {
         emit self->commitData(box);

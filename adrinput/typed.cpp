@@ -119,6 +119,18 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
   return {value, std::move(problem)};
 }
 
+deck::NumberProblem product_or_values(std::string_view typed, std::size_t values) {
+  static const std::regex kRepeat("([1-9][0-9]{0,3})[*]([-+]?[0-9.]+([eEdD][-+]?[0-9]+)?)");
+  const std::string number = plain_number(typed);
+  std::smatch found;
+  if (!std::regex_match(number, found, kRepeat)) return {};
+  const auto count = static_cast<std::size_t>(std::stoi(found.str(1)));
+  if (count < 2 || count > values) return {};
+  return {fmt::format("can be read as a product or, as in a deck, as {} values", count),
+          fmt::format("write {0}*{1} for the product, or {0} in each of the {1} fields",
+                      found.str(2), found.str(1))};
+}
+
 bool is_run_time(const deck::VariableSpec& variable) {
   return variable.name == "fTime" || variable.name == "stpInit" || variable.name == "stpMin" ||
          variable.name == "stpMax";

@@ -25,6 +25,10 @@ struct Typed {
 [[nodiscard]] Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
                                 std::string_view text);
 
+/// "3*0.0001" in a vector that has three values from there on: a product, or, as decks are written,
+/// three values. No problem where there are fewer.
+[[nodiscard]] deck::NumberProblem product_or_values(std::string_view typed, std::size_t values);
+
 /// Is it a time of a run, in units of the time scale: fTime, stpInit, stpMin, stpMax?
 [[nodiscard]] bool is_run_time(const deck::VariableSpec& variable);
 

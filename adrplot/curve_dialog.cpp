@@ -1,6 +1,7 @@
 #include "adrplot/curve_dialog.hpp"
 
 #include "desktop/dialogs.hpp"
+#include "desktop/spoken_name.hpp"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -52,6 +53,7 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
       tr("Tick the curves. Those of one unit share a panel; files may be of different runs."),
       this));
   tree_ = new QTreeWidget(this);
+  tree_->setAccessibleName(tr("Curves"));
   tree_->setObjectName("curves");
   tree_->setHeaderLabels({tr("Curve"), tr("Unit")});
   tree_->setColumnWidth(0, 440);
@@ -59,11 +61,11 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   how_ = new QComboBox(this);
   how_->setObjectName("how");
   how_->addItems({tr("Draw them together"), tr("Draw the differences from one of them:")});
-  how_->setAccessibleName(tr("What is drawn"));
+  desktop::name_box(*how_, tr("What is drawn"));
   column->addWidget(how_);
   reference_ = new QComboBox(this);
   reference_->setObjectName("reference");
-  reference_->setAccessibleName(tr("Curve that the others are less"));
+  desktop::name_box(*reference_, tr("Curve that the others are less"));
   reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   column->addWidget(reference_);
   connect(how_, &QComboBox::currentIndexChanged, this, &CurveDialog::offerReferences);

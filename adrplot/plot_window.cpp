@@ -90,7 +90,9 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(view_, &desktop::ChartView::cursorsChanged, this, [this] {
     cursors_->setText(view_->cursorReport());
     fitCursors();
+    offerDeeds();
   });
+  connect(view_, &desktop::ChartView::viewChanged, this, &PlotWindow::offerDeeds);
 
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (!item || item->data(0, kPageRole).toInt() < 1) return;
@@ -117,6 +119,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   connect(view_, &desktop::ChartView::curvesChanged, this, [this] {
     values_.clear();  // of other curves
     fitReadout();
+    offerNames();
   });
   showCurrent();
 }
@@ -219,6 +222,7 @@ void PlotWindow::showCurrent() {
                                           [](const auto& panel) { return panel.log; }));
   }
   view_->showPage(std::move(chart));
+  offerNames();
   view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));
   fitReadout();
 }

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QComboBox;
@@ -22,7 +23,8 @@ class QTreeWidget;
 
 namespace adore::desktop {
 class ChartView;
-}
+enum class ChartDeed : unsigned char;
+}  // namespace adore::desktop
 
 namespace adore::adrplot {
 
@@ -98,6 +100,15 @@ class PlotWindow : public QMainWindow {
   void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);
+  /// What the keys do to the chart while it has the keyboard.
+  void makeKeyMenus(QMenu* view);
+  void addDeed(QMenu* menu, desktop::ChartDeed deed, const QString& text,
+               const QList<QKeySequence>& keys);
+  /// What would change nothing is grey and says why.
+  void offerDeeds();
+  /// The names of the legends, to be hidden or shown.
+  void offerNames();
+  QAction* nameAction(qsizetype number);
   void makeButtons();
   void askForExport(bool all_pages);
   void lookForGrowth();
@@ -151,6 +162,9 @@ class PlotWindow : public QMainWindow {
   QComboBox* curve_ = nullptr;  ///< that a waterfall is of
   QAction* curve_action_ = nullptr;
   QMenu* curve_menu_ = nullptr;  ///< the same, where the buttons have no room
+  QMenu* names_menu_ = nullptr;  ///< curves of the legends
+  QList<QAction*> names_;        ///< as many as a page ever had; the others are hidden
+  std::vector<std::pair<QAction*, desktop::ChartDeed>> deeds_;
   QAction* orbit_action_ = nullptr;
   QAction* follow_ = nullptr;
 };

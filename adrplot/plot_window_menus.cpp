@@ -1,6 +1,7 @@
 #include "adrplot/plot_window.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/chrome.hpp"
+#include "desktop/spoken_name.hpp"
 
 #include <QAction>
 #include <QActionGroup>
@@ -80,12 +81,16 @@ void PlotWindow::makeMenus() {
 
   auto* view = menuBar()->addMenu(tr("&View"));
   view->setToolTipsVisible(true);
+  addDeed(view, desktop::ChartDeed::ZoomIn, tr("Zoom &In"), {Qt::Key_Plus, Qt::Key_Equal});
+  addDeed(view, desktop::ChartDeed::ZoomOut, tr("Zoom &Out"), {Qt::Key_Minus});
+  addDeed(view, desktop::ChartDeed::ZoomToCursors, tr("Zoom to &Cursors"), {Qt::Key_Z});
   view->addAction(tr("Zoom &Back"), Qt::ALT | Qt::Key_Left, view_, &desktop::ChartView::zoomBack);
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
   view->addAction(tr("Show &Everything"), Qt::Key_Home, view_, &desktop::ChartView::zoomAll);
   view->addAction(tr("&Take Cursors Away"), Qt::Key_Escape, view_,
                   &desktop::ChartView::clearCursors);
+  makeKeyMenus(view);
   view->addSeparator();
   auto* log_x = view->addAction(tr("Logarithmic &Abscissa"));
   auto* log_y = view->addAction(tr("Logarithmic &Values"), Qt::CTRL | Qt::Key_L, this, [] {});
@@ -110,13 +115,28 @@ void PlotWindow::makeMenus() {
        {tr("Alt+Left, Alt+Right"), tr("earlier and later views")},
        {tr("click on a panel"), tr("a waterfall is of its first curve then")},
        {tr("click on a name in a legend"), tr("hides its curve, or shows it")},
-       {tr("Ctrl+click, Ctrl+Shift+click"), tr("cursor A, cursor B; Esc takes them away")}});
+       {tr("Ctrl+click, Ctrl+Shift+click"), tr("cursor A, cursor B; Esc takes them away")},
+       {tr("Tab"), tr("goes to the chart: a frame shows that the keys below are its own")},
+       {tr("+ or =, -"), tr("zooms in, out: about the place that is read, or the middle")},
+       {tr("Left, Right"), tr("moves by a tenth of what is seen; with Shift by all of it: "
+                              "Shift+Left, Shift+Right")},
+       {tr("Up, Down"), tr("moves an orbit, or the enlarged values of a panel")},
+       {tr("Ctrl++, Ctrl+-"), tr("enlarges, reduces the values of a panel")},
+       {tr("Ctrl+Up, Ctrl+Down"),
+        tr("the panel that these keys are of (a bar stands beside it), as a click chooses it")},
+       {tr("Ctrl+Left, Ctrl+Right"),
+        tr("reads the values of one stored place after the other; with Shift farther apart")},
+       {tr("A, B"), tr("cursor A, cursor B to the place that is read; again: away")},
+       {tr("Z"), tr("zooms to what lies between the cursors")},
+       {tr("1 to 9"), tr("hides a curve of the legends, or shows it")}});
 }
 
 void PlotWindow::makeChartMenu(QMenu* menu) {
   menu->setToolTipsVisible(true);
   menu->addAction(tr("&Curves for One Chart..."), Qt::CTRL | Qt::Key_K, this,
                   &PlotWindow::askForCurves);
+  names_menu_ = menu->addMenu(tr("Cur&ves Shown"));
+  names_menu_->setObjectName("names");
   menu->addSeparator();
   const auto choices = [this, menu](const QString& title, const QStringList& names, auto set) {
     auto* sub = menu->addMenu(title);
@@ -197,7 +217,7 @@ void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
 void PlotWindow::makeChoices(QToolBar* bar) {
   abscissa_ = new QComboBox(this);
   abscissa_->setObjectName("abscissa");
-  abscissa_->setAccessibleName(tr("Abscissa"));
+  desktop::name_box(*abscissa_, tr("Abscissa"));
   abscissa_->addItems({tr("over revolutions"), tr("over time"), tr("over steps")});
   connect(abscissa_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.abscissa = static_cast<Abscissa>(index);
@@ -205,7 +225,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   });
   domain_ = new QComboBox(this);
   domain_->setObjectName("domain");
-  domain_->setAccessibleName(tr("History or frequencies"));
+  desktop::name_box(*domain_, tr("History or frequencies"));
   domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
@@ -214,7 +234,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   });
   orbit_ = new QComboBox(this);
   orbit_->setObjectName("orbit");
-  orbit_->setAccessibleName(tr("Coordinates of the orbit"));
+  desktop::name_box(*orbit_, tr("Coordinates of the orbit"));
   for (const auto& choice : kPairs) orbit_->addItem(choice.text);
   connect(orbit_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.orbit = kPairs.at(static_cast<std::size_t>(index)).pair;
@@ -222,7 +242,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   });
   curve_ = new QComboBox(this);
   curve_->setObjectName("curve");
-  curve_->setAccessibleName(tr("Curve of the waterfall"));
+  desktop::name_box(*curve_, tr("Curve of the waterfall"));
   curve_->setToolTip(tr("The curve that this waterfall is of"));
   curve_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   connect(curve_, &QComboBox::activated, this,

@@ -27,9 +27,8 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
   list->setMaximumWidth(110);
   for (const long run : runs) list->addItem(QString::number(run));
   list->setVisible(runs.size() > 1);
-  auto* text = desktop::make_listing_view(this);
+  auto* text = desktop::make_listing_view(tr("What is known of the run"), this);
   text->setObjectName("run-text");
-  text->setAccessibleName(tr("What is known of the run"));
   auto* both = new QHBoxLayout;
   both->addWidget(list);
   both->addWidget(text, 1);

@@ -51,6 +51,7 @@ class PictureWidget : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  void tell();
   bool seek(QPointF position);
   /// Of the time bar or a curve; none beside them.
   [[nodiscard]] std::optional<double> momentAt(QPointF position) const;

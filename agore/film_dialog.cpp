@@ -36,8 +36,10 @@ FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::siz
     form->addRow(text, line);
   };
   from_ = makeEnd("filmFrom", part.first);
+  from_.frame->setAccessibleName(tr("From frame"));
   row(tr("From frame"), from_);
   to_ = makeEnd("filmTo", part.second);
+  to_.frame->setAccessibleName(tr("To frame"));
   row(tr("To frame"), to_);
   length_ = new QLabel(this);
   length_->setObjectName("filmLength");

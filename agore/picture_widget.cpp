@@ -14,13 +14,43 @@ PictureWidget::PictureWidget(QWidget* parent) : QWidget(parent) {
   setMinimumSize(480, 340);  // a screen of 640x480 has room for it and the buttons
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the bearing"));
+  setFocusPolicy(Qt::StrongFocus);  // what has the keyboard is told to who cannot see it
+  tell();
 }
 
 void PictureWidget::show(MotionPicture* picture, std::size_t frame, const ViewOptions& options) {
   picture_ = picture;
   frame_ = frame;
   options_ = options;
+  tell();
   update();
+}
+
+/// Views, frame and time for who cannot see them. While it plays nobody could follow the frames:
+/// they are told where it stops.
+void PictureWidget::tell() {
+  QString told = tr("No file is open.");
+  if (picture_) {
+    QStringList views;
+    for (std::size_t i = 0; i < 1 + options_.beside.size(); ++i) {
+      const ViewOptions of = options_.tile(i);
+      QString view = QString::fromStdString(view_title(of.view));
+      if (of.view == View::Pocket || of.view == View::Element || of.view == View::Flange ||
+          of.view == View::Section)
+        view += " " + QString::number(of.element);
+      views << view;
+    }
+    told = views.join(", ") + "; ";
+    if (options_.moving)
+      told += tr("it plays");
+    else
+      told += tr("frame %1 of %2, %3")
+                  .arg(frame_ + 1)
+                  .arg(picture_->frames())
+                  .arg(QString::fromStdString(
+                      desktop::pretty_quantity(picture_->animation().time.at(frame_), "s", 5)));
+  }
+  if (told != accessibleDescription()) setAccessibleDescription(told);
 }
 
 void PictureWidget::paintEvent(QPaintEvent*) {

@@ -2,6 +2,7 @@
 #include "agore/view_scene.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/spoken_name.hpp"
 
 #include <QAction>
 #include <QActionGroup>
@@ -46,7 +47,7 @@ QWidget* AgoreWindow::makeButtons() {
   layout->addWidget(new QLabel(tr("Frames/second"), column));
   speed_ = new QComboBox(column);
   speed_->setObjectName("speed");
-  speed_->setAccessibleName(tr("Frames per second"));
+  desktop::name_box(*speed_, tr("Frames per second"));
   speed_->setFocusPolicy(Qt::NoFocus);
   for (const int rate : {2, 5, 10, 25, 50, 100, 250, 1000})
     speed_->addItem(QString::number(rate), rate);
@@ -55,7 +56,7 @@ QWidget* AgoreWindow::makeButtons() {
   layout->addWidget(new QLabel(tr("Slow motion"), column));
   slow_motion_ = new QComboBox(column);
   slow_motion_->setObjectName("slow");
-  slow_motion_->setAccessibleName(tr("Slow motion against real time"));
+  desktop::name_box(*slow_motion_, tr("Slow motion against real time"));
   slow_motion_->setFocusPolicy(Qt::NoFocus);
   slow_motion_->addItem(tr("by frames"), 0.0);
   for (const int part : {10, 100, 1000, 5000, 20000})

@@ -129,7 +129,7 @@ ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
 /// Both axes at one scale, whatever the two ranges are: what they hold is seen, and as much beside
 /// it as the frame needs; never anything beyond the whole.
 ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
-  constexpr double kMost = 1e4;
+  constexpr double kMost = 1.0 / kLeastPart;
   if (panel_views_.size() != 2 || !panel_views_[0] || !panel_views_[1]) return whole;
   const auto [bottom, top] = *panel_views_[0];
   const auto [left, right] = *panel_views_[1];
@@ -183,20 +183,17 @@ std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qr
 QStringList ChartScene::planeReadout(QPointF position) const {
   constexpr qreal kBeside = 20.0;
   if (!panelAt(position)) return {};
+  const auto near = page_.closed_outline ? std::nullopt : pointNear(position, kBeside);
+  if (near) return storedParts(near->curve, near->index);
+  return {tr("here:   ") + planeValues(abscissaAt(position.x()), valueAt(0, position.y()))};
+}
+
+QString ChartScene::planeValues(double across, double up) const {
   const ChartPanel& panel = page_.panels.front();
   const int digits = digitsOf(0, 0);
-  const auto told = [&](double across, double up) {
-    return tr("%1 %2, %3 %4")
-        .arg(text_of(page_.x_title), text_of(pretty_quantity(across, panel.unit, digits)),
-             text_of(panel.title), text_of(pretty_quantity(up, panel.unit, digits)));
-  };
-  const auto near = page_.closed_outline ? std::nullopt : pointNear(position, kBeside);
-  if (!near) return {tr("here:   ") + told(abscissaAt(position.x()), valueAt(0, position.y()))};
-  const ChartCurve& curve = panel.curves[near->curve];
-  const QString head = near->index < page_.along.size()
-                           ? text_of(pretty_quantity(page_.along[near->index], page_.along_unit, 5))
-                           : text_of(curve.name);
-  return {head + ":   " + told(curve.x[near->index], curve.y[near->index])};
+  return tr("%1 %2, %3 %4")
+      .arg(text_of(page_.x_title), text_of(pretty_quantity(across, panel.unit, digits)),
+           text_of(panel.title), text_of(pretty_quantity(up, panel.unit, digits)));
 }
 
 void ChartScene::addOrbit(const Metrics& m) {

@@ -75,7 +75,17 @@ QStringList ChartScene::readoutParts(QPointF position) const {
             : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front())};
   if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
-  const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
+  return storedParts(0, nearest_index(page_.x, abscissaAt(position.x())));
+}
+
+QStringList ChartScene::storedParts(std::size_t of_orbit, std::size_t i) const {
+  if (isPlane()) {
+    const ChartCurve& curve = page_.panels.front().curves.at(of_orbit);
+    const QString head = i < page_.along.size()
+                             ? text_of(pretty_quantity(page_.along[i], page_.along_unit, 5))
+                             : text_of(curve.name);
+    return {head + ":   " + planeValues(curve.x.at(i), curve.y.at(i))};
+  }
   const QString place = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
   QStringList parts;
   for (std::size_t p = 0; p < page_.panels.size(); ++p) {

@@ -167,7 +167,7 @@ void ChartScene::setZoom(const ChartZoom& zoom) {
   // Spectra begin at 0, before their first line: that view is theirs, too.
   const auto [from, last] = wholeRange();
   const double first = std::min(from, firstRange().first);
-  const double smallest = (last - first) * 1e-4;
+  const double smallest = (last - first) * kLeastPart;
   const double low = std::clamp(zoom.low, first, last), high = std::clamp(zoom.high, first, last);
   if (high - low >= smallest) {
     low_ = low;
@@ -189,6 +189,22 @@ void ChartScene::showCurve(std::size_t panel, std::size_t curve, bool shown) {
   page_.panels.at(panel).curves.at(curve).hidden = !shown;
   beyond_log_ = beyond_log_axes(page_);
   rebuild();
+}
+
+QRectF ChartScene::everything() const {
+  if (areas_.empty()) return {};
+  const QRectF& area = areas_.front();
+  if (isPlane()) {
+    const Plane all = wholePlane(metrics());
+    const qreal left = positionOf(all.middle_x - all.half_x),
+                top = heightOf(0, all.middle_y + all.half_y);
+    return {left, top, positionOf(all.middle_x + all.half_x) - left,
+            heightOf(0, all.middle_y - all.half_y) - top};
+  }
+  if (page_.equal_axes) return area;
+  const auto [from, last] = wholeRange();
+  const qreal left = positionOf(std::min(from, firstRange().first));
+  return {left, area.top(), positionOf(last) - left, area.height()};
 }
 
 double ChartScene::abscissaAt(double scene_x) const {

@@ -74,6 +74,11 @@ class ChartScene : public QGraphicsScene {
   void setPlaneView(const QRectF& part);
   /// Is this a page with equal axes that has places to look at more closely?
   [[nodiscard]] bool isPlane() const;
+  /// All that there is to look at, in scene coordinates of now: wider than a panel where that shows
+  /// a part of the abscissa, of a page with equal axes higher, too.
+  [[nodiscard]] QRectF everything() const;
+  /// The least part of everything that is shown.
+  static constexpr double kLeastPart = 1e-4;
   /// Does the view differ from the one that resetView() makes?
   [[nodiscard]] bool zoomed() const;
   void showCurve(std::size_t panel, std::size_t curve, bool shown);
@@ -97,6 +102,8 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QString readout(QPointF scene_position) const;
   /// The same, each value a part with what stands before it.
   [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
+  /// The same of a stored place: of the abscissa, or of a curve of an orbit.
+  [[nodiscard]] QStringList storedParts(std::size_t curve, std::size_t index) const;
   /// Digits that tell what a curve varies by, and what its panel resolves as it is drawn: 30.005 mm
   /// tells nothing of a motion of 1 µm about it.
   [[nodiscard]] int digitsOf(std::size_t panel, std::size_t curve) const;
@@ -195,6 +202,8 @@ class ChartScene : public QGraphicsScene {
   void addOrbit(const Metrics& m);
   void studyDigits();
   [[nodiscard]] QStringList planeReadout(QPointF position) const;
+  /// "Y 1 µm, Z 2 µm".
+  [[nodiscard]] QString planeValues(double across, double up) const;
   /// " (0.1 N to 2 N)": extremes since the value before; empty where there are none, or no width.
   [[nodiscard]] QString bandAt(std::size_t panel, std::size_t curve, std::size_t place) const;
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);

@@ -62,7 +62,14 @@ ChartView::ChartView(QWidget* parent)
 void ChartView::showPage(ChartPage page) {
   constexpr std::size_t kMostPages = 1000;
   const ChartPage& old = scene_->page();
-  if (cursor_axis(page) != cursor_axis(old)) cursors_ = {kNone, kNone};
+  const bool same_axis = cursor_axis(page) == cursor_axis(old);
+  if (!same_axis) cursors_ = {kNone, kNone};
+  const double read_at = reading_ && same_axis ? abscissaOf(*reading_) : kNone;
+  reading_.reset();
+  if (name_of(page) != name_of(old)) panel_ = 0;
+  if (panel_ >= page.panels.size()) panel_ = 0;
+  moving_ = false;
+  values_of_.clear();
   pointer_ = -1.0;  // its values are of the page before
   point_.reset();
   pointed_at_.reset();
@@ -79,7 +86,11 @@ void ChartView::showPage(ChartPage page) {
   scene_->setPage(std::move(page), true);
   const auto own = ranges_.find(name_of(scene_->page()));
   if (own != ranges_.end()) scene_->setZoom({scene_->viewLow(), scene_->viewHigh(), own->second});
+  if (const auto& places = cursor_places(scene_->page()); std::isfinite(read_at) && !places.empty())
+    reading_ = StoredPlace{0, nearest_index(places, read_at)};
+  if (!reading_) setAccessibleDescription(QString::fromStdString(scene_->page().title));
   emit cursorsChanged();
+  read();
   viewport()->update();
 }
 
@@ -105,6 +116,7 @@ void ChartView::apply(const View& view) {
 }
 
 void ChartView::remember() {
+  moving_ = false;
   View view = now();
   if (!back_.empty() && back_.back() == view) return;
   back_.push_back(std::move(view));
@@ -123,6 +135,7 @@ void ChartView::travel(std::vector<View>& from, std::vector<View>& to) {
     if (scene_->zoom() == seen) continue;
     from.resize(i);
     to.push_back(left);
+    moving_ = false;
     viewport()->update();
     return;
   }
@@ -155,7 +168,9 @@ void ChartView::setCursor(int which, double abscissa) {
 
 void ChartView::clearCursors() {
   cursors_ = {kNone, kNone};
+  if (reading_) endReading();
   emit cursorsChanged();
+  read();
   viewport()->update();
 }
 
@@ -327,9 +342,7 @@ bool ChartView::toggleLegend(QPointF position) {
   for (const LegendEntry& entry : scene_->legend()) {
     if (!entry.place.adjusted(-3, -3, 3, 3).contains(position)) continue;
     const LegendEntry found = entry;  // the scene makes its legend anew
-    scene_->showCurve(found.panel, found.curve,
-                      scene_->page().panels[found.panel].curves[found.curve].hidden);
-    emit curvesChanged();
+    toggleCurve(found.panel, found.curve);
     return true;
   }
   return false;
@@ -393,12 +406,22 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
     // Moving beyond the data would squeeze the view, so it stops at the ends.
     if (!x.empty() && low >= x.front() && high <= x.back()) scene_->setView(low, high);
   }
+  if (pointed_at_ != event->position().toPoint()) reading_.reset();
   pointed_at_ = event->position().toPoint();
   read();
 }
 
 /// What stands below the pointer now: also where the view has moved below it.
 void ChartView::read() {
+  if (reading_ && !sees(*reading_)) endReading();
+  if (reading_)
+    readAt(*reading_);
+  else
+    readPointer();
+  emit viewChanged();
+}
+
+void ChartView::readPointer() {
   if (!pointed_at_) return;
   const QPointF position = mapToScene(*pointed_at_);
   const QStringList parts = scene_->readoutParts(position);
@@ -432,8 +455,7 @@ void ChartView::mouseReleaseEvent(QMouseEvent* event) {
   const QPoint place = event->position().toPoint();
   const bool clicked = dragging_ && (place - pressed_).manhattanLength() < 4;
   dragging_ = false;
-  if (const auto panel = scene_->panelAt(mapToScene(place)); clicked && panel)
-    emit panelClicked(*panel);
+  if (const auto panel = scene_->panelAt(mapToScene(place)); clicked && panel) choosePanel(*panel);
   if (!boxing_) return;
   boxing_ = false;
   band_->hide();
@@ -447,48 +469,13 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ChartView::leaveEvent(QEvent* event) {
   pointed_at_.reset();
-  pointer_ = -1.0;
-  point_.reset();
-  emit readoutChanged({});
+  if (!reading_) {
+    pointer_ = -1.0;
+    point_.reset();
+    emit readoutChanged({});
+  }
   viewport()->update();
   QGraphicsView::leaveEvent(event);
-}
-
-void ChartView::drawForeground(QPainter* painter, const QRectF&) {
-  const auto line = [&](double x) {
-    for (const auto& area : scene_->plotAreas())
-      painter->drawLine(QLineF(x, area.top(), x, area.bottom()));
-  };
-  if (pointer_ >= 0.0) {
-    painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
-    line(pointer_);
-  }
-  if (scene_->plotAreas().empty()) return;
-  if (scene_->page().equal_axes) {
-    const auto ring = [&](const QPointF& at, const QPen& pen) {
-      constexpr qreal kRadius = 6.0;
-      painter->setPen(pen);
-      painter->setBrush(Qt::NoBrush);
-      painter->drawEllipse(at, kRadius, kRadius);
-    };
-    if (point_) ring(*point_, QPen(current_theme().accent, 1.2));
-    for (std::size_t i = 0; i < cursors_.size(); ++i) {
-      const auto at = planeCursor(i);
-      if (!at) continue;
-      ring(*at, QPen(current_theme().red, 1.2));
-      painter->setFont(ui_font(12, true));
-      painter->drawText(*at + QPointF(9, -5), i == 0 ? "A" : "B");
-    }
-    return;
-  }
-  for (std::size_t i = 0; i < cursors_.size(); ++i) {
-    if (!(cursors_[i] >= scene_->viewLow() && cursors_[i] <= scene_->viewHigh())) continue;
-    const double x = scene_->positionOf(cursors_[i]);
-    painter->setPen(QPen(current_theme().red, 1.2));
-    line(x);
-    painter->setFont(ui_font(12, true));
-    painter->drawText(QPointF(x + 4, scene_->plotAreas().front().top() + 13), i == 0 ? "A" : "B");
-  }
 }
 
 }  // namespace adore::desktop

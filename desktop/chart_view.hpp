@@ -17,11 +17,37 @@ class QRubberBand;
 
 namespace adore::desktop {
 
+/// What can be done to a chart without a mouse. "Reading" tells the values of one stored place, as
+/// the pointer does.
+enum class ChartDeed : unsigned char {
+  ZoomIn,
+  ZoomOut,
+  MoveLeft,
+  MoveRight,
+  MoveUp,
+  MoveDown,
+  FarLeft,  ///< by as much as is seen
+  FarRight,
+  EnlargeValues,  ///< of the panel that the keys are of
+  ReduceValues,
+  PanelAbove,
+  PanelBelow,
+  ReadBack,  ///< one stored place
+  ReadOn,
+  ReadFarBack,  ///< a twentieth of what is seen
+  ReadFarOn,
+  CursorA,  ///< at the place that is read, or away from there
+  CursorB,
+  ZoomToCursors,
+};
+inline constexpr int kChartDeeds = static_cast<int>(ChartDeed::ZoomToCursors) + 1;
+
 /// A ChartScene in a window.
 /// - The wheel zooms along the abscissa, with Ctrl along a panel's own axis; dragging moves; with
 ///   Shift a box is zoomed into. Of a page with equal axes all three keep these equal. A double
 ///   click shows everything again; earlier views come back by zoomBack(), also after other pages:
 ///   of those what they have in common, the abscissa.
+/// - Whatever the mouse does here the keys do as deeds (chart_view_keys.cpp).
 /// - A click on a name in a legend hides its curve, or shows it again.
 /// - Ctrl and a click sets cursor A, with Shift cursor B: what lies between them is told.
 class ChartView : public QGraphicsView {
@@ -41,6 +67,14 @@ class ChartView : public QGraphicsView {
   /// Values at the cursors and statistics between them, a line per curve; empty without cursors.
   [[nodiscard]] QString cursorReport() const;
 
+  void perform(ChartDeed deed);
+  /// Why a deed would change nothing now, as a sentence; empty: it does something.
+  [[nodiscard]] QString whyNot(ChartDeed deed) const;
+  /// Curves that have names in a legend, from the first panel's first one on.
+  [[nodiscard]] std::vector<LegendEntry> namedCurves() const;
+  /// Hides a curve, or shows it again.
+  void toggleCurve(std::size_t panel, std::size_t curve);
+
  public slots:
   void zoomBack();
   void zoomForward();
@@ -50,6 +84,8 @@ class ChartView : public QGraphicsView {
  signals:
   void readoutChanged(const QStringList& parts);
   void cursorsChanged();
+  /// What is seen, or read, may be another part of the page.
+  void viewChanged();
   /// A panel was clicked, not dragged.
   void panelClicked(std::size_t panel);
   /// A curve was shown or hidden by its name.
@@ -66,6 +102,8 @@ class ChartView : public QGraphicsView {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   using Ranges = std::vector<std::optional<std::pair<double, double>>>;  ///< of a page's panels
@@ -83,10 +121,43 @@ class ChartView : public QGraphicsView {
   void remember();
   void zoomBox(const QRectF& box);
   void read();
+  void readPointer();
   [[nodiscard]] QString planeReport() const;
   /// Place of an orbit at a cursor; none without, or outside what is seen.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
   bool toggleLegend(QPointF position);
+  // Of the keys:
+  /// A stored place of the abscissa, or of a curve of an orbit.
+  struct StoredPlace {
+    std::size_t curve = 0, index = 0;
+  };
+  [[nodiscard]] QString whyNotAtAll() const;
+  [[nodiscard]] QString whyNotZoom(ChartDeed deed) const;
+  [[nodiscard]] QString whyNotMove(ChartDeed deed) const;
+  [[nodiscard]] QString whyNotValues(ChartDeed deed) const;
+  [[nodiscard]] QString whyNotRead(ChartDeed deed) const;
+  /// The part of the picture that would be seen then, in scene coordinates of now.
+  [[nodiscard]] QRectF partAfter(ChartDeed deed) const;
+  [[nodiscard]] QRectF withinAll(const QRectF& part) const;
+  void showPart(const QRectF& part);
+  /// Range of the values of the panel that the keys are of, over the whole page.
+  [[nodiscard]] const Extent& valuesOfPanel() const;
+  [[nodiscard]] std::pair<double, double> valuesAfter(ChartDeed deed) const;
+  /// What is read now, by key or pointer, else the middle of what is seen; none without places.
+  [[nodiscard]] std::optional<StoredPlace> placeOfNow() const;
+  [[nodiscard]] std::optional<StoredPlace> placeAfter(ChartDeed deed) const;
+  [[nodiscard]] std::optional<StoredPlace> nextPlace(StoredPlace at, long by) const;
+  [[nodiscard]] std::size_t placesOf(std::size_t curve) const;
+  [[nodiscard]] bool hasPlace(const StoredPlace& place) const;
+  [[nodiscard]] bool sees(const StoredPlace& place) const;
+  void follow(const StoredPlace& place);
+  void endReading();
+  [[nodiscard]] QPointF sceneOf(const StoredPlace& place) const;
+  /// Abscissa of a place, of an orbit its time; NaN: not known.
+  [[nodiscard]] double abscissaOf(const StoredPlace& place) const;
+  void readAt(const StoredPlace& place);
+  void choosePanel(std::size_t panel);
+  void drawFocus(QPainter& painter) const;
 
   ChartScene* scene_;
   QRubberBand* band_;
@@ -94,10 +165,14 @@ class ChartView : public QGraphicsView {
   QPoint box_from_;
   QPoint pressed_;  ///< where a drag began
   double drag_from_ = 0.0;
-  QPointF last_;                      ///< of a drag over a page with equal axes
-  std::optional<QPoint> pointed_at_;  ///< of the viewport; none: not on this page
-  double pointer_ = -1.0;             ///< scene x of the pointer's line; negative = none
-  std::optional<QPointF> point_;      ///< stored point of an orbit beside the pointer
+  QPointF last_;                        ///< of a drag over a page with equal axes
+  std::optional<QPoint> pointed_at_;    ///< of the viewport; none: not on this page
+  double pointer_ = -1.0;               ///< scene x of the pointer's line; negative = none
+  std::optional<QPointF> point_;        ///< stored point of an orbit beside the pointer
+  std::optional<StoredPlace> reading_;  ///< by key; none: what the pointer is at
+  std::size_t panel_ = 0;               ///< that the keys are of
+  mutable std::vector<std::optional<Extent>> values_of_;  ///< by panel, where somebody asked
+  bool moving_ = false;  ///< by keys, one after another: one view to come back to
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   std::vector<View> back_, forward_;

@@ -5,8 +5,9 @@
 
 namespace adore::desktop {
 
-QPlainTextEdit* make_listing_view(QWidget* parent) {
+QPlainTextEdit* make_listing_view(const QString& name, QWidget* parent) {
   auto* view = new QPlainTextEdit(parent);
+  view->setAccessibleName(name);
   view->setReadOnly(true);
   view->setLineWrapMode(QPlainTextEdit::NoWrap);
   view->setTabChangesFocus(true);

@@ -62,6 +62,33 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   CHECK_FALSE(parse_typed(code, "2").problem);
 }
 
+TEST_CASE("three times a number in a vector of three is asked back: decks mean three values by it",
+          "[unit][adrinput]") {
+  Document document;
+  const auto problem_of = [&](const char* name, std::size_t element, const char* typed) {
+    Cell at = cell(name);
+    at.element = element;
+    return document.parse(at, typed).problem;
+  };
+  const auto asked = problem_of("cageGsCls", 0, "2*4e-4");
+  CHECK(asked.message == "can be read as a product or, as in a deck, as 2 values");
+  CHECK(asked.remedy == "write 4e-4*2 for the product, or 4e-4 in each of the 2 fields");
+  CHECK(problem_of("cageGsCls", 0, " 2*0,0004 "));
+  // What cannot be several values here is a product, and so is what a deck would not say like this.
+  Cell last = cell("cageGsCls");
+  while (value_at(document.deck(), {last.record, 1, last.variable, last.element + 1}) != nullptr)
+    ++last.element;
+  REQUIRE(last.element > 0);
+  CHECK_FALSE(problem_of("cageGsCls", last.element, "2*4e-4"));
+  for (const char* product : {"4e-4*2", "99*4e-4", "1*4e-4", "2 * 4e-4", "2*0.4 mm", "0.5*4e-4"}) {
+    INFO(product);
+    CHECK_FALSE(problem_of("cageGsCls", 0, product));
+  }
+  CHECK_FALSE(problem_of("pitchDia", 0, "2*0.03"));  // alone
+  document.edit(cell("cageGsCls"), "2*4e-4");
+  CHECK_FALSE(document.errors().empty());  // nothing is taken before it is clear
+}
+
 TEST_CASE("records come and go with the options, and what was typed comes back",
           "[unit][adrinput]") {
   Document document;

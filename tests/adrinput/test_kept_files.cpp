@@ -51,6 +51,17 @@ TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
   REQUIRE(box != nullptr);
   REQUIRE(box->findChild<QPushButton*>("park-draft") != nullptr);
   box->close();
+  // A file that goes is told.
+  window.document().save_draft(draft.toStdString());
+  REQUIRE(fs::exists(draft.toStdString()));
+  replace_text(line_of(window, "bReDia"), "12.8 mm");
+  window.save();
+  CHECK_FALSE(fs::exists(draft.toStdString()));
+  CHECK(window.statusBar()->currentMessage().contains(
+      "; the draft half.draft became it and is gone"));
+  replace_text(line_of(window, "bReDia"), "12.7 mm");
+  window.save();
+  CHECK_FALSE(window.statusBar()->currentMessage().contains("draft"));
 }
 
 TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinput][daily]") {

@@ -2,6 +2,7 @@
 #include "support/qt_app.hpp"
 #include "support/qt_warnings.hpp"
 #include "support/reachable.hpp"
+#include "support/spoken.hpp"
 #include "support/synthetic_results.hpp"
 
 #include <QTest>
@@ -19,6 +20,7 @@ TEST_CASE(
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
   window.show();
   CHECK(test::nameless_widgets(window).join("; ").toStdString() == "");
+  CHECK(test::unspoken_parts(window).join("; ").toStdString() == "");
   CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
   const QString help = test::help_text(window, "Keys and Mouse");
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
@@ -36,6 +38,7 @@ TEST_CASE("plot_window: a letter with Alt chooses one thing, in its dialogs, too
   int dialogs = 0;
   CHECK(test::contested_letters_of_dialogs(window, dialogs).join("; ").toStdString() == "");
   CHECK(dialogs >= 1);
+  CHECK(test::unspoken_in_dialogs(window, dialogs).join("; ").toStdString() == "");
 }
 
 TEST_CASE("plot_window: a letter with Alt that chooses nothing now is not typed", "[gui]") {

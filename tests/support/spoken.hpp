@@ -3,20 +3,44 @@
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QPointer>
 #include <QStringList>
 #include <QTabWidget>
 
+#include <algorithm>
+
 /// What a screen reader can say of what has the keyboard.
 namespace adore::test {
+
+/// Boxes of choices and texts of a window, in view or not, for which nothing can be said. On Linux
+/// Qt tells the present text of a box as its name: a label or a description says what it chooses.
+inline QStringList unspoken_parts(const QWidget& window) {
+  QStringList out;
+  const auto labels = window.findChildren<QLabel*>();
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool box = qobject_cast<QComboBox*>(widget) != nullptr;
+    if (!box && !widget->inherits("QPlainTextEdit") && !widget->inherits("QTextEdit")) continue;
+    if (widget->objectName().startsWith("qt_")) continue;  // of Qt's own
+    const bool labelled = std::any_of(labels.begin(), labels.end(), [widget](const QLabel* label) {
+      return label->buddy() == widget && !label->text().isEmpty();
+    });
+    QAccessibleInterface* said = QAccessible::queryAccessibleInterface(widget);
+    const auto what = box ? QAccessible::Description : QAccessible::Name;
+    if (!labelled && (said == nullptr || said->text(what).trimmed().isEmpty()))
+      out << QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  }
+  return out;
+}
 
 /// Widgets of a window that can have the keyboard and for which nothing can be said, neither a text
 /// or label of theirs nor an accessible name: "QComboBox unit-choice".
 inline QStringList unspoken(const QWidget& window) {
-  QStringList out;
+  QStringList out = unspoken_parts(window);
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (widget->window() != &window || !widget->isVisibleTo(&window) ||
         widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr)
@@ -63,7 +87,9 @@ inline QStringList unspoken_in_dialogs(QMainWindow& window, int& dialogs) {
     QCoreApplication::processEvents();
     for (QWidget* top : QApplication::topLevelWidgets()) {
       if (!top->isVisible() || qobject_cast<QDialog*>(top) == nullptr) continue;
-      if (qobject_cast<QFileDialog*>(top) == nullptr) {  // Qt's own
+      const bool of_qt =
+          qobject_cast<QFileDialog*>(top) != nullptr || top->inherits("QPrintDialog");
+      if (!of_qt) {
         ++dialogs;
         for (const QString& widget : unspoken_on_pages(*top)) out << widget + " (" + text + ")";
       }

@@ -1,0 +1,69 @@
+#include "desktop/chart_view.hpp"
+
+#include <QPainter>
+
+/// What a view draws over its charts: the place that is read, cursors, and who has the keyboard.
+namespace adore::desktop {
+
+void ChartView::drawForeground(QPainter* painter, const QRectF&) {
+  if (hasFocus()) drawFocus(*painter);
+  const auto line = [&](double x) {
+    for (const auto& area : scene_->plotAreas())
+      painter->drawLine(QLineF(x, area.top(), x, area.bottom()));
+  };
+  if (pointer_ >= 0.0) {
+    painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
+    line(pointer_);
+  }
+  if (scene_->plotAreas().empty()) return;
+  if (scene_->page().equal_axes) {
+    const auto ring = [&](const QPointF& at, const QPen& pen) {
+      constexpr qreal kRadius = 6.0;
+      painter->setPen(pen);
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(at, kRadius, kRadius);
+    };
+    if (point_) ring(*point_, QPen(current_theme().accent, 1.2));
+    for (std::size_t i = 0; i < cursors_.size(); ++i) {
+      const auto at = planeCursor(i);
+      if (!at) continue;
+      ring(*at, QPen(current_theme().red, 1.2));
+      painter->setFont(ui_font(12, true));
+      painter->drawText(*at + QPointF(9, -5), i == 0 ? "A" : "B");
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < cursors_.size(); ++i) {
+    if (!(cursors_[i] >= scene_->viewLow() && cursors_[i] <= scene_->viewHigh())) continue;
+    const double x = scene_->positionOf(cursors_[i]);
+    painter->setPen(QPen(current_theme().red, 1.2));
+    line(x);
+    painter->setFont(ui_font(12, true));
+    painter->drawText(QPointF(x + 4, scene_->plotAreas().front().top() + 13), i == 0 ? "A" : "B");
+  }
+}
+
+/// A frame while the keys are the chart's, and a bar beside the panel that they are of.
+void ChartView::drawFocus(QPainter& painter) const {
+  constexpr qreal kWidth = 2.0, kBar = 4.0;
+  painter.setPen(QPen(current_theme().accent, kWidth));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(viewport()->rect()).adjusted(1, 1, -1, -1));
+  const auto& areas = scene_->plotAreas();
+  if (areas.size() < 2 || panel_ >= areas.size()) return;
+  const QRectF& area = areas[panel_];
+  painter.fillRect(QRectF(area.left() - kBar, area.top(), kBar, area.height()),
+                   current_theme().accent);
+}
+
+void ChartView::focusInEvent(QFocusEvent* event) {
+  QGraphicsView::focusInEvent(event);
+  viewport()->update();
+}
+
+void ChartView::focusOutEvent(QFocusEvent* event) {
+  QGraphicsView::focusOutEvent(event);
+  viewport()->update();
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,151 @@
+#include "desktop/chart_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Reading by keys: from one stored place of a page to the next.
+namespace adore::desktop {
+
+std::size_t ChartView::placesOf(std::size_t curve) const {
+  const ChartPage& page = scene_->page();
+  if (!page.equal_axes) return page.x.size();
+  const ChartCurve& of = page.panels.front().curves.at(curve);
+  return std::min(of.x.size(), of.y.size());
+}
+
+bool ChartView::hasPlace(const StoredPlace& place) const {
+  const ChartPage& page = scene_->page();
+  if (place.index >= placesOf(place.curve)) return false;
+  if (!page.equal_axes)
+    return is_drawable(page.x[place.index]) && (!page.log_x || page.x[place.index] > 0.0);
+  const ChartCurve& of = page.panels.front().curves.at(place.curve);
+  return !of.hidden && is_drawable(of.x[place.index]) && is_drawable(of.y[place.index]);
+}
+
+QPointF ChartView::sceneOf(const StoredPlace& place) const {
+  const ChartPage& page = scene_->page();
+  if (!page.equal_axes)
+    return {scene_->positionOf(page.x[place.index]), scene_->plotAreas().front().center().y()};
+  const ChartCurve& of = page.panels.front().curves.at(place.curve);
+  return {scene_->positionOf(of.x[place.index]), scene_->heightOf(0, of.y[place.index])};
+}
+
+double ChartView::abscissaOf(const StoredPlace& place) const {
+  const ChartPage& page = scene_->page();
+  const std::vector<double>& places = page.equal_axes ? page.along : page.x;
+  // Cursors of an orbit stand on its first curve.
+  return place.curve == 0 && place.index < places.size() ? places[place.index]
+                                                         : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool ChartView::sees(const StoredPlace& place) const {
+  constexpr qreal kRounded = 0.5;
+  return !scene_->plotAreas().empty() && hasPlace(place) &&
+         scene_->plotAreas()
+             .front()
+             .adjusted(-kRounded, -kRounded, kRounded, kRounded)
+             .contains(sceneOf(place));
+}
+
+std::optional<ChartView::StoredPlace> ChartView::nextPlace(StoredPlace at, long by) const {
+  const ChartPage& page = scene_->page();
+  const std::size_t curves = page.equal_axes ? page.panels.front().curves.size() : 1;
+  std::optional<StoredPlace> out;
+  for (long left = std::abs(by); left > 0;) {
+    if (by > 0) {
+      if (at.index + 1 < placesOf(at.curve))
+        ++at.index;
+      else if (at.curve + 1 < curves)
+        at = {at.curve + 1, 0};
+      else
+        break;
+    } else if (at.index > 0) {
+      --at.index;
+    } else if (at.curve > 0) {
+      --at.curve;
+      at.index = std::max<std::size_t>(placesOf(at.curve), 1) - 1;
+    } else {
+      break;
+    }
+    if (!hasPlace(at)) continue;
+    out = at;
+    --left;
+  }
+  return out;
+}
+
+std::optional<ChartView::StoredPlace> ChartView::placeOfNow() const {
+  constexpr qreal kAnywhere = 1e9;
+  if (reading_) return reading_;
+  const QPointF pointer = pointed_at_ ? mapToScene(*pointed_at_) : QPointF(-1.0, -1.0);
+  const QPointF from = scene_->panelAt(pointer) ? pointer : scene_->plotAreas().front().center();
+  if (scene_->isPlane()) {
+    const auto near = scene_->pointNear(from, kAnywhere);
+    return near ? std::optional(StoredPlace{near->curve, near->index}) : std::nullopt;
+  }
+  const StoredPlace out{0, nearest_index(scene_->page().x, scene_->abscissaAt(from.x()))};
+  if (hasPlace(out)) return out;
+  const auto on = nextPlace(out, 1);
+  return on ? on : nextPlace(out, -1);
+}
+
+/// Who reads nothing yet begins in the middle of what is seen, or goes on from the pointer.
+std::optional<ChartView::StoredPlace> ChartView::placeAfter(ChartDeed deed) const {
+  const auto from = placeOfNow();
+  const bool pointed = pointed_at_ && scene_->panelAt(mapToScene(*pointed_at_));
+  if (!from || (!reading_ && !pointed)) return from;
+  const bool on = deed == ChartDeed::ReadOn || deed == ChartDeed::ReadFarOn;
+  const bool far = deed == ChartDeed::ReadFarBack || deed == ChartDeed::ReadFarOn;
+  long by = on ? 1 : -1;
+  if (far && scene_->isPlane()) {
+    by *= std::max(1L, static_cast<long>(placesOf(from->curve) / 20));
+  } else if (far) {
+    const qreal way = 0.05 * scene_->plotAreas().front().width() * (on ? 1.0 : -1.0);
+    const auto there = static_cast<long>(
+        nearest_index(scene_->page().x, scene_->abscissaAt(sceneOf(*from).x() + way)));
+    const long steps = there - static_cast<long>(from->index);
+    if (steps * by > 1) by = steps;
+  }
+  const auto next = nextPlace(*from, by);
+  return next || reading_ ? next : from;
+}
+
+/// Reads a place; the view moves where it would lie beside it.
+void ChartView::follow(const StoredPlace& place) {
+  reading_ = place;
+  if (sees(place)) return;
+  constexpr double kRoom = 0.1;  // of what is seen, ahead
+  const QRectF area = scene_->plotAreas().front();
+  const QPointF at = sceneOf(place);
+  const auto beyond = [](qreal value, qreal low, qreal high) {
+    const qreal room = kRoom * (high - low);
+    return value < low ? value - low - room : value > high ? value - high + room : 0.0;
+  };
+  if (!moving_) remember();
+  moving_ = true;
+  const QPointF by(beyond(at.x(), area.left(), area.right()),
+                   scene_->isPlane() ? beyond(at.y(), area.top(), area.bottom()) : 0.0);
+  showPart(withinAll(area.translated(by)));
+}
+
+/// Tells a place as if the pointer were there, and to those who cannot see it.
+void ChartView::readAt(const StoredPlace& place) {
+  const QStringList parts = scene_->storedParts(place.curve, place.index);
+  const QPointF at = sceneOf(place);
+  pointer_ = scene_->isPlane() ? -1.0 : at.x();
+  point_ = scene_->isPlane() ? std::optional(at) : std::nullopt;
+  if (const QString told = parts.join(""); told != accessibleDescription())
+    setAccessibleDescription(told);
+  emit readoutChanged(parts);
+  viewport()->update();
+}
+
+void ChartView::endReading() {
+  reading_.reset();
+  pointer_ = -1.0;
+  point_.reset();
+  setAccessibleDescription(QString::fromStdString(scene_->page().title));
+  emit readoutChanged({});
+}
+
+}  // namespace adore::desktop
