@@ -171,6 +171,8 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
     add_note(chart, aliased + "; faster motion between them is not seen in the lines.");
+  else
+    tell_of_peaks(chart, file, page, context);
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,

@@ -4,6 +4,7 @@
 #include "adrplot/spectrum_page.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/stored_rate.hpp"
 
 #include <fmt/format.h>
 
@@ -19,17 +20,26 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 using results::SolFile;
 
-/// The longest stored interval when it is too long to show a vibration of that frequency (less than
+std::vector<double> times_of(const SolFile& file) {
+  std::vector<double> out;
+  for (const auto& step : file.steps) out.push_back(step.time);
+  return out;
+}
+
+/// The usual stored interval when it is too long to show a vibration of that frequency (less than
 /// two samples a period), else 0.
 double alias_interval(const SolFile& file, double frequency) {
-  if (!(frequency > 0.0) || file.steps.size() < 2) return 0.0;
-  // The median: single steps may be longer or shorter.
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < file.steps.size(); ++i)
-    steps.push_back(file.steps[i].time - file.steps[i - 1].time);
-  std::nth_element(steps.begin(), steps.begin() + std::ssize(steps) / 2, steps.end());
-  const double interval = steps[steps.size() / 2];
-  return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
+  const std::vector<double> times = times_of(file);
+  const double values = desktop::values_per_period(times, frequency);
+  return values > 0.0 && values < desktop::kAliased ? desktop::usual_interval(times) : 0.0;
+}
+
+/// Does it follow each vibration of a contact? Temperatures, lives and averages do not.
+bool vibrates(const std::string& column) {
+  const auto has = [&column](const char* part) { return column.find(part) != std::string::npos; };
+  if (has("temperature") || has("life") || has("wear_rate")) return false;
+  return column == "power.loss" ||
+         (!column.starts_with("power.") && !column.starts_with("thermal."));
 }
 
 /// Is it 0 but for rounding (a thousandth of the least range of its axis)?
@@ -174,6 +184,14 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
         "not loads of the deck.");
 }
 
+/// A cage's speeds are ratios, and not over what other pages of a run divide by.
+void tell_divisors(ChartPage& chart, const PageSpec& page, const RunFacts& facts) {
+  for (const PanelSpec& panel : page.panels)
+    if (const std::string& column = panel.curves.front().column;
+        column == "cage.whirl_ratio" || column == "cage.speed_ratio")
+      add_note(chart, ratio_note(panel.title, facts));
+}
+
 }  // namespace
 
 std::string aliasing(const SolFile& file, const PageContext& context) {
@@ -186,6 +204,18 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
       file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
                      : "steps are stored",
       desktop::pretty_quantity(every / interval, "Hz", 3));
+}
+
+void tell_of_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                   const PageContext& context) {
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    if (!vibrates(page.panels[p].curves.front().column)) continue;
+    const double least = 1e-3 * desktop::least_span_of(chart.panels[p].unit);
+    for (const ChartCurve& curve : chart.panels[p].curves)
+      if (curve.low.empty() && any_value(curve.y) && !never_changes(curve.y, least))
+        return add_note(
+            chart, desktop::seldom_stored(times_of(file), context.fastest_frequency, file.every));
+  }
 }
 
 void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {
@@ -205,6 +235,7 @@ void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
   tell_holding(chart, file, page, facts);
   tell_averages(chart, file, page);
   tell_nearest(chart, page);
+  tell_divisors(chart, page, facts);
   if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
 }
 

@@ -1,3 +1,5 @@
+#include "agore/fastest_contact.hpp"
+#include "agore/race_speeds.hpp"
 #include "agore/views.hpp"
 
 #include <fmt/format.h>
@@ -63,22 +65,27 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title += animation.segment_remark(segment);
       break;
     }
-    case View::Cage:
-      page.title = animation.segments > 1
-                       ? "Cage over race speed" + animation.segment_remark(segment)
-                       : "Cage speeds over race speed";
-      add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
-      add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
+    case View::Cage: {
+      const History whirl = cage_whirl(animation, segment),
+                    turning = cage_speed(animation, segment);
+      page.title =
+          "Cage over " + divisor_text(animation, turning.over) + animation.segment_remark(segment);
+      add(page, "Whirl", "", whirl, exact, true);
+      add(page, "Rotation", "", turning, exact, true);
       break;
+    }
     case View::Pocket:
       page.title = fmt::format("Force in pocket {}", options.element);
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
-    case View::Element:
-      page.title = fmt::format("Element {} over shaft speed", options.element);
-      add(page, "Orbit", "", element_orbit(animation, k), exact, true);
+    case View::Element: {
+      const History orbit = element_orbit(animation, k);
+      page.title =
+          fmt::format("Element {} over {}", options.element, divisor_text(animation, orbit.over));
+      add(page, "Orbit", "", orbit, exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
       break;
+    }
     case View::OuterRace:
     case View::InnerRace: {
       const std::size_t r = options.view == View::OuterRace ? 0 : 1;
@@ -101,6 +108,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
   }
+  tell_of_peaks(page, animation);
   page.band_note = "Pale: extremes between stored steps.";
   // What is behind the end of RESULTS.h5 has other digits, or none.
   if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});

@@ -225,3 +225,24 @@ TEST_CASE("axis_scale: the base value of an axis lies in its range", "[unit]") {
     CHECK(axis.offset <= high);
   }
 }
+
+TEST_CASE("pages of a cage say what its speeds are over", "[unit][adrplot]") {
+  const auto cage = test::synthetic_sol(SolKind::Cage);
+  const auto pages = plot_pages(cage.kind, cage.header);
+  const auto note = [&](const std::string& column, const RunFacts& facts) {
+    for (std::size_t p = 0; p < pages.size(); ++p)
+      if (pages[p].panels.front().curves.front().column == column)
+        return page(cage, static_cast<int>(p + 1), facts).note;
+    return std::string("no such page");
+  };
+  RunFacts facts;
+  CHECK_THAT(note("cage.whirl_ratio", facts),
+             Contains("Whirl ratio: over the speed of the faster"));
+  facts.race_speeds = {-6000.0, 10000.0};
+  CHECK_THAT(note("cage.whirl_ratio", facts),
+             Contains("over the faster race, inner at 10000 rpm."));
+  facts.race_speeds = {-8000.0, 0.0};
+  CHECK_THAT(note("cage.speed_ratio", facts),
+             Contains("over the faster race, outer at −8000 rpm."));
+  CHECK_THAT(note("cage.land1_force", facts), !Contains("faster race"));
+}
