@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace adore::adrplot {
 namespace {
@@ -184,12 +186,34 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
         "not loads of the deck.");
 }
 
-/// A cage's speeds are ratios, and not over what other pages of a run divide by.
-void tell_divisors(ChartPage& chart, const PageSpec& page, const RunFacts& facts) {
-  for (const PanelSpec& panel : page.panels)
-    if (const std::string& column = panel.curves.front().column;
-        column == "cage.whirl_ratio" || column == "cage.speed_ratio")
-      add_note(chart, ratio_note(panel.title, facts));
+/// Speeds of outer and inner race [rpm], from what the marks count; none where one of them varies.
+std::optional<std::array<double, 2>> race_speeds(const SolFile& file, const PageContext& context) {
+  constexpr double kSteady = 1e-3;
+  const auto mark = [&context](std::string_view label) {
+    const auto found = std::find_if(context.marks.begin(), context.marks.end(),
+                                    [&](const MarkTurns& one) { return one.label == label; });
+    return found == context.marks.end() ? nullptr : &*found;
+  };
+  const std::array<const MarkTurns*, 2> past{mark("BPFO"), mark("BPFI")};
+  const MarkTurns* const orbit = mark("FTF");
+  if (orbit == nullptr || past[0] == nullptr || past[1] == nullptr || orbit->time.size() < 2)
+    return std::nullopt;
+  const std::vector<double>& times = orbit->time;
+  const double span = times.back() - times.front();
+  if (!(span > 0.0) || file.header.elements < 1) return std::nullopt;
+  // Elements pass a race as often as they orbit against it.
+  const auto turned = [&](std::size_t race, std::size_t i) {
+    return orbit->turns[i] - orbit->turns[0] -
+           (past[race]->turns[i] - past[race]->turns[0]) / file.header.elements;
+  };
+  const std::size_t last = times.size() - 1;
+  const std::array<double, 2> all{turned(0, last), turned(1, last)};
+  const double least = kSteady * std::max(std::abs(all[0]), std::abs(all[1]));
+  for (std::size_t race = 0; race < 2; ++race)
+    for (std::size_t i = 0; i <= last; ++i)
+      if (std::abs(turned(race, i) - all[race] * (times[i] - times.front()) / span) > least)
+        return std::nullopt;
+  return std::array{60.0 * all[0] / span, 60.0 * all[1] / span};
 }
 
 }  // namespace
@@ -204,6 +228,23 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
       file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
                      : "steps are stored",
       desktop::pretty_quantity(every / interval, "Hz", 3));
+}
+
+void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                    const PageContext& context) {
+  for (const PanelSpec& panel : page.panels) {
+    const std::string& column = panel.curves.front().column;
+    if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
+    const auto speeds = race_speeds(file, context);
+    if (!speeds) {
+      add_note(chart, panel.title + ": over the speed of the faster race.");
+      continue;
+    }
+    const bool outer = std::abs((*speeds)[0]) > std::abs((*speeds)[1]);
+    add_note(chart, fmt::format("{}: over the faster race, {} at {} rpm.", panel.title,
+                                outer ? "outer" : "inner",
+                                desktop::pretty_number((*speeds)[outer ? 0 : 1], 4)));
+  }
 }
 
 void tell_of_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
@@ -235,7 +276,6 @@ void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
   tell_holding(chart, file, page, facts);
   tell_averages(chart, file, page);
   tell_nearest(chart, page);
-  tell_divisors(chart, page, facts);
   if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
 }
 

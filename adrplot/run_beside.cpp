@@ -125,30 +125,6 @@ std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
   return out;
 }
 
-/// Speeds of both races [rpm]; none of a run in which one of them varies.
-std::optional<std::array<double, 2>> race_speeds(const H5Reader& reader) {
-  constexpr double kSteady = 1e-3;
-  if (reader.steps() < 3 || reader.find("race.rotation") == nullptr) return std::nullopt;
-  const Looks looks(reader);
-  const auto times = looks.rows(Looks::kTime), races = looks.rows("race.rotation");
-  const double span = times.back().front() - times.front().front();
-  if (!(span > 0.0) || races.front().size() != 2) return std::nullopt;
-  std::array<double, 2> out{};
-  double most = 0.0;
-  for (std::size_t r = 0; r < 2; ++r)
-    most = std::max(most, std::abs(races.back()[r] - races.front()[r]));
-  for (std::size_t r = 0; r < 2; ++r) {
-    const double turned = races.back()[r] - races.front()[r];
-    for (std::size_t i = 0; i < races.size(); ++i) {
-      const double part = (times[i].front() - times.front().front()) / span;
-      if (std::abs(races[i][r] - races.front()[r] - part * turned) > kSteady * most)
-        return std::nullopt;
-    }
-    out[r] = 60.0 * turned / span / kTurn;
-  }
-  return out;
-}
-
 /// "stored" of RUN.json.
 RunFacts read_facts(const nlohmann::json& stored) {
   RunFacts out;
@@ -227,7 +203,6 @@ PageContext context_of(const results::SolFile& file) {
     const H5Reader reader(folder / "RESULTS.h5");
     if (reader.run_id() != file.header.run_id) return out;
     out.marks = mark_turns(reader);
-    out.facts.race_speeds = race_speeds(reader);
     if (reader.geometry().contains("roller_length")) {
       auto& flanges = out.facts.flanges.emplace();
       for (const char* race : {"outer", "inner"})

@@ -89,14 +89,6 @@ std::string orbit_divisor(const OrbitScale& scale) {
   return "1 " + scale.unit;
 }
 
-std::string ratio_note(const std::string& title, const RunFacts& facts) {
-  if (!facts.race_speeds) return title + ": over the speed of the faster race.";
-  const auto [outer, inner] = *facts.race_speeds;
-  const bool by_outer = std::abs(outer) > std::abs(inner);
-  return fmt::format("{}: over the faster race, {} at {} rpm.", title, by_outer ? "outer" : "inner",
-                     desktop::pretty_number(by_outer ? outer : inner, 4));
-}
-
 bool never_changes(const std::vector<double>& values, double rounding) {
   std::size_t count = 0;
   double low = 0.0, high = 0.0;

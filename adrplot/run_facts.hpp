@@ -4,7 +4,6 @@
 #include "results/motion.hpp"
 #include "results/sol_file.hpp"
 
-#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,8 +20,6 @@ struct RunFacts {
   /// Flanges of the races: "inner.1" at −x, "outer.2" at +x. Empty optional: not known.
   std::optional<std::set<std::string>> flanges;
   std::optional<results::CageScale> cage_scale;  ///< what a cage's orbit is divided by
-  /// Outer and inner race [rpm], where they keep their speeds.
-  std::optional<std::array<double, 2>> race_speeds;
 };
 
 /// What a cage's orbit is divided by (N71): the run's own word, else what the file tells. Its
@@ -37,9 +34,6 @@ struct OrbitScale {
 /// A sentence; and "clearance", "pocket clearance" or "1 m" for the titles of axes.
 [[nodiscard]] std::string orbit_note(const OrbitScale& scale);
 [[nodiscard]] std::string orbit_divisor(const OrbitScale& scale);
-
-/// What the ratios of a cage's file are over, by the panel's title: a sentence (N54).
-[[nodiscard]] std::string ratio_note(const std::string& title, const RunFacts& facts);
 
 /// In which directions a race file shows what holds the race, not what loads it: where its position
 /// (or angle, or speed) never changes. Empty: in none.

@@ -126,13 +126,6 @@ struct Animation {
 /// known [rev]: a chord of it leaves its circle by a hundredth of the radius.
 inline constexpr double kKnownTurn = 1.0 / 24.0;
 
-/// What a ratio of speeds is over (race_speeds.hpp).
-enum class Over : unsigned char {
-  Races,      ///< inner minus outer race, at the time of the value
-  Mean,       ///< the same, on average over the file
-  FasterRace  ///< as the SOL file of a cage has it (N54): known where the outer race stands still
-};
-
 /// A curve beside the picture: at the steps of RESULTS.h5, else of the SOL file of that body beside
 /// SOL8, else at the frames of SOL8. Where RESULTS.h5 ends before SOL8, what those have behind it
 /// goes on from there.
@@ -143,16 +136,16 @@ struct History {
   std::string unknown;  ///< why the values cannot be known; empty: they are
   /// Extremes since the value before, as RESULTS.h5 has them; empty: not known.
   std::vector<double> low = {}, high = {};
-  Over over = Over::Races;  ///< of a ratio
 };
 /// `segment`: of the cage, from 0; the only one of a cage in one piece.
 [[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);
 [[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
 /// Speed of the mass centre of the cage about the bearing axis, and of the cage about its own, over
-/// what `over` says. Of a segment: its reference point on the cage axis, and its own turning.
+/// that of the faster race. Of a segment: its reference point on the cage axis, and its own
+/// turning.
 [[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
 [[nodiscard]] History cage_speed(const Animation& animation, int segment = 0);
-/// Orbit speed of an element, and the size of its angular velocity, over what `over` says.
+/// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
 [[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
 [[nodiscard]] History element_spin(const Animation& animation, std::size_t element);
 /// Mass centre of a race, coordinate 0, 1, 2 = x, y, z.

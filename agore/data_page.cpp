@@ -65,27 +65,22 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title += animation.segment_remark(segment);
       break;
     }
-    case View::Cage: {
-      const History whirl = cage_whirl(animation, segment),
-                    turning = cage_speed(animation, segment);
-      page.title =
-          "Cage over " + divisor_text(animation, turning.over) + animation.segment_remark(segment);
-      add(page, "Whirl", "", whirl, exact, true);
-      add(page, "Rotation", "", turning, exact, true);
+    case View::Cage:
+      page.title = "Cage over " + divisor_text(animation, over_of_cage(animation)) +
+                   animation.segment_remark(segment);
+      add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
+      add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
       break;
-    }
     case View::Pocket:
       page.title = fmt::format("Force in pocket {}", options.element);
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
-    case View::Element: {
-      const History orbit = element_orbit(animation, k);
-      page.title =
-          fmt::format("Element {} over {}", options.element, divisor_text(animation, orbit.over));
-      add(page, "Orbit", "", orbit, exact, true);
+    case View::Element:
+      page.title = fmt::format("Element {} over {}", options.element,
+                               divisor_text(animation, over_of_element(animation, k)));
+      add(page, "Orbit", "", element_orbit(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
       break;
-    }
     case View::OuterRace:
     case View::InnerRace: {
       const std::size_t r = options.view == View::OuterRace ? 0 : 1;

@@ -68,6 +68,13 @@ std::vector<double> divisor_of_motion(const Animation& animation) {
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
 }
 
+/// What a cage's SOL file has behind the end of RESULTS.h5 is over another speed (N54).
+std::function<History(const Animation&)> if_same_divisor(
+    const Animation& animation, std::function<History(const Animation&)> alone) {
+  if (animation.alone && over_of_cage(*animation.alone) == Over::FasterRace) return {};
+  return alone;
+}
+
 /// From a ratio over the faster race, as files have it (N54), to one as all others here are.
 void change_divisor(History& out, const Animation& animation) {
   const std::vector<double> outer = race_speed(animation, 0), inner = race_speed(animation, 1),
@@ -98,9 +105,7 @@ History with_rest(const Animation& animation, History exact,
     return exact;
   }
   const History more = alone(*animation.alone);
-  const bool same = more.over != Over::FasterRace;  // else another divisor: no value beside these
-  for (std::size_t i = 0; i < more.time.size(); ++i)
-    add(more.time[i], same ? more.value.at(i) : kNone);
+  for (std::size_t i = 0; i < more.time.size(); ++i) add(more.time[i], more.value.at(i));
   return exact;
 }
 
@@ -171,13 +176,6 @@ std::optional<History> one_column(const Animation& animation, int index, const s
                  ""};
 }
 
-/// A ratio of a cage; over the faster race.
-std::optional<History> cage_column(const Animation& animation, const std::string& id) {
-  auto stored = one_column(animation, cage_index(animation), id);
-  if (stored && outer_turns(animation)) stored->over = Over::FasterRace;
-  return stored;
-}
-
 /// A speed in rpm over inner minus outer race.
 std::optional<History> speed_column(const Animation& animation, int index, const std::string& id) {
   auto stored = stored_beside(animation, index, {id});
@@ -213,7 +211,6 @@ double turns_per_frame(const Animation& animation) {
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
   constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
-  out.over = Over::Mean;
   if (outer_turns(animation)) {
     out.unknown =
         "Not to be known from SOL8 alone: the outer race turns, and no file tells how far.";
@@ -237,6 +234,18 @@ History by_differences(const Animation& animation, const std::vector<double>& an
 }
 
 }  // namespace
+
+Over over_of_cage(const Animation& animation) {
+  if (animation.motion && animation.motion->has("cage.speed_ratio")) return Over::Races;
+  if (!stored_beside(animation, cage_index(animation), {"cage.speed_ratio"})) return Over::Mean;
+  return outer_turns(animation) ? Over::FasterRace : Over::Races;
+}
+
+Over over_of_element(const Animation& animation, std::size_t element) {
+  const bool stored = animation.motion || stored_beside(animation, static_cast<int>(element) + 1,
+                                                        {"element.orbital_velocity"});
+  return stored ? Over::Races : Over::Mean;
+}
 
 History land_force(const Animation& animation, std::size_t land, int segment) {
   if (animation.motion && animation.motion->has("land.force")) {
@@ -277,9 +286,12 @@ History cage_whirl(const Animation& animation, int segment) {
     History out = of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
     if (outer_turns(animation)) change_divisor(out, animation);
     return with_rest(animation, std::move(out),
-                     [&](const Animation& alone) { return cage_whirl(alone, segment); });
+                     if_same_divisor(animation, [&](const Animation& alone) {
+                       return cage_whirl(alone, segment);
+                     }));
   }
-  if (auto stored = cage_column(animation, "cage.whirl_ratio")) return *stored;
+  if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
+    return *stored;
   std::vector<double> angle;
   double largest = 0.0;
   for (const auto& frame : animation.file.frames) {
@@ -299,7 +311,8 @@ History cage_whirl(const Animation& animation, int segment) {
 
 History cage_speed(const Animation& animation, int segment) {
   const auto part = static_cast<std::size_t>(segment);
-  const auto rest = [&](const Animation& alone) { return cage_speed(alone, segment); };
+  const auto rest = if_same_divisor(
+      animation, [segment](const Animation& alone) { return cage_speed(alone, segment); });
   if (animation.motion && outer_turns(animation) &&
       animation.motion->has("cage.angular_velocity")) {
     // The file's ratio is a size, and the way it turns matters as soon as both races do.
@@ -311,7 +324,8 @@ History cage_speed(const Animation& animation, int segment) {
   }
   if (animation.motion && animation.motion->has("cage.speed_ratio"))
     return with_rest(animation, of_motion(animation, "cage.speed_ratio", part), rest);
-  if (auto stored = cage_column(animation, "cage.speed_ratio")) return *stored;
+  if (auto stored = one_column(animation, cage_index(animation), "cage.speed_ratio"))
+    return *stored;
   return by_differences(animation, animation.cage_angle, 0.6);
 }
 

@@ -8,6 +8,16 @@
 /// race (decision 776).
 namespace adore::agore {
 
+/// What a ratio of speeds is over.
+enum class Over : unsigned char {
+  Races,      ///< inner minus outer race, at the time of the value
+  Mean,       ///< the same, on average over the file
+  FasterRace  ///< as the SOL file of a cage has it (N54): known where the outer race stands still
+};
+/// Of the curves of the cage, or of an element (from 0).
+[[nodiscard]] Over over_of_cage(const Animation& animation);
+[[nodiscard]] Over over_of_element(const Animation& animation, std::size_t element);
+
 /// Does the outer race turn, as far as can be told?
 [[nodiscard]] bool outer_turns(const Animation& animation);
 
