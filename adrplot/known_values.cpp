@@ -25,6 +25,35 @@ constexpr std::string_view kCoolant = "thermal.coolant_";
 
 bool is_heat(const std::string& id) { return id.starts_with("thermal.") && id.ends_with("_heat"); }
 
+bool is_wear(const std::string& id) { return id.find("wear_rate") != std::string::npos; }
+
+/// Does it change by more than the digits of a file do?
+bool varies(const std::vector<double>& values) {
+  constexpr double kDigits = 1e-6;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return low != values.end() && *high - *low > kDigits * std::max(std::abs(*low), std::abs(*high));
+}
+
+/// "element.radial_velocity", "_position" -> "element.radial_position"; another one comes back.
+std::string instead(const std::string& id, std::string_view of, std::string_view other) {
+  const std::size_t at = id.find(of);
+  return at == std::string::npos ? id : std::string(id).replace(at, of.size(), other);
+}
+constexpr std::string_view kPosition = "_position", kVelocity = "_velocity",
+                           kAcceleration = "_acceleration";
+/// A rate of a place, in one direction.
+bool is_rate(const std::string& id) {
+  return id.find("angular") == std::string::npos &&
+         (id.find(kVelocity) != std::string::npos || id.find(kAcceleration) != std::string::npos);
+}
+std::vector<std::string> places_of(const std::string& id) {
+  const std::string velocity = instead(id, kAcceleration, kVelocity);
+  return {velocity, instead(velocity, kVelocity, kPosition)};
+}
+
+const std::vector<std::string> kOrientation{"element.theta", "element.phi", "element.rotation"};
+const std::string kTurning = "element.angular_velocity";
+
 /// "contact.angle.outer" and "contact.angle" -> ".outer"
 std::string behind(const std::string& id, std::string_view channel) {
   return id.substr(channel.size());
@@ -70,6 +99,15 @@ std::vector<std::string> KnownColumns::sources(const std::string& id) {
   if (id.starts_with("pocket.position.")) return {"pocket.force" + behind(id, "pocket.position")};
   if (id.starts_with("flange."))
     return {"flange.gap" + id.substr(id.find('.', std::string("flange.").size()))};
+  if (is_wear(id))
+    return {"power.element1_wear_rate", "race.wear_rate.outer", "race.wear_rate.inner",
+            "power.cage_wear_rate"};
+  if (is_rate(id)) return places_of(id);
+  if (std::find(kOrientation.begin(), kOrientation.end(), id) != kOrientation.end()) {
+    std::vector<std::string> out = kOrientation;
+    out.push_back(kTurning);
+    return out;
+  }
   if (is_heat(id) || id.starts_with(kCoolant)) return {kTotalHeat, kCoolantHeat};
   return {};
 }
@@ -166,7 +204,22 @@ KnownValues KnownColumns::values(const std::string& id) const {
       for (std::size_t i = 0; i < out.values.size() && total[i] == 0.0; ++i) out.values[i] = kNone;
       if (none) nothing("No thermal step ended " + here + ".");
     }
-  } else if (id.find("wear_rate") != std::string::npos) {  // also "race.wear_rate.inner"
+  } else if (is_rate(id)) {
+    const auto places = places_of(id);
+    if (zero(out.values) && std::any_of(places.begin(), places.end(), [&](const auto& place) {
+          return has(place) && varies(stored(place));
+        }))
+      nothing("Not computed " + here + ": a balance gives the place, and no rate of it.");
+  } else if (std::find(kOrientation.begin(), kOrientation.end(), id) != kOrientation.end()) {
+    if (std::all_of(kOrientation.begin(), kOrientation.end(),
+                    [&](const auto& angle) { return always_zero(angle); }) &&
+        !always_zero(kTurning))
+      nothing("The orientation was not integrated " + here + ".");
+  } else if (is_wear(id)) {  // also "race.wear_rate.inner"
+    bool none = true;
+    for (const results::SolColumn& column : columns_)
+      none = none && (!is_wear(column.id) || always_zero(column.id));
+    if (none) nothing("No wear was computed " + here + ", or the wear coefficients are 0.");
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;
   }

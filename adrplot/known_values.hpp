@@ -33,7 +33,11 @@ struct KnownValues {
 /// - contact angle, spin to roll and slip at a load of exactly 0: the contact is open;
 /// - a life of 0: no life model, or none computed yet; 9.99E+30: infinite (N77);
 /// - the angle of a land of exactly 0 while the cage has not left its middle;
-/// - an average wear rate at time 0: there is no time to average over;
+/// - an average wear rate at time 0: there is no time to average over; all of exactly 0 at every
+/// step: they were not integrated, or nothing wears;
+/// - a velocity or acceleration of exactly 0 at every step, of a place that moves: modes 1 and 2
+/// have it from a balance;
+/// - an orientation of exactly 0 at every step, of what turns;
 /// - a heat over a thermal step, before the first one has ended;
 /// - temperatures of a coolant that never takes heat while there is some: none flows.
 class KnownColumns {

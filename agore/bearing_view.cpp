@@ -274,14 +274,16 @@ void cage_view(const Scene& s) {
     const auto& p = s.animation.part(i, s.segment()).position;
     orbit.emplace_back(p[1], p[2]);
   }
-  const auto [enlargement, now] =
+  const DrawnOrbit drawn =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
+  const auto [enlargement, now] = drawn;
   // Where the orbit is, so that one picture has one centre of the cage.
   const double arm = 0.5 * g.cage_inner_radius;
   const QPointF origin = enlargement > 0.0 ? now : cage;
   const bool named = s.sketch.frame_named(arm);
   s.sketch.frame(origin, s.cage_angle(), arm, t.green, named);
   draw_land_arrows(s);
+  draw_centre(s, drawn);
   draw_contact_marks(s);
   if (named) s.sketch.name_frame(origin, s.cage_angle(), arm, t.green);
   const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
@@ -294,6 +296,9 @@ void cage_view(const Scene& s) {
     key.push_back(way_entry(
         t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
         s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
+    key.push_back({t.curves[0],
+                   s.animation.segments > 1 ? "segment's origin now" : "mass centre now",
+                   KeyMark::Spot});
     key.push_back(later_entry(s));
   }
   name_arms(s, named, key);

@@ -49,11 +49,11 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       constexpr double kHides = 2.0;
       if (run.largest - out.low > kHides * (run.usual - out.low) && run.usual > out.low)
         out.high = run.usual;
-      out.scale = out.high < run.largest ? "usual in the run" : "of the run";
+      out.scale = out.high < run.largest ? "1 in 20 is beyond" : "spans the run";
       break;
     }
     case ColourScale::Run:
-      out.scale = "of the run";
+      out.scale = "spans the run";
       break;
     case ColourScale::Moment: {
       double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -61,7 +61,7 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
         if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
       if (from_lowest && std::isfinite(low)) out.low = low;
       out.high = high;
-      out.scale = "of this moment";
+      out.scale = "spans this moment";
       if (!(out.high > out.low)) {
         out.why_none = from_lowest ? "no colours: all are alike at this moment"
                                    : "no colours: it is zero at this moment";
@@ -71,13 +71,14 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
     }
     case ColourScale::Typed:
       out.low = choice.low, out.high = choice.high;
-      out.scale = "as typed";
+      out.scale = "limits as typed";
       break;
   }
   out.above = run.largest > out.high;
   out.below = run.lowest < out.low;
-  if (out.above) out.scale += ", run to " + words(run.largest);
-  if (out.below) out.scale += ", from " + words(run.lowest);
+  const bool usual = choice.kind == ColourScale::Usual;
+  if (out.above) out.scale += (usual ? ", up to " : ", run up to ") + words(run.largest);
+  if (out.below) out.scale += ", run from " + words(run.lowest);
 }
 
 }  // namespace

@@ -126,8 +126,14 @@ void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
   if (element ? !followed(all.at(*element)) : std::none_of(all.begin(), all.end(), followed))
     return;
   const bool ball = s.animation.file.bearing_type == 1;
+  const bool scaled = s.options.view == View::Bearing || s.options.view == View::Solid;
+  const bool coloured =
+      scaled && colouring(s.animation, s.index, s.options.colour, s.options.scale).any();
   key.push_back({turning_mark_colour(s.sketch.theme()),
-                 ball ? "turns with the ball" : "turns with the roller", KeyMark::Turning});
+                 ball ? "turns with the ball" : "turns with the roller",
+                 ball ? KeyMark::Turning : KeyMark::Sector,
+                 {},
+                 coloured});
 }
 
 KeyEntry trail_entry(const Scene& s, bool any) {
@@ -173,7 +179,7 @@ void draw_turning_marks(const Scene& s) {
   const Colouring colours = colouring(s.animation, s.index, s.options.colour, s.options.scale);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
     s.sketch.turning_mark(element_centre(s, k), s.geometry().element_radius, mark_from_axis(s, k),
-                          colours.of(k));
+                          colours.of(k), s.animation.file.bearing_type != 1);
 }
 
 void draw_contact_marks(const Scene& s) {

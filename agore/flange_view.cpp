@@ -90,14 +90,14 @@ void flange_view(const Scene& s) {
                                                                  desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
   draw_key(s, key,
-           QString::fromStdString(
-               fmt::format("roller {} at the {} race{}  ·  skew (Phi) {}°, to scale{}", k + 1,
-                           race == 0 ? "outer" : "inner",
-                           open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
-                           desktop::tick_text(skew * 180.0 / kPi, 3),
-                           too_low(s.options, s.sketch.area().height())
-                               ? ""
-                               : "  ·  seen from outside, +x to the right")));
+           QString::fromStdString(fmt::format(
+               "roller {} at the {} race{}  ·  skew from the bearing's axis (Phi) {}°, to scale{}",
+               k + 1, race == 0 ? "outer" : "inner",
+               open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
+               desktop::tick_text(skew * 180.0 / kPi, 3),
+               too_low(s.options, s.sketch.area().height())
+                   ? ""
+                   : "  ·  seen from outside, +x to the right")));
 }
 
 }  // namespace adore::agore

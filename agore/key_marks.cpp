@@ -50,11 +50,21 @@ void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& the
       p.drawEllipse(middle, kBody, kBody);
       return;
     case KeyMark::Turning:
-      p.setPen(QPen(theme.steel_dark.darker(150), 1.0));
-      p.setBrush(theme.steel_light);
-      p.drawEllipse(middle, kBody, kBody);
-      draw_turning_mark(p, middle, kBody, {0.6, 0.6, 1.0}, colour);
-      return;
+    case KeyMark::Sector: {
+      const auto body = [&](QPointF at_body, double radius, const QColor& fill, const QColor& ink) {
+        p.setPen(QPen(theme.steel_dark.darker(150), 1.0));
+        p.setBrush(fill);
+        p.drawEllipse(at_body, radius, radius);
+        constexpr double kWay = 0.7;  // to the upper right
+        (entry.mark == KeyMark::Sector ? draw_turning_sector : draw_turning_mark)(
+            p, at_body, radius, {kWay, kWay, entry.mark == KeyMark::Sector ? 0.0 : 1.0}, ink);
+      };
+      if (!entry.on_colours) return body(middle, kBody, theme.steel_light, colour);
+      const double small = 0.25 * length;
+      const QColor dark = scale_colour(0.0);
+      body(at + QPointF(small, 0.0), small, scale_colour(0.8), colour);
+      return body(end - QPointF(small, 0.0), small, dark, turning_mark_colour(theme, dark));
+    }
     case KeyMark::Scale: {
       QLinearGradient shade(at, end);
       constexpr int kStops = 12;
@@ -71,6 +81,17 @@ void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& the
       p.setPen(QPen(colour, 5.0, Qt::SolidLine, Qt::FlatCap));
       p.drawLine(at, end - QPointF(0.8 * kHead, 0.0));
       desktop::arrow_head(p, end, {1.0, 0.0}, kHead, colour);
+      return;
+    }
+    case KeyMark::Contact: {
+      constexpr double kHead = 7.0;
+      QPen dashes(colour, 1.8, Qt::SolidLine, Qt::FlatCap);
+      dashes.setDashPattern({1.9, 1.4});
+      p.setPen(dashes);
+      p.drawLine(at, middle - QPointF(1.5, 0.0));
+      p.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::FlatCap));
+      p.drawLine(end, middle + QPointF(0.8 * kHead - 1.0, 0.0));
+      desktop::arrow_head(p, middle - QPointF(1.0, 0.0), {-1.0, 0.0}, kHead, colour);
       return;
     }
     case KeyMark::Frame: {

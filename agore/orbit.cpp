@@ -56,11 +56,16 @@ DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vect
   draw_way(p, s.sketch.area(), way, {later_colour(t), 1.2});
   path(0, s.index);
   draw_way(p, s.sketch.area(), way, {t.curves[0], 1.6});
-  p.setPen(QPen(t.surface, 1.5));
-  p.setBrush(t.curves[0]);
-  if (const QPointF now = way.back().at; std::isfinite(now.x() + now.y()))
-    p.drawEllipse(now, 5.5, 5.5);
   return {enlargement, orbit[s.index] * enlargement};
+}
+
+void draw_centre(const Scene& s, const DrawnOrbit& orbit) {
+  const QPointF now = s.sketch.at(orbit.now.x(), orbit.now.y());
+  if (!(orbit.enlargement > 0.0) || !std::isfinite(now.x() + now.y())) return;
+  QPainter& p = s.sketch.painter();
+  p.setPen(QPen(s.sketch.theme().surface, 1.5));
+  p.setBrush(s.sketch.theme().curves[0]);
+  p.drawEllipse(now, 5.5, 5.5);
 }
 
 }  // namespace adore::agore

@@ -56,14 +56,9 @@ QStringList in_lines(const QString& text, double width, const QFontMetricsF& met
 namespace {
 
 constexpr std::size_t kMany = 6;  // entries of a key that stands in columns wherever it has room
-constexpr double kKeyIndent = 26.0;
+/// Of words behind their mark, in letters of a size.
+double indent_of(int letters) { return letters < 11 ? 21.0 : 26.0; }
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
-
-/// Of the mark and its words, or of those that stand there in other frames.
-double width_of(const KeyEntry& entry, const QFontMetricsF& metrics) {
-  return kKeyIndent +
-         std::max(metrics.horizontalAdvance(entry.text), metrics.horizontalAdvance(entry.room));
-}
 
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width, const QFontMetricsF& metrics) {
@@ -154,79 +149,118 @@ struct Layout {
 
 Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 
-/// Entries beside each other in lines that they fill, each whole: what is longer than a line goes
-/// on in the next ones.
-Layout flowing(const std::vector<KeyEntry>& entries, double width, int letters) {
-  constexpr double kGap = 14.0;
-  Layout out = empty_layout(letters);
+/// An entry, measured once: of several layouts the best is taken.
+struct Measured {
+  const KeyEntry* entry;
+  double width;       ///< of the mark and its words, or of those that stand there in other frames
+  QStringList lines;  ///< one, or of what is wider than there is room
+};
+
+std::vector<Measured> measured(const std::vector<KeyEntry>& entries, double room, int letters) {
   const QFontMetricsF metrics(desktop::ui_font(letters));
-  double x = 0.0;
+  const double indent = indent_of(letters);
+  std::vector<Measured> out;
   for (const KeyEntry& entry : entries) {
-    const double wanted = width_of(entry, metrics);
-    if (x > 0.0 && x + wanted > width) x = 0.0, ++out.rows;
-    Placed part{&entry, {entry.text}, out.rows, x, x + wanted};
-    if (wanted > width) {
-      part.lines = in_lines(entry.text, width - kKeyIndent, metrics);
-      part.right = width;
-      out.rows += static_cast<std::size_t>(part.lines.size()) - 1;
-    }
-    x = part.right + kGap;
-    out.parts.push_back(std::move(part));
+    const double words =
+        std::max(metrics.horizontalAdvance(entry.text),
+                 entry.room.isEmpty() ? 0.0 : metrics.horizontalAdvance(entry.room));
+    out.push_back({&entry, indent + words, {entry.text}});
+    if (out.back().width > room) out.back().lines = in_lines(entry.text, room - indent, metrics);
   }
-  if (!entries.empty()) ++out.rows;
   return out;
 }
 
 /// In columns of their longest entries; nothing where those are wider than there is room.
-std::optional<Layout> in_columns(const std::vector<KeyEntry>& entries, std::size_t columns,
-                                 double width, int letters) {
+std::optional<Layout> in_columns(const std::vector<Measured>& entries, std::size_t columns,
+                                 double room, int letters) {
   constexpr double kGap = 12.0;
   Layout out = empty_layout(letters);
-  const QFontMetricsF metrics(desktop::ui_font(letters));
   out.rows = (entries.size() + columns - 1) / columns;
   double left = 0.0;
   for (std::size_t first = 0; first < entries.size(); first += out.rows) {
     double longest = 0.0;
     for (std::size_t i = first; i < std::min(first + out.rows, entries.size()); ++i) {
-      const double wide = width_of(entries[i], metrics);
-      longest = std::max(longest, wide);
-      out.parts.push_back({&entries[i], {entries[i].text}, i - first, left, left + wide});
+      const Measured& one = entries[i];
+      longest = std::max(longest, one.width);
+      out.parts.push_back({one.entry, {one.entry->text}, i - first, left, left + one.width});
     }
-    if (left + longest > width) return std::nullopt;
+    if (left + longest > room) return std::nullopt;
     left += longest + kGap;
   }
   return out;
 }
 
+/// Each beginning at one of the columns' left edges, in the first line that has room: entries that
+/// are wider than a column go over the next ones, those wider than all on into next lines.
+Layout at_stops(const std::vector<Measured>& entries, const std::vector<double>& stops, double room,
+                int letters) {
+  constexpr double kGap = 10.0;
+  Layout out = empty_layout(letters);
+  std::vector<std::size_t> free;  // of each line: its first column that is
+  for (const Measured& one : entries) {
+    const auto fits = [&](std::size_t column) {
+      return column < stops.size() && stops[column] + one.width <= room;
+    };
+    const auto line = std::find_if(free.begin(), free.end(), fits);
+    const auto row = static_cast<std::size_t>(line - free.begin());
+    if (line == free.end()) free.push_back(0);
+    const double left = stops[free[row]], right = std::min(left + one.width, room);
+    out.parts.push_back({one.entry, one.lines, row, left, right});
+    if (left + one.width > room)  // alone in its lines
+      free.resize(row + static_cast<std::size_t>(one.lines.size()), stops.size());
+    do ++free[row];
+    while (free[row] < stops.size() && stops[free[row]] < right + kGap);
+  }
+  out.rows = free.size();
+  return out;
+}
+
+/// In as few lines as columns that stand below each other can have, and as few columns.
+Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
+  constexpr double kGap = 10.0;
+  const std::vector<Measured> all = measured(entries, room, letters);
+  Layout best = at_stops(all, {0.0}, room, letters);
+  for (const std::size_t columns : {2U, 3U})
+    for (const Measured& widest : all) {
+      std::vector<double> stops{0.0};
+      while (stops.size() < columns) stops.push_back(stops.back() + widest.width + kGap);
+      if (stops.back() >= room) continue;
+      Layout other = at_stops(all, stops, room, letters);
+      if (other.rows < best.rows) best = std::move(other);
+    }
+  return best;
+}
+
 /// Two columns in a small picture or of many entries, one of others; in smaller letters, and
-/// flowing, where those cut an entry or take too much of the picture.
+/// wide entries over several columns, where those cut an entry or take too much of the picture.
 Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;
   const auto columns = static_cast<std::size_t>(key_columns(entries.size(), area));
   const int usual = key_letters(entries.size(), area);
   constexpr int kLeast = 10;
-  // Few long entries read better in lines that they fill than in small letters.
+  // Few long entries read better in usual letters, over several columns, than in small ones.
   for (int letters = usual; letters >= (entries.size() > kMany ? kLeast : usual); --letters)
-    if (const auto plain = in_columns(entries, columns, width, letters))
+    if (const auto plain = in_columns(measured(entries, width, letters), columns, width, letters))
       if (columns > 1 || plain->height() < kMostOfHeight * area.height()) return *plain;
   Layout out;
   for (int letters = usual; letters >= kLeast; --letters) {
-    out = flowing(entries, width, letters);
+    out = aligned(entries, width, letters);
     if (out.height() < kMostOfHeight * area.height()) break;
   }
   return out;
 }
 
-void draw_part(QPainter& p, const Placed& part, double line, QPointF corner,
+void draw_part(QPainter& p, const Placed& part, const Layout& key, QPointF corner,
                const desktop::Theme& theme) {
+  const double line = key.line, indent = indent_of(key.letters);
   double y = corner.y() + line * static_cast<double>(part.row + 1) - 4.0;
   const double left = corner.x() + part.left;
   const bool marked = part.entry != nullptr && part.entry->colour.isValid();
-  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, kKeyIndent - 8.0);
+  if (marked) draw_key_mark(p, *part.entry, theme, {left, y - 4.0}, std::min(18.0, indent - 6.0));
   p.setPen(theme.muted);
   for (const QString& text : part.lines) {
-    p.drawText(QPointF(marked ? left + kKeyIndent : left, y), text);
+    p.drawText(QPointF(marked ? left + indent : left, y), text);
     y += line;
   }
 }
@@ -261,7 +295,7 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   p.setBrush(paper);
   p.drawPath(behind);
   p.setFont(desktop::ui_font(key.letters));
-  for (const Placed& part : key.parts) draw_part(p, part, key.line, corner, theme);
+  for (const Placed& part : key.parts) draw_part(p, part, key, corner, theme);
   return {area.left(), corner.y(), widest + 10.0, key.height() + 2.0};
 }
 
@@ -299,7 +333,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
                       const std::vector<KeyEntry>& entries) {
   Layout key;
   for (const int letters : {12, 11, 10, 9}) {
-    key = flowing(entries, place.width(), letters);
+    key = aligned(entries, place.width(), letters);
     if (key.height() <= place.height()) break;
   }
   p.setFont(desktop::ui_font(key.letters));
@@ -308,7 +342,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   for (const Placed& part : key.parts) {
     const std::size_t end = part.row + static_cast<std::size_t>(part.lines.size());
     if (key.rows > last && end >= last) break;
-    draw_part(p, part, key.line, place.topLeft(), theme);
+    draw_part(p, part, key, place.topLeft(), theme);
     p.setPen(theme.muted);
     ++drawn;
   }

@@ -25,10 +25,12 @@ enum class KeyMark {
   Dotted,
   Star,
   Dots,
-  Spot,     ///< on the face of a race
+  Spot,     ///< round: on the face of a race, or where a centre is
   Arrow,    ///< a broad one
+  Contact,  ///< dashes to a contact, and the arrow that presses on it
   Frame,    ///< two arms, the longer one up
-  Turning,  ///< the mark of a body that turns, on steel
+  Turning,  ///< the mark of a ball that turns, on steel
+  Sector,   ///< that of a roller
   Disc,     ///< a body of that colour
   Scale,    ///< the colours of a scale, from end to end
   None      ///< what the picture has in other frames: its room alone
@@ -39,6 +41,7 @@ struct KeyEntry {
   QString text;
   KeyMark mark = KeyMark::Line;
   QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
+  bool on_colours = false;  ///< the mark lies on those of a scale: pale on dark ones, too
   bool operator==(const KeyEntry&) const = default;
 };
 
@@ -81,8 +84,8 @@ class KeyPicture {
   QImage image_;
 };
 
-/// One key for several small pictures, which have no room for their own: entries beside each other
-/// in lines of one height, in letters as small as leave room for all of them.
+/// One key for several small pictures, which have no room for their own: entries in columns and
+/// lines of one height, in letters as small as leave room for all of them.
 class SharedKey {
  public:
   static constexpr int kLines = 10;

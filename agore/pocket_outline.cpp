@@ -116,6 +116,29 @@ QPointF touched_wall(bool roller, QPointF centre, double angle, double direction
   return way > 0.0 ? centre / way : QPointF(-direction * std::cos(angle), std::sin(angle));
 }
 
+QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
+                       std::optional<double> along) {
+  const double way = side == 0 ? -1.0 : 1.0, most = reach(roller, taper, way);
+  const QRectF box = roller.boundingRect();
+  // Of a side that lies along the wall the middle.
+  const double near = 1e-3 * box.width();
+  double low = box.bottom(), high = box.top();
+  for (const QPointF& p : roller)
+    if (way * p.x() - taper * p.y() > most - near)
+      low = std::min(low, p.y()), high = std::max(high, p.y());
+  const double y = std::clamp(along && std::isfinite(*along) ? *along : 0.5 * (low + high),
+                              box.top(), box.bottom());
+  double x = box.center().x();
+  for (qsizetype i = 0; i < roller.size(); ++i) {
+    const QPointF &a = roller[i], &b = roller[(i + 1) % roller.size()];
+    if ((a.y() - y) * (b.y() - y) > 0.0) continue;
+    const double part = a.y() == b.y() ? 0.5 : (y - a.y()) / (b.y() - a.y());
+    const double at = a.x() + part * (b.x() - a.x());
+    if (way * at > way * x) x = at;
+  }
+  return {x, y};
+}
+
 QPainterPath pocket_far_edge(const PocketOutline& p) {
   QPainterPath path;
   constexpr int kConical = 4;

@@ -4,6 +4,7 @@
 #include <QPolygonF>
 
 #include <array>
+#include <optional>
 
 namespace adore::agore {
 
@@ -52,6 +53,10 @@ struct PocketPlay {
 /// angle is that of a guide surface beside it, while it may have gone to the pocket's end as well.
 /// `direction`: 1 where the cage turns to the right, else -1.
 [[nodiscard]] QPointF touched_wall(bool roller, QPointF centre, double angle, double direction);
+/// Where a roller, as upright() has it, meets a wall on its left (0) or right (1): at the height
+/// `along` where that is known and it reaches there, else where it comes next to the wall.
+[[nodiscard]] QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
+                                     std::optional<double> along);
 
 /// Half sizes of it, the way round and along the axis, the larger one.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);

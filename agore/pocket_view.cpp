@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace adore::agore {
 namespace {
@@ -62,6 +63,7 @@ AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& ele
 /// What lies at the left and right of a roller: gaps in the file's length, forces in its unit.
 struct SideWalls {
   std::array<double, 2> gap{}, force{}, angle{};
+  std::array<std::optional<double>, 2> along{};  ///< where they touch, from the pocket's middle
 };
 
 /// How a roller is drawn in its pocket, and what it has left to the walls at its sides.
@@ -69,6 +71,7 @@ struct RollerPose {
   QPointF centre;
   double skew = 0.0;  ///< as drawn [rad]
   SideWalls walls;
+  std::array<QPointF, 2> touch;  ///< where it meets those walls
 };
 
 /// Of each side the guide surface that carries most, or else is nearest, as the run has them:
@@ -83,6 +86,9 @@ std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t fr
   if (surfaces == 0 || surfaces % 2 != 0) return std::nullopt;
   for (const results::MotionChannel* channel : {gap, force, angle})
     if (channel == nullptr || first + surfaces > channel->width) return std::nullopt;
+  // Of two surfaces each has its middle where the pocket has; of more nobody knows it here.
+  const results::MotionChannel* const place =
+      surfaces == 2 ? animation.motion->channel("pocket.position") : nullptr;
   SideWalls out;
   for (std::size_t i = 0; i < surfaces; ++i) {
     const std::size_t side = (i % 2 == 0) == to_the_right ? 0 : 1, at = first + i;
@@ -90,6 +96,7 @@ std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t fr
     const bool nearer = f > out.force[side] || (f == out.force[side] && g < out.gap[side]);
     if (i >= 2 && !nearer) continue;
     out.gap[side] = g, out.force[side] = f, out.angle[side] = angle->at(frame, at);
+    if (place != nullptr && at < place->width) out.along[side] = place->at(frame, at);
   }
   return out;
 }
@@ -118,6 +125,58 @@ RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAng
     out.walls.angle[side] = element.pocket_angle;
   }
   out.centre = {moved(play_in(drawn, seen.translated(0.0, up)).sides, out.walls.gap), up};
+  for (const std::size_t side : {0U, 1U}) {
+    std::optional<double> along = out.walls.along[side];
+    if (along) *along += up - way[0];  // the roller's end play is drawn larger
+    out.touch[side] = touching_place(seen.translated(out.centre), pocket.taper, side, along);
+  }
+  return out;
+}
+
+/// A contact in the pocket: where it is on the element as drawn, and the way from there to the
+/// wall, which presses against it. An arrow from the middle of the element, as the classic tool
+/// draws it, points against the force and away from its place.
+struct WallTouch {
+  QPointF at, wall;
+  double force, angle;
+};
+
+/// Of a roller: each of the side walls that carries.
+std::vector<WallTouch> touches_of(const RollerPose& pose, double direction) {
+  std::vector<WallTouch> out;
+  for (const std::size_t side : {0U, 1U}) {
+    const double force = pose.walls.force[side], angle = pose.walls.angle[side];
+    if (force > 0.0)
+      out.push_back({pose.touch[side], touched_wall(true, {}, angle, direction), force, angle});
+  }
+  return out;
+}
+
+/// Of a ball: each surface that carries, as the run has them, or the one that the frame tells.
+std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOutline& pocket,
+                                  QPointF centre, double direction) {
+  std::vector<WallTouch> out;
+  const double radius = s.geometry().element_radius;
+  // Flat walls, and such as are longer than round, are not where the ball is off the middle.
+  const bool round = pocket.code != 2 && pocket.code != 3;
+  const auto add = [&](double force, double angle) {
+    if (!(force > 0.0)) return;
+    const QPointF wall = touched_wall(false, round ? centre : QPointF(), angle, direction);
+    out.push_back({centre + radius * wall, wall, force, angle});
+  };
+  const bool stored = s.animation.motion && !s.animation.behind(s.index);
+  const results::MotionChannel* const force =
+      stored ? s.animation.motion->channel("pocket.force") : nullptr;
+  const results::MotionChannel* const angle =
+      stored ? s.animation.motion->channel("pocket.theta") : nullptr;
+  const std::size_t surfaces = stored ? s.animation.motion->pocket_surfaces() : 0;
+  const std::size_t first = k * surfaces;
+  const bool all = surfaces > 1 && force != nullptr && angle != nullptr &&
+                   first + surfaces <= std::min(force->width, angle->width);
+  for (std::size_t i = first; all && i < first + surfaces; ++i)
+    add(force->at(s.index, i), angle->at(s.index, i));
+  const auto& element = s.frame.elements.at(k);
+  if (!all) add(element.pocket_force, element.pocket_angle);
   return out;
 }
 
@@ -130,24 +189,28 @@ std::string lean_remark(double lean) {
                      degrees > 0.0 ? "towards the viewer" : "away");
 }
 
-/// "skew 3.6° to the right, drawn as 15.8°", or "skew × 4.4" of a small picture
+/// "skew in the pocket 3.6° to the right, drawn as 15.8°", or "skew in it × 4.4" of a small
+/// picture: against the pocket's axis, not the bearing's, from which SOL1 and the flange view count
+/// Phi.
 std::string skew_remark(double skew, double drawn, bool low) {
   constexpr double kSeen = 0.05;  // [degrees], as drawn
   const auto degrees = [](double angle) { return std::abs(angle) * 180.0 / kPi; };
   if (degrees(drawn) < kSeen) return {};
-  if (low) return fmt::format("  ·  skew × {}", desktop::pretty_number(drawn / skew, 2));
-  return fmt::format("  ·  skew {}° to the {}, drawn as {}°",
+  if (low) return fmt::format("  ·  skew in it × {}", desktop::pretty_number(drawn / skew, 2));
+  return fmt::format("  ·  skew in the pocket {}° to the {}, drawn as {}°",
                      desktop::pretty_number(degrees(skew), 2), skew > 0.0 ? "right" : "left",
                      desktop::tick_text(degrees(drawn), 1));
 }
 
-/// "side walls: left touched, right 38.1 µm away"
-QString gaps_text(const std::array<double, 2>& gaps, const std::string& unit) {
-  const auto text = [&](double gap) {
-    return gap > 0.0 ? desktop::pretty_quantity(gap, unit, 3) + " away" : std::string("touched");
+/// "side walls: left touched, right 38.1 µm away". A wall that carries nothing is not touched,
+/// though it may be at no distance to the digits of the file.
+QString gaps_text(const SideWalls& walls, const std::string& unit) {
+  const auto text = [&](std::size_t side) {
+    return walls.gap[side] <= 0.0 && walls.force[side] > 0.0
+               ? std::string("touched")
+               : desktop::pretty_quantity(std::max(walls.gap[side], 0.0), unit, 3) + " away";
   };
-  return QString::fromStdString(
-      fmt::format("side walls: left {}, right {}", text(gaps[0]), text(gaps[1])));
+  return QString::fromStdString(fmt::format("side walls: left {}, right {}", text(0), text(1)));
 }
 
 }  // namespace
@@ -230,34 +293,29 @@ void pocket_view(const Scene& s) {
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
-  // Each contact of the side walls; a ball has the one that the frame tells.
-  SideWalls walls = pose.walls;
-  if (!rollers) walls.force[0] = element.pocket_force, walls.angle[0] = element.pocket_angle;
   const auto degrees = [](double angle) {  // 0 to 360, as the plot files tell it
     const double turn = 2.0 * kPi, rest = std::fmod(angle, turn);
     return std::fmod(std::round((rest < 0.0 ? rest + turn : rest) * 180.0 / kPi), 360.0);
   };
   std::string contacts;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!(walls.force[i] > 0.0)) continue;
-    const QPointF u = touched_wall(rollers, centre, walls.angle[i], direction);
-    s.sketch.arrow(  // from the middle, as the classic tool draws it
-        s.sketch.at(centre.x(), centre.y()),
-        s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
-        t.red, 2.6);
+  for (const WallTouch& touch :
+       rollers ? touches_of(pose, direction) : touches_of(s, k, pocket, centre, direction)) {
+    const QPointF tail = touch.at + 0.75 * g.element_radius * touch.wall;
+    s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(touch.at.x(), touch.at.y()), t.red,
+                   2.6);
     contacts += fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
-                            desktop::pretty_quantity(walls.force[i], s.animation.file.units[2], 3),
-                            desktop::tick_text(degrees(walls.angle[i]), 0));
+                            desktop::pretty_quantity(touch.force, s.animation.file.units[2], 3),
+                            desktop::tick_text(degrees(touch.angle), 0));
   }
+  const bool low = too_low(s.options, s.sketch.area().height());
+  if (!contacts.empty() && !low) contacts += ", arrow shows where";
   std::vector<KeyEntry> key{
       {contacts.empty() ? QColor() : t.red,
        !contacts.empty() ? QString::fromStdString(contacts)
        : rollers         ? QString("no contact with the side walls; end walls are not stored")
                          : QString("no contact")}};
-  if (rollers && shape_known)
-    key.push_back({{}, gaps_text(pose.walls.gap, s.animation.file.units[0])});
+  if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
-  const bool low = too_low(s.options, s.sketch.area().height());
   if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),

@@ -46,16 +46,19 @@ void race_view(const Scene& s) {
   std::vector<QPointF> orbit;
   for (const auto& frame : s.animation.file.frames)
     orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
-  const auto [enlargement, now] = draw_orbit(s, 0.45 * low, 0.0, orbit);
+  const DrawnOrbit drawn = draw_orbit(s, 0.45 * low, 0.0, orbit);
+  const auto [enlargement, now] = drawn;
   const bool named = s.sketch.frame_named(arm);
   s.sketch.frame(now, angle, arm, colour, named);
+  draw_centre(s, drawn);
   if (named) s.sketch.name_frame(now, angle, arm, colour);
   std::vector<KeyEntry> key{{colour, r == 0 ? "outer race frame" : "inner race frame"},
                             {colour, "spot that turns with it", KeyMark::Star}};
   if (enlargement > 0.0)
-    for (const KeyEntry& entry : {way_entry(t.curves[0], s.animation.known_centres,
-                                            "path of the race centre", "race centre at the frames"),
-                                  later_entry(s)})
+    for (const KeyEntry& entry :
+         {way_entry(t.curves[0], s.animation.known_centres, "path of the race centre",
+                    "race centre at the frames"),
+          KeyEntry{t.curves[0], "race centre now", KeyMark::Spot}, later_entry(s)})
       key.push_back(entry);
   name_arms(s, named, key);
   const bool small = too_low(s.options, s.sketch.area().height());

@@ -216,7 +216,9 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
                                      {cut.at(tip.x(), tip.y()), true, false}};
-    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true});
+    // Beside a dark edge of the usual width, dashes are lost that lie on grey steel.
+    const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
+    draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true, edge});
     const bool drawn =
         load_arrow(s, cut.at(tail.x(), tail.y()), cut.at(tip.x(), tip.y()), t.curves[j], 3.2);
     key.push_back({t.curves[j],
@@ -224,7 +226,7 @@ void section_view(const Scene& s) {
                        "{}: {} at {}°{}", names[j],
                        desktop::even_quantity(contact.load[j], s.animation.contacts->load_unit, 4),
                        desktop::tick_text(angle * 180.0 / kPi, 2), drawn ? "" : kTooSmall)),
-                   drawn ? KeyMark::Line : KeyMark::Dashed});
+                   drawn ? KeyMark::Contact : KeyMark::Dashed});
   }
   draw_flange_forces(s, cut, k, key);
   if (s.animation.has_cage) draw_lands(s, cut, k, key);

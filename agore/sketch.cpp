@@ -61,28 +61,69 @@ QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint) {
   return tint.isValid() && contrast(pale, tint) > contrast(dark, tint) ? pale : dark;
 }
 
+namespace {
+
+/// Of the edge that tells a mark from the paths below it: white ones lie beside dark marks, dark
+/// ones beside pale marks.
+QColor mark_edge(const QColor& colour) {
+  return qGray(colour.rgb()) < 128 ? QColor("#f0f0f0") : QColor("#101418");
+}
+/// Its width, thinner on the small bodies of a key [pixels].
+double edge_width(double r) { return std::min(1.0, 0.12 * r); }
+
+bool drawable(const std::array<double, 3>& mark, QPointF middle) {
+  return mark != std::array<double, 3>{} &&
+         std::isfinite(mark[0] + mark[1] + mark[2] + middle.x() + middle.y());  // else stars
+}
+
+}  // namespace
+
 void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour) {
-  if (mark == std::array<double, 3>{}) return;
-  if (!std::isfinite(mark[0] + mark[1] + mark[2] + middle.x() + middle.y())) return;  // stars
-  const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
+  if (!drawable(mark, middle)) return;
+  const QPointF way = QPointF(mark[0], -mark[1]) * r * 0.8, tip = middle + way;
   constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
-  const double width = std::clamp(0.09 * r, 1.0, 5.0), dot = std::clamp(0.15 * r, 2.0, 10.0);
-  if (mark[2] >= kBehind) {
-    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(middle, tip);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
-    painter.drawEllipse(tip, dot, dot);
-    return;
-  }
-  const double ring = std::clamp(0.06 * r, 1.0, 3.0), hole = dot - 0.5 * ring;
-  painter.setPen(QPen(colour, std::min(width, ring), Qt::SolidLine, Qt::RoundCap));
-  const QPointF way = tip - middle;
-  if (const double length = std::hypot(way.x(), way.y()); length > hole)
-    painter.drawLine(middle, middle + way * (1.0 - hole / length));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(tip, hole, hole);
+  const double width = std::clamp(0.09 * r, 1.4, 5.0),
+               dot = std::clamp(0.15 * r, std::min(2.6, 0.3 * r), 10.0);
+  const double ring = std::clamp(0.06 * r, 1.2, 3.0), hole = dot - 0.5 * ring;
+  const bool behind = mark[2] < kBehind;
+  const double length = std::hypot(way.x(), way.y());
+  const auto draw = [&](const QColor& ink, double extra) {
+    painter.setPen(
+        QPen(ink, (behind ? std::min(width, ring) : width) + extra, Qt::SolidLine, Qt::RoundCap));
+    if (!behind)
+      painter.drawLine(middle, tip);
+    else if (length > hole)
+      painter.drawLine(middle, middle + way * (1.0 - hole / length));
+    if (behind) {
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(tip, hole, hole);
+    } else {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(ink);
+      painter.drawEllipse(tip, dot + 0.5 * extra, dot + 0.5 * extra);
+    }
+  };
+  draw(mark_edge(colour), 2.0 * edge_width(r));
+  draw(colour, 0.0);
+}
+
+void draw_turning_sector(QPainter& painter, QPointF middle, double r,
+                         const std::array<double, 3>& mark, const QColor& colour) {
+  if (!drawable(mark, middle)) return;
+  constexpr double kHalf = 26.0, kOuter = 0.86;  // degrees, of the radius
+  const double reach = kOuter * r * std::min(1.0, std::hypot(mark[0], mark[1]));
+  const double angle = std::atan2(mark[1], mark[0]) * 180.0 / std::numbers::pi;
+  QPainterPath sector(middle);
+  sector.arcTo(QRectF(middle.x() - reach, middle.y() - reach, 2.0 * reach, 2.0 * reach),
+               angle - kHalf, 2.0 * kHalf);
+  sector.closeSubpath();
+  painter.setBrush(colour);
+  painter.setPen(
+      QPen(mark_edge(colour), 2.0 * edge_width(r), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(sector);
+  painter.setPen(Qt::NoPen);  // over the inner half of its edge
+  painter.drawPath(sector);
 }
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
@@ -180,7 +221,7 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
     draw(painter_, there);
   else
     stamp(there, r + 1.0, {kBall, {r}, {rim.rgba(), theme_.steel_light.rgba()}}, draw);
-  turning_mark(centre, radius, mark, tint);
+  turning_mark(centre, radius, mark, tint, false);
 }
 
 void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -201,13 +242,14 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
     draw(painter_, there);
   else
     stamp(there, r, {kRollerEnd, {r}, {theme_.steel_light.rgba(), theme_.steel_dark.rgba()}}, draw);
-  turning_mark(centre, radius, mark, tint);
+  turning_mark(centre, radius, mark, tint, true);
 }
 
 void Sketch::turning_mark(QPointF centre, double radius, const std::array<double, 3>& mark,
-                          const QColor& tint) const {
-  draw_turning_mark(painter_, at(centre.x(), centre.y()), radius * scale_, mark,
-                    turning_mark_colour(theme_, tint));
+                          const QColor& tint, bool roller) const {
+  (roller ? draw_turning_sector : draw_turning_mark)(painter_, at(centre.x(), centre.y()),
+                                                     radius * scale_, mark,
+                                                     turning_mark_colour(theme_, tint));
 }
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {

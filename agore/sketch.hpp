@@ -33,7 +33,10 @@ void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& 
 /// radii; its end is hollow on the far side.
 void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour);
-/// Its colour on steel, and on the colours of a scale.
+/// That of a roller, seen on its end: a sector, which no line of a path looks like.
+void draw_turning_sector(QPainter& painter, QPointF middle, double r,
+                         const std::array<double, 3>& mark, const QColor& colour);
+/// Their colour on steel, and on the colours of a scale.
 [[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 class Sketch {
@@ -98,7 +101,7 @@ class Sketch {
 
   /// The mark of a ball or a roller alone.
   void turning_mark(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
-                    const QColor& tint) const;
+                    const QColor& tint, bool roller) const;
 
  private:
   /// A drawing about `middle` that is the same wherever that is, kept on a screen.

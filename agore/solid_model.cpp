@@ -132,7 +132,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
 void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
                 const Vec3& first, const Shades& shades, const Shades& mark) {
   const Vec3 second = axis.cross(first);
-  constexpr int kSides = 28;
+  constexpr int kSides = 28, kPainted = 2;  // on each side of the mark's middle: 64 degrees
   const int parts = shape.crown > 0.0 ? 10 : 1;
   // Corners are chamfers here.
   std::vector<double> stations;
@@ -163,7 +163,8 @@ void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, con
   };
   Line from = line_at(0);
   for (int i = 0; i < kSides; ++i) {
-    const Shades& colour = i == 0 && first.squaredNorm() > 0.0 ? mark : shades;
+    const bool painted = std::min(i, kSides - i) <= kPainted && first.squaredNorm() > 0.0;
+    const Shades& colour = painted ? mark : shades;
     Line to = line_at(i + 1);
     for (std::size_t j = 1; j < n; ++j)
       m.canvas().front_quad(from.points[j - 1], from.points[j], to.points[j], to.points[j - 1],

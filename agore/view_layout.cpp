@@ -72,7 +72,7 @@ std::size_t key_entries(const Animation& animation, const ViewOptions& options, 
   const std::size_t turning = has_turning_marks(animation) ? 1 : 0;
   switch (options.view) {
     case View::Cage:
-      return 4 + guide + arms;
+      return 5 + guide + arms;
     case View::Solid:
       return 2 + (animation.guide != Guide::None ? 1 : 0) + turning + scale + loads + trails +
              std::min<std::size_t>(1, loads + trails);  // and what dashes are
@@ -100,6 +100,8 @@ double key_height(const Animation& animation, const ViewOptions& options, QSizeF
       case View::Section:
       case View::Flange:
         return 3;
+      case View::Pocket:
+        return 5;
       default:
         return 4;
     }

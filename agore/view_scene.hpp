@@ -125,6 +125,8 @@ struct DrawnOrbit {
 /// less than an atom's size stands still.
 DrawnOrbit draw_orbit(const Scene& scene, double radius, double reference,
                       std::vector<QPointF> orbit);
+/// Where the centre is now, over the frame that turns about it.
+void draw_centre(const Scene& scene, const DrawnOrbit& orbit);
 
 class SolidLayer;
 

@@ -134,7 +134,7 @@ void draw_ways(QPainter& painter, const QRectF& area, const std::vector<std::vec
   for (const std::vector<WayPoint>& way : all) ways.push_back(known_part(way));
   if (look.casing.isValid())
     for (const std::vector<WayPoint>& way : ways)
-      stroke(painter, area, way, look, look.casing, 2.0 * kCasing);
+      stroke(painter, area, way, look, look.casing, 2.0 * look.edge);
   for (const std::vector<WayPoint>& way : ways) stroke(painter, area, way, look, look.colour, 0.0);
 }
 

@@ -25,6 +25,7 @@ struct WayLook {
   double width = 2.0;
   QColor casing{};  ///< invalid: none
   bool dashed = false;
+  double edge = 1.2;  ///< of the casing, on each side [pixels]
 };
 
 /// `area`: nothing outside of it is seen.

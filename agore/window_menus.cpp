@@ -297,7 +297,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
   auto* scales = menu->addMenu(tr("Scale of the Colo&urs"));
   scales->setObjectName("scaleMenu");
   auto* scale_group = new QActionGroup(this);
-  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "&Usual Values of the Run"},
+  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "19 of 20 Val&ues of the Run"},
                                    {ColourScale::Run, "Largest of the &Run"},
                                    {ColourScale::Moment, "Largest of This &Moment"}}) {
     auto* action = scales->addAction(tr(name), this, [this, kind = kind] {

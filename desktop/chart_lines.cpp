@@ -27,6 +27,23 @@ class LineItem : public QGraphicsItem {
   QPen pen_;
 };
 
+/// A way of very many points, drawn from tiles that its scene keeps.
+class LongWayItem : public QGraphicsItem {
+ public:
+  LongWayItem(const WayRuns& way, WayTiles& tiles, WayPlace place, QPen pen)
+      : way_(way), tiles_(tiles), place_(std::move(place)), pen_(std::move(pen)) {}
+  [[nodiscard]] QRectF boundingRect() const override { return place_.area; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    tiles_.draw(*painter, way_, place_, pen_);
+  }
+
+ private:
+  const WayRuns& way_;
+  WayTiles& tiles_;
+  WayPlace place_;
+  QPen pen_;
+};
+
 }  // namespace
 
 QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
@@ -225,6 +242,14 @@ void ChartScene::addLineNames(const ChartPanel& panel, const QRectF& area, const
 void ChartScene::addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen) {
   if (!parts.empty())
     addItem(new LineItem(std::move(parts), area.adjusted(-1, -1, 1, 1), std::move(pen)));
+}
+
+void ChartScene::addLongWay(std::size_t curve, const WayPlace& place, QPen pen) {
+  PlaneCurve& known = plane_curves_[curve];
+  WayPlace around = place;
+  around.area.adjust(-1, -1, 1, 1);
+  addItem(new LongWayItem(known.runs, known.tiles, around, std::move(pen)));
+  if (!lines_.empty()) ++lines_.back();
 }
 
 QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,

@@ -17,6 +17,12 @@ namespace {
 /// Part of the picture's height within which outlines lie on one another, as curves do.
 constexpr double kSameOutline = 1.0 / 300.0;
 
+/// Has a curve more points than a line is stroked by? Then it is drawn by what is seen of it.
+bool is_long(const ChartCurve& curve) {
+  constexpr std::size_t kLong = 4096;
+  return std::min(curve.x.size(), curve.y.size()) > kLong;
+}
+
 /// Of points that belong to each other; infinite where outlines are not of the same points.
 double farthest_apart(const ChartCurve& one, const ChartCurve& other) {
   double out = std::numeric_limits<double>::infinity();
@@ -42,6 +48,7 @@ void ChartScene::studyPlane() {
     PlaneCurve& known = plane_curves_.emplace_back();
     for (const double x : curve.x) known.across.include(x);
     for (const double y : curve.y) known.up.include(y);
+    known.runs = WayRuns(curve.x, curve.y);
   }
 }
 
@@ -102,9 +109,26 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   return out;
 }
 
+/// A page with long curves stands on whole pixels, as it is moved: their tiles are shown as they
+/// are, and no curve trembles against another. Half a pixel at most.
+ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
+  Plane out = page_.schematic ? whole : chosenPlane(whole);
+  const auto& curves = page_.panels.front().curves;
+  if (std::none_of(curves.begin(), curves.end(), is_long)) return out;
+  const auto on_pixels = [](double middle, double anchor, double place, double per) {
+    const double at = place + (anchor - middle) * per, aside = at - std::round(at);
+    return std::abs(aside) < 1e-6 ? middle : middle + aside / per;  // what stands there stays
+  };
+  out.middle_x = on_pixels(out.middle_x, whole.middle_x, out.area.center().x(),
+                           out.area.width() / (2.0 * out.half_x));
+  out.middle_y = on_pixels(out.middle_y, whole.middle_y, out.area.center().y(),
+                           -out.area.height() / (2.0 * out.half_y));
+  return out;
+}
+
 /// Both axes at one scale, whatever the two ranges are: what they hold is seen, and as much beside
 /// it as the frame needs; never anything beyond the whole.
-ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
+ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
   constexpr double kMost = 1e4;
   if (panel_views_.size() != 2 || !panel_views_[0] || !panel_views_[1]) return whole;
   const auto [bottom, top] = *panel_views_[0];
@@ -147,14 +171,8 @@ std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qr
   std::optional<PlanePoint> out;
   const auto& curves = page_.panels.front().curves;
   for (std::size_t c = 0; c < curves.size(); ++c)
-    for (std::size_t i = 0;
-         !curves[c].hidden && i < std::min(curves[c].x.size(), curves[c].y.size()); ++i) {
-      const double dx = curves[c].x[i] - x, dy = curves[c].y[i] - y;
-      const double away = dx * dx + dy * dy;
-      if (!(away <= least)) continue;
-      least = away;
-      out = PlanePoint{c, i, {}};
-    }
+    if (!curves[c].hidden)
+      if (const auto i = plane_curves_[c].runs.nearest(x, y, least)) out = PlanePoint{c, *i, {}};
   if (!out) return out;
   const ChartCurve& curve = curves[out->curve];
   out->at = QPointF(positionOf(curve.x[out->index]), heightOf(0, curve.y[out->index]));
@@ -184,7 +202,7 @@ QStringList ChartScene::planeReadout(QPointF position) const {
 void ChartScene::addOrbit(const Metrics& m) {
   const ChartPanel& panel = page_.panels.front();
   const Plane whole = wholePlane(m);
-  const Plane seen = page_.schematic ? whole : seenPlane(whole);
+  const Plane seen = seenPlane(whole);
   const QRectF& area = whole.area;
   const double half_x = seen.half_x, half_y = seen.half_y;
   const double half = std::max(half_x, half_y);
@@ -247,7 +265,6 @@ void ChartScene::addOrbit(const Metrics& m) {
                            : page_.closed_outline ? m.line
                                                   : m.thin_line,
                            curve.dashed || on_another);
-    constexpr std::size_t kLong = 4096;
     Polyline line, piece;  // first and last place; the part since the last gap
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
@@ -269,7 +286,7 @@ void ChartScene::addOrbit(const Metrics& m) {
       return is_drawable(curve.x[i]) && is_drawable(curve.y[i]);
     };
     const std::size_t count = std::min(curve.x.size(), curve.y.size());
-    const bool by_what_is_seen = count > kLong && !curve.dashed && !on_another;
+    const bool by_what_is_seen = is_long(curve) && !curve.dashed && !on_another;
     std::size_t first = 0, last = count;
     while (first < count && !known(first)) ++first;
     while (last > first && !known(last - 1)) --last;
@@ -282,9 +299,8 @@ void ChartScene::addOrbit(const Metrics& m) {
                    y_per = -area.height() / (y_axis.max - y_axis.min);
       const PlaneScale scale{area.left() - x_axis.min * x_per, x_per / x_axis.factor,
                              area.bottom() - y_axis.min * y_per, y_per / y_axis.factor};
-      KeptWay& way = plane_curves_[static_cast<std::size_t>(colour)].way;
-      addWay(way.inside(curve.x, curve.y, scale, area), area, pen);
-      if (!lines_.empty()) ++lines_.back();
+      addLongWay(static_cast<std::size_t>(colour),
+                 {scale, QPointF(whole.middle_x, whole.middle_y), area}, pen);
     }
     for (std::size_t i = first; i < last && !by_what_is_seen; ++i) {
       if (!known(i)) {

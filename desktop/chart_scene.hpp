@@ -2,8 +2,8 @@
 
 #include "desktop/axis_scale.hpp"
 #include "desktop/chart_page.hpp"
-#include "desktop/kept_way.hpp"
 #include "desktop/theme.hpp"
+#include "desktop/way_tiles.hpp"
 
 #include <QGraphicsScene>
 #include <QPolygonF>
@@ -191,6 +191,7 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] Plane wholePlane(const Metrics& m) const;
   /// The part of it that is chosen.
   [[nodiscard]] Plane seenPlane(const Plane& whole) const;
+  [[nodiscard]] Plane chosenPlane(const Plane& whole) const;
   void addOrbit(const Metrics& m);
   void studyDigits();
   [[nodiscard]] QStringList planeReadout(QPointF position) const;
@@ -225,6 +226,8 @@ class ChartScene : public QGraphicsScene {
                      const AxisScale& y_axis, QPen pen);
   /// All parts of a line as one item.
   void addWay(std::vector<QPolygonF> parts, const QRectF& area, QPen pen);
+  /// A curve of very many points of a page with equal axes.
+  void addLongWay(std::size_t curve, const WayPlace& place, QPen pen);
   [[nodiscard]] QPen penOf(int colour, qreal width, bool dashed = false) const;
   void studyCurves();
   void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
@@ -265,7 +268,8 @@ class ChartScene : public QGraphicsScene {
   /// Of a page with equal axes.
   struct PlaneCurve {
     Extent across, up;
-    KeptWay way;
+    WayRuns runs;
+    WayTiles tiles;
   };
   std::vector<PlaneCurve> plane_curves_;
   /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.

@@ -57,15 +57,14 @@ void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
 
 }  // namespace
 
-namespace {
-
-/// Is the painter one of pixels, which are whole ones of its own?
 bool paints_pixels(const QPainter& painter) {
   const QTransform& placed = painter.deviceTransform();
   return painter.paintEngine() != nullptr &&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
          placed.type() <= QTransform::TxScale && placed.m11() > 0.0 && placed.m22() > 0.0;
 }
+
+namespace {
 
 /// Fewer points are stroked as quickly.
 constexpr qsizetype kFewest = 16;

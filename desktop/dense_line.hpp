@@ -23,6 +23,9 @@ struct ColumnBar {
 /// `left` and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
+/// Is the painter one of pixels, which are whole ones of its own?
+[[nodiscard]] bool paints_pixels(const QPainter& painter);
+
 /// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp, ways to
 /// and fro of many points by dense_way.hpp.
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,

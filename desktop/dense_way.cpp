@@ -11,7 +11,6 @@ namespace adore::desktop {
 namespace {
 
 constexpr double kCells = 1.4143;  ///< to a pixel: none is longer than one across
-constexpr double kMargin = 4.0;    ///< strokes beside the picture reach into it [px]
 
 /// Small squares of a picture that were passed. Their edges do not hang on where the picture
 /// begins.
@@ -55,7 +54,7 @@ class Cells {
         next_r += per_r;
         --along;
       }
-      any = any || is_new(cell);
+      any |= is_new(cell);
       pass(cell);
     }
     return any;
@@ -73,8 +72,19 @@ class Cells {
   std::vector<std::uint8_t> passed_;
 };
 
+/// A part of a picture and the rest of the cells that it cuts: what passes them there counts, too.
+QRectF whole_cells(const QRectF& area) {
+  const auto down = [](double at) { return std::floor(at * kCells) / kCells; };
+  const auto up = [](double at) { return std::ceil(at * kCells) / kCells; };
+  return {QPointF(down(area.left()), down(area.top())),
+          QPointF(up(area.right()), up(area.bottom()))};
+}
+
 /// Cuts a stroke at the edges of `area`. False: nothing of it is inside.
 bool cut(QPointF& p, QPointF& q, const QRectF& area) {
+  if (std::max(p.x(), q.x()) < area.left() || std::min(p.x(), q.x()) > area.right() ||
+      std::max(p.y(), q.y()) < area.top() || std::min(p.y(), q.y()) > area.bottom())
+    return false;
   double from = 0.0, to = 1.0;
   const QPointF a = p, way = q - p;
   const auto keep = [&](double start, double length, double low, double high) {
@@ -96,7 +106,16 @@ bool cut(QPointF& p, QPointF& q, const QRectF& area) {
 
 std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
                                 const PlaneScale& scale, const QRectF& area) {
-  const QRectF around = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  constexpr double kMargin = 4.0;  // strokes beside the picture reach into it [px]
+  return seen_way(x, y, {{0, std::min(x.size(), y.size())}}, scale, area, kMargin);
+}
+
+std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
+                                const std::vector<Stretch>& stretches, const PlaneScale& scale,
+                                const QRectF& area, double margin) {
+  const QRectF around = whole_cells(area.adjusted(-margin, -margin, margin, margin));
+  const double left = around.left(), right = around.right(), top = around.top(),
+               bottom = around.bottom();
   Cells cells(around);
   std::vector<QPolygonF> out;
   QPointF end;  // of what was drawn last
@@ -108,13 +127,12 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
   bool known = false, fresh = false;  // is the cell of the point before new on this visit?
   QPointF p;
   int cell = -1;  // none: outside
-  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    const QPointF q = scale.place(x[i], y[i]);
+  const auto go_to = [&](const QPointF& q) {
     if (!std::isfinite(q.x()) || !std::isfinite(q.y())) {
       known = false;
-      continue;
+      return;
     }
-    const bool inside = around.contains(q);
+    const bool inside = q.x() >= left && q.x() <= right && q.y() >= top && q.y() <= bottom;
     if (!known) {
       cell = inside ? cells.at(q) : -1;
       fresh = inside && cells.is_new(cell);
@@ -145,6 +163,10 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
     }
     p = q;
     known = true;
+  };
+  for (const Stretch& stretch : stretches) {
+    known = false;
+    for (std::size_t i = stretch.first; i < stretch.end; ++i) go_to(scale.place(x[i], y[i]));
   }
   return out;
 }
@@ -197,6 +219,25 @@ void stamp_rows(const std::vector<QPolygonF>& lines, float reach, const QRect& w
 
 }  // namespace
 
+double stamp_reach(double width) { return 0.5 * width + 0.5; }
+
+std::vector<std::uint8_t> stamp_cover(const std::vector<QPolygonF>& lines, double width,
+                                      const QRect& within) {
+  if (lines.empty() || within.isEmpty()) return {};
+  std::vector<std::uint8_t> cover(static_cast<std::size_t>(within.width()) *
+                                  static_cast<std::size_t>(within.height()));
+  stamp_rows(lines, static_cast<float>(stamp_reach(width)), within, 0, within.height(), cover);
+  return cover;
+}
+
+std::array<QRgb, 256> inks_of(const QColor& colour) {
+  std::array<QRgb, 256> out;
+  for (int c = 0; c < 256; ++c)
+    out[static_cast<std::size_t>(c)] = qPremultiply(
+        qRgba(colour.red(), colour.green(), colour.blue(), (c * colour.alpha() + 127) / 255));
+  return out;
+}
+
 StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const QColor& colour,
                        const QRect& within) {
   StampImage out;
@@ -204,7 +245,7 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
   const int columns = within.width(), rows = within.height();
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
                                   static_cast<std::size_t>(rows));
-  const auto reach = static_cast<float>(0.5 * width + 0.5);
+  const auto reach = static_cast<float>(stamp_reach(width));
   // Each thread has rows of its own; few strokes are stamped sooner than a thread begins.
   constexpr qsizetype kMany = 20'000;
   qsizetype points = 0;
@@ -220,10 +261,7 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
     stamp_rows(lines, reach, within, 0, rows / bands, cover);
   }
   if (std::all_of(cover.begin(), cover.end(), [](std::uint8_t c) { return c == 0; })) return out;
-  QRgb inks[256];
-  for (int c = 0; c < 256; ++c)
-    inks[c] = qPremultiply(
-        qRgba(colour.red(), colour.green(), colour.blue(), (c * colour.alpha() + 127) / 255));
+  const std::array<QRgb, 256> inks = inks_of(colour);
   out.image = QImage(columns, rows, QImage::Format_ARGB32_Premultiplied);
   for (int r = 0; r < rows; ++r) {
     auto* const pixels = reinterpret_cast<QRgb*>(out.image.scanLine(r));

@@ -1,11 +1,16 @@
 #pragma once
 
+#include "desktop/way_runs.hpp"
+
 #include <QImage>
 #include <QPoint>
 #include <QPolygonF>
 #include <QRect>
 #include <QRectF>
+#include <QRgb>
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 class QColor;
@@ -27,6 +32,14 @@ struct PlaneScale {
 [[nodiscard]] std::vector<QPolygonF> seen_way(const std::vector<double>& x,
                                               const std::vector<double>& y, const PlaneScale& scale,
                                               const QRectF& area);
+/// The same of parts of a way, in order, with all that is up to `margin` pixels outside. Of each
+/// cell there the first stroke that passes it is drawn, so that pictures beside each other show the
+/// same where they meet.
+[[nodiscard]] std::vector<QPolygonF> seen_way(const std::vector<double>& x,
+                                              const std::vector<double>& y,
+                                              const std::vector<Stretch>& stretches,
+                                              const PlaneScale& scale, const QRectF& area,
+                                              double margin);
 
 /// Short strokes as an image: of each pixel the largest cover by any of them. A general painter
 /// takes a microsecond and more for each. Null: nothing is inside.
@@ -36,5 +49,12 @@ struct StampImage {
 };
 [[nodiscard]] StampImage stamp_image(const std::vector<QPolygonF>& lines, double width,
                                      const QColor& colour, const QRect& within);
+/// The same as covers of the pixels of `within`, row by row; empty: nothing is inside.
+[[nodiscard]] std::vector<std::uint8_t> stamp_cover(const std::vector<QPolygonF>& lines,
+                                                    double width, const QRect& within);
+/// How far from its middle a stroke covers pixels.
+[[nodiscard]] double stamp_reach(double width);
+/// The ink of each cover, premultiplied.
+[[nodiscard]] std::array<QRgb, 256> inks_of(const QColor& colour);
 
 }  // namespace adore::desktop

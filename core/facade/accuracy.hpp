@@ -136,6 +136,11 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink&
 /// nothing of it, whenever the program ends.
 [[nodiscard]] AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier);
 
+/// "1 %", "1 % (speeds within 5.2 %)" where the motion is irregular.
+[[nodiscard]] std::string limits_text(const AccuracyStudy& study);
+/// Why the limits are wider than the target; empty where they are not.
+[[nodiscard]] std::string irregular_text(const AccuracyStudy& study);
+
 /// One sentence: which settings this deck wants, and what they reach.
 [[nodiscard]] std::string recommendation(const AccuracyStudy& study);
 /// The deck variables of the recommended settings; empty without one.

@@ -158,7 +158,30 @@ std::string growth_text(const AccuracyStudy& study) {
                         : "; less than a turn lies between them, too little for a rate");
 }
 
-/// "1 %", "1 % (speeds within 5.2 %)" where the motion is irregular.
+/// A row that keeps the target, takes less time than the recommended one and warns of its energy.
+const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const AccuracyRow& best) {
+  const AccuracyRow* out = nullptr;
+  for (const AccuracyRow& row : study.finals)
+    if (row.failure.empty() && study.keeps(row.errors) && row.seconds < best.seconds &&
+        row.energy_share > results::kMovedWarning && (out == nullptr || row.seconds < out->seconds))
+      out = &row;
+  return out;
+}
+
+/// The resolution of the contacts that changes more than the target, which no integrator mends.
+const AccuracyRow* other_model(const AccuracyStudy& study) {
+  const AccuracyRow* out = nullptr;
+  const auto change = [&](const AccuracyRow& row) {
+    return row.failure.empty() ? standing_out(row.errors, study.short_reference.noise).largest()
+                               : 0.0;
+  };
+  for (const AccuracyRow& row : study.models)
+    if (change(row) > (out == nullptr ? study.target : change(*out))) out = &row;
+  return out;
+}
+
+}  // namespace
+
 std::string limits_text(const AccuracyStudy& study) {
   const AccuracyErrors limits = study.limits();
   std::string wider;
@@ -170,22 +193,21 @@ std::string limits_text(const AccuracyStudy& study) {
   return percent(study.target) + (wider.empty() ? "" : " (" + wider + ")");
 }
 
-/// A row that keeps the target, takes less time than the recommended one and warns of its energy.
-const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const AccuracyRow& best) {
-  const AccuracyRow* out = nullptr;
-  for (const AccuracyRow& row : study.finals)
-    if (row.failure.empty() && study.keeps(row.errors) && row.seconds < best.seconds &&
-        row.energy_share > results::kMovedWarning && (out == nullptr || row.seconds < out->seconds))
-      out = &row;
-  return out;
+std::string irregular_text(const AccuracyStudy& study) {
+  if (study.limits().largest() <= study.target) return {};
+  return fmt::format(
+      "the motion is irregular, and over this span no smaller errors of its means can be told: "
+      "two accurate runs differ by {}{}",
+      percent(study.long_reference.noise.largest()),
+      study.irregular.largest() > 0.0
+          ? fmt::format(", runs whose loads differ by a millionth by up to {}",
+                        percent(study.irregular.largest()))
+          : std::string());
 }
-
-}  // namespace
 
 std::string recommendation(const AccuracyStudy& study) {
   if (study.finals.empty()) return "The study was broken off before it could recommend anything.";
   const AccuracyRow* own = own_row(study);
-  const double noise = study.noise().largest();
   std::string out;
   if (study.recommended < 0) {
     out = fmt::format("None of the settings keeps within {} over {}", limits_text(study),
@@ -207,15 +229,13 @@ std::string recommendation(const AccuracyStudy& study) {
     out += own->failure.empty() ? fmt::format("; the deck's own settings take {:.3g} s ({})",
                                               own->seconds, errors_text(own->errors))
                                 : fmt::format("; with the deck's own settings: {}", own->failure);
-  if (noise > study.target)
+  if (const std::string irregular = irregular_text(study); !irregular.empty())
+    out += "; " + irregular;
+  if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; the motion is irregular, and over this span no smaller errors of its means can be told: "
-        "two accurate runs differ by {}{}",
-        percent(study.long_reference.noise.largest()),
-        study.irregular.largest() > 0.0
-            ? fmt::format(", runs whose loads differ by a millionth by up to {}",
-                          percent(study.irregular.largest()))
-            : std::string());
+        "; all this is of integrator and steps: {} changes more ({}), and `adore run --accuracy "
+        "{:g}%` chooses nodes and slices, too",
+        model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
 }
 

@@ -95,6 +95,10 @@ class Choice {
     } else {
       choose_resolution(prepared);
     }
+    out_.text += fmt::format(
+        ". Times of this machine decided between settings, so that another choice may end "
+        "elsewhere; the same run again: {}",
+        again());
     return std::move(out_);
   }
 
@@ -128,6 +132,15 @@ class Choice {
         fmt::format("settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {}: {})",
                     100.0 * target_, out_.integrator, out_.tolerance, longest,
                     counted(fmt::format("{:.3g}", best.turns), "turn"), errors_text(best.errors));
+    if (study.limits().largest() > target_) out_.text += "; " + irregular_text(study);
+  }
+
+  /// What a later run has to be given for the same bytes: another study may choose otherwise.
+  [[nodiscard]] std::string again() const {
+    std::string out = fmt::format("--integrator {} --tol {:g}", out_.integrator, out_.tolerance);
+    for (const auto& [name, value] : out_.sets) out += fmt::format(" --set {}={}", name, value);
+    for (const auto& [name, value] : out_.options) out += fmt::format(" --opt {}={}", name, value);
+    return out;
   }
 
   [[nodiscard]] RunRequest run_of(const ResolutionRow& row) const {

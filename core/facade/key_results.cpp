@@ -35,8 +35,10 @@ void add_fits(KeyResults& out, const bearing::OperatingFits& fits) {
 
 void add_heat(KeyResults& out, const Prepared& prepared) {
   if (!prepared.friction) return;
-  out.push_back(key_result("friction_torque_Nm", prepared.friction->torque()));
-  out.push_back(key_result("friction_power_W", prepared.friction->power()));
+  if (prepared.friction->why_none().empty()) {
+    out.push_back(key_result("friction_torque_Nm", prepared.friction->torque()));
+    out.push_back(key_result("friction_power_W", prepared.friction->power()));
+  }
   if (!prepared.thermal) return;
   const thermal::BearingHeat& heat = prepared.thermal->heat;
   out.push_back(key_result("outer_race_temperature_K", heat.bulk.race[0]));

@@ -1,5 +1,6 @@
 #include "facade/run.hpp"
 
+#include "base/checksum.hpp"
 #include "base/write_error.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/chosen_settings.hpp"
@@ -101,9 +102,7 @@ std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
     text += fmt::format("user={}\n{}\n", deck.user.string(), results::read_text_file(deck.user));
   text += fmt::format("{}\n{}\n", request.until, request.integrator);
   if (request.tolerance) text += fmt::format("{}\n", *request.tolerance);
-  std::uint64_t sum = 0xcbf29ce484222325U;  // Fowler, Noll and Vo's FNV-1a
-  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{:016x}", sum);
+  return fmt::format("{:016x}", checksum(text));
 }
 
 namespace {

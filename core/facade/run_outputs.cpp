@@ -315,13 +315,21 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   out.y = system.initial_state();
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
-  if (start == setup::StartState::Continue && !master_exists &&
-      !fs::exists(s.path(s.control.final_file), error))
-    throw InputError(fmt::format(
-        "{}: kIcOpt = 1, and there is neither {} nor {} to go on from: the run was never started "
-        "here, or ended before its first checkpoint; start it with kIcOpt = 0, and --overwrite if "
-        "files are left",
-        s.prepared.input.path.string(), s.control.master_file, s.control.final_file));
+  const bool final_exists = fs::exists(s.path(s.control.final_file), error);
+  const deck::Deck& deck = s.prepared.input.deck;
+  if (start == setup::StartState::FromFinal && !final_exists)
+    throw InputError(
+        {deck.issue(Severity::Error, "kIcOpt",
+                    fmt::format("starts from {}, and there is no such file",
+                                s.path(s.control.final_file).string()),
+                    "put the FINAL of a run there, or start from statics (kIcOpt = 0)")});
+  if (start == setup::StartState::Continue && !master_exists && !final_exists)
+    throw InputError({deck.issue(
+        Severity::Error, "kIcOpt",
+        fmt::format("goes on with a run, and there is neither {} nor {} to go on from: the run was "
+                    "never started here, or ended before its first checkpoint",
+                    s.path(s.control.master_file).string(), s.control.final_file),
+        "start it with kIcOpt = 0, and --overwrite if files are left")});
   if (start == setup::StartState::Continue && !master_exists) {
     s.remark(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}", s.control.master_file,
                          s.control.final_file));

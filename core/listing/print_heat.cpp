@@ -140,6 +140,12 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
     report.item("Churning medium", f.medium);
     report.item("Its properties", certainty(f.medium_provenance));
   }
+  if (const std::string why = f.why_none(); !why.empty()) {
+    report.item("Power loss", "not computed");
+    report.item("Friction torque", "not computed");
+    report.text("Not computed: " + why + ".");
+    return;
+  }
   report.heading("Heat by cause");
   for (const Cause& cause : causes(f)) report.item(cause.name, cause.power, unit::kPower);
   report.item("Power loss", f.power(), unit::kPower);
@@ -178,8 +184,13 @@ void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.item("Largest change of the last pass", steady.change, unit::kTemperature);
   report.item("Growth of heat with temperature over its removal (unstable above 1)", steady.gain,
               unit::kPure);
-  report.item("Power loss", steady.friction.power(), unit::kPower);
-  report.item("Friction torque", steady.friction.torque(), unit::kMoment);
+  if (steady.friction.why_none().empty()) {
+    report.item("Power loss", steady.friction.power(), unit::kPower);
+    report.item("Friction torque", steady.friction.torque(), unit::kMoment);
+  } else {
+    report.item("Power loss", "not computed");
+    report.item("Friction torque", "not computed");
+  }
   if (steady.operating.operating)
     report.item("Operating clearance", steady.operating.operating->operating.clearance,
                 unit::kLength);
@@ -198,6 +209,7 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
 
 StaticTable friction_table(const statics::FrictionEstimate& f) {
   StaticTable out{"friction", {}};
+  if (!f.why_none().empty()) return out;
   for (const Cause& cause : causes(f)) out.add(cause.name, unit::kPower, {cause.power});
   out.add("power loss", unit::kPower, {f.power()});
   out.add("friction torque", unit::kMoment, {f.torque()});
@@ -236,9 +248,13 @@ StaticTable network_table(const thermal::BearingHeat& heat) {
 std::vector<std::string> heat_lines(const statics::FrictionEstimate& f,
                                     const thermal::SteadyState* steady, UnitSystem units) {
   std::vector<std::string> out;
-  out.push_back(fmt::format("friction torque: {}, power loss {} (estimate without the cage)",
-                            quantity(f.torque(), unit::kMoment, units),
-                            quantity(f.power(), unit::kPower, units)));
+  const std::string why = f.why_none();
+  out.push_back(!why.empty()
+                    ? "friction torque: not computed: " + why
+                    : fmt::format("friction torque: {}, power loss {} (estimate without {})",
+                                  quantity(f.torque(), unit::kMoment, units),
+                                  quantity(f.power(), unit::kPower, units),
+                                  f.oil ? "the cage" : "cage and oil"));
   if (steady == nullptr) return out;
   const thermal::BulkTemperatures& T = steady->heat.bulk;
   std::string line = fmt::format("temperatures: outer race {}, inner race {}, elements {}",

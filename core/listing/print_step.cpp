@@ -72,14 +72,29 @@ void slices_of_first(Report& report, const scene::Snapshot& snapshot) {
                rows);
 }
 
+/// At time zero there is no time to average over.
+void mean(Report& report, std::string_view label, double value, const UnitPair& unit, double time) {
+  if (time > 0.0)
+    report.item(label, value, unit);
+  else
+    report.item(label, "not computed: no time has passed");
+}
+
+void wear(Report& report, const scene::Snapshot& snapshot, std::string_view label, double rate) {
+  if (snapshot.power.integrated)
+    mean(report, label, rate, unit::kVolumeFlow, snapshot.time);
+  else
+    report.item(label, "not computed");
+}
+
 /// Races, and what of it their flanges have.
 void race_wear(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                std::string_view outer, std::string_view inner) {
   for (const std::size_t j : {0U, 1U}) {
-    report.item(j == 0 ? outer : inner, record["race.wear_rate"][j], unit::kVolumeFlow);
+    wear(report, snapshot, j == 0 ? outer : inner, record["race.wear_rate"][j]);
     const auto& flanges = snapshot.elements.front().flange[j];
     if (flanges[0].present || flanges[1].present)
-      report.item("    of it: flanges", record["race.flange_wear_rate"][j], unit::kVolumeFlow);
+      wear(report, snapshot, "    of it: flanges", record["race.flange_wear_rate"][j]);
   }
 }
 
@@ -349,10 +364,9 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
                   snapshot.cages[k].to_next, unit::kLength);
   }
   report.heading("Wear rates, averaged since time zero, and life");
-  report.item("Rolling element 1", record["power.element1_wear_rate"][0], unit::kVolumeFlow);
+  wear(report, snapshot, "Rolling element 1", record["power.element1_wear_rate"][0]);
   race_wear(report, snapshot, record, "Outer race", "Inner race");
-  if (!snapshot.cages.empty())
-    report.item("Cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
+  if (!snapshot.cages.empty()) wear(report, snapshot, "Cage", record["power.cage_wear_rate"][0]);
   fatigue_life(report, snapshot, life_step);
 }
 
@@ -423,14 +437,15 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
     report.item(snapshot.cages.size() == 1 ? std::string("Cage rotation")
                                            : fmt::format("Cage segment {} rotation", k + 1),
                 snapshot.cages[k].total_rotation, unit::kRevolution);
-  report.item("Orbital velocity ratio, average over elements and time", averages.orbital_ratio,
-              unit::kPure);
+  const double time = averages.time;
+  mean(report, "Orbital velocity ratio, average over elements and time", averages.orbital_ratio,
+       unit::kPure, time);
   if (!snapshot.cages.empty()) {
     const char* over = snapshot.cages.size() > 1 ? "segments and time" : "time";
-    report.item(fmt::format("Cage angular velocity ratio, average over {}", over),
-                averages.cage_ratio, unit::kPure);
-    report.item(fmt::format("Cage whirl ratio, average over {}", over), averages.whirl_ratio,
-                unit::kPure);
+    mean(report, fmt::format("Cage angular velocity ratio, average over {}", over),
+         averages.cage_ratio, unit::kPure, time);
+    mean(report, fmt::format("Cage whirl ratio, average over {}", over), averages.whirl_ratio,
+         unit::kPure, time);
   }
   report.item("Power loss", snapshot.power.total_loss, unit::kPower);
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);
@@ -439,12 +454,12 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
       report.item(fmt::format("    of it now: {}", item.place()), item.rate, unit::kPower);
   report.item("Churning and drag, fraction of the loss", snapshot.power.churning_fraction,
               unit::kPure);
-  report.item("Average wear rate, rolling element 1", record["power.element1_wear_rate"][0],
-              unit::kVolumeFlow);
+  wear(report, snapshot, "Average wear rate, rolling element 1",
+       record["power.element1_wear_rate"][0]);
   race_wear(report, snapshot, record, "Average wear rate, outer race",
             "Average wear rate, inner race");
   if (!snapshot.cages.empty())
-    report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
+    wear(report, snapshot, "Average wear rate, cage", record["power.cage_wear_rate"][0]);
   fatigue_life(report, snapshot, life_step);
   if (snapshot.held_elements)
     report.item("Elements held in force balance", static_cast<long>(*snapshot.held_elements));

@@ -1,6 +1,7 @@
 #include "results/restart.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "results/fortran_format.hpp"
@@ -18,7 +19,7 @@ namespace adore::results {
 namespace {
 
 constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
-constexpr int kFormat = 2;  // format 1 held no deck
+constexpr int kFormat = 3;  // format 1 held no deck, format 2 no checksum
 /// Far beyond any run: thirty years of simulated time, whole numbers that a double can count.
 constexpr double kLongestTime = 1e9;
 constexpr long kMostSteps = 1'000'000'000'000'000;
@@ -28,7 +29,9 @@ void append_title(std::string& out, std::string_view kind) {
       fmt::format("{} {}: {}\n", kProgramVersion, kind,
                   kind == kFinal ? "last solution vector of a run, start state of another one"
                                  : "bookkeeping and state of a run, so that it can be continued");
-  out += "SI units and radians. Made by the program: a changed line makes the file useless.\n";
+  out +=
+      "SI units and radians. Made by the program: a changed line is found by the checksum at the "
+      "end.\n";
   out += fmt::format("format {}\n", kFormat);
 }
 
@@ -47,6 +50,9 @@ void append_state(std::string& out, const FinalState& state) {
   out += fmt::format("deck {}\n", std::count(state.deck.begin(), state.deck.end(), '\n'));
   out += state.deck;
 }
+
+/// Last line, with the sum of all before.
+void append_end(std::string& out) { out += fmt::format("end {:016x}\n", checksum(out)); }
 
 void check_title(const std::filesystem::path& path, std::string_view kind, std::string_view title) {
   if (title.find(fmt::format(" {}: ", kind)) == std::string_view::npos ||
@@ -128,7 +134,11 @@ class Reader {
     return out;
   }
   void end() {
-    if (line() != "end") fail("'end' is expected here");
+    const std::string sum = fmt::format("{:016x}", sum_);
+    const std::string stored = text("end");
+    if (format_ >= 3 && stored != sum)
+      fail(fmt::format("its lines have the checksum {}, and it was written with {}", sum,
+                       stored.empty() ? "none" : stored));
   }
   [[noreturn]] void fail(std::string_view why) const {
     throw InputError(
@@ -146,12 +156,14 @@ class Reader {
   std::string_view line() {
     std::string_view text;
     if (!lines_.next(text)) fail("it ends too early");
+    sum_ = checksum("\n", checksum(text, sum_));
     return text;
   }
   std::filesystem::path path_;
   std::istringstream stream_;
   LineReader lines_;
   long format_ = 0;
+  std::uint64_t sum_ = checksum({});  ///< of all lines so far
 };
 
 FinalState read_state(Reader& reader) {
@@ -200,7 +212,7 @@ void write_final(const FinalState& state, const std::filesystem::path& path) {
   std::string out;
   append_title(out, kFinal);
   append_state(out, state);
-  out += "end\n";
+  append_end(out);
   write_file_atomically(path, out);
 }
 
@@ -213,7 +225,7 @@ void write_master(const MasterState& state, const std::filesystem::path& path) {
   out += fmt::format("files {}\n", state.files.size());
   for (const MasterFile& file : state.files)
     out += fmt::format("{} {} {}\n", file.bytes, file.role, file.name);
-  out += "end\n";
+  append_end(out);
   write_file_atomically(path, out);
 }
 

@@ -126,6 +126,7 @@ struct PowerSnapshot {
   double total_loss = 0.0;         ///< all dissipation now: energy.heat_rate() [W]
   double churning_fraction = 0.0;  ///< of it, drag and churning
   double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
+  bool integrated = false;         ///< the integrals below are; else nothing is known of wear
   // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
   // of a race, cage). Raceways and flanges of a race apart.
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;

@@ -363,7 +363,7 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
   const bool rollers = deck.integer("kBrg") != 1;
-  if (dynamic) check_lubricant(deck, check);
+  check_lubricant(deck, check);
   if (dynamic) check_moving_elements(deck, rollers, check);
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1) check_segments(deck, check);

@@ -250,7 +250,8 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
     if (!free.rotation_held[1]) free.moment[1] = sign * deck.si("appMomY");
     if (!free.rotation_held[2]) free.moment[2] = sign * deck.si("appMomZ");
   }
-  // What belongs to a law of amplitude 0 is not read, and said to play no part.
+  // A law of amplitude 0 moves nothing and is left out; what belongs to it is not read, and said to
+  // play no part.
   if (deck.integer("kVarLoad") == 1) {
     out.turning_load.emplace();
     for (int race = 1; race <= 2; ++race) {
@@ -259,34 +260,32 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
       out.turning_load->fraction[j] = fraction;
       if (fraction != 0.0) out.turning_load->speed[j] = deck.si(fmt::format("rotLoadRpm{}", race));
     }
+    if (out.turning_load->fraction == std::array{0.0, 0.0}) out.turning_load.reset();
   }
   for (int race = 1; race <= 2; ++race) {
     const auto j = static_cast<std::size_t>(race - 1);
     const auto of_race = [&](const char* stem) { return deck.si(fmt::format("{}{}", stem, race)); };
     if (deck.integer("kVarLoad") == 2) {
-      bearing::Vibration& law = out.vibration[j].emplace();
+      bearing::Vibration law;
       law.amplitude = {of_race("raceVibAmp1"), of_race("raceVibAmp2"), of_race("raceVibAmp3")};
-      if (!law.amplitude.isZero(0.0)) law.frequency = of_race("raceVibFreq");
-    }
-    if (deck.integer("kVarSpeed") == 1) {
-      bearing::Ramp& law = out.ramp[j].emplace();
-      law.acceleration = of_race("raceAngAcc");
-      if (law.acceleration != 0.0) {
-        law.begin = of_race("startTime");
-        law.end = of_race("endTime");
+      if (!law.amplitude.isZero(0.0)) {
+        law.frequency = of_race("raceVibFreq");
+        out.vibration[j] = law;
       }
     }
-    if (deck.integer("kVarSpeed") == 2) {
-      bearing::SpeedVariation& law = out.variation[j].emplace();
-      law.amplitude = of_race("raceSpeedAmp");
-      if (law.amplitude != 0.0) law.frequency = of_race("raceSpeedFreq");
-    }
+    if (deck.integer("kVarSpeed") == 1)
+      if (const double acceleration = of_race("raceAngAcc"); acceleration != 0.0)
+        out.ramp[j] = {acceleration, of_race("startTime"), of_race("endTime")};
+    if (deck.integer("kVarSpeed") == 2)
+      if (const double amplitude = of_race("raceSpeedAmp"); amplitude != 0.0)
+        out.variation[j] = {amplitude, of_race("raceSpeedFreq")};
   }
   if (deck.integer("kRotFrame") == 1)
-    out.frame = bearing::FrameMotion{deck.si("brgAngVel"),
-                                     deck.si("brgOrbitRad"),
-                                     deck.si("brgAngPos"),
-                                     {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
+    if (const double speed = deck.si("brgAngVel"); speed != 0.0)
+      out.frame = bearing::FrameMotion{speed,
+                                       deck.si("brgOrbitRad"),
+                                       deck.si("brgAngPos"),
+                                       {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
   return out;
 }
 
@@ -312,10 +311,17 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
     plan.effects.push_back({id, name, on, std::move(because)});
   };
   const long long load = deck.integer("kVarLoad"), speed = deck.integer("kVarSpeed");
-  effect(Effect::RaceExcitation, load == 1 ? "rotating load" : "race vibration", load != 0,
-         fmt::format("kVarLoad = {}", load));
-  effect(Effect::RaceExcitation, "varying race speed", speed != 0,
-         fmt::format("kVarSpeed = {}", speed));
+  const auto law = [&](const char* name, const char* flag, long long code, bool on,
+                       std::string_view nothing) {
+    effect(Effect::RaceExcitation, name, on,
+           fmt::format("{} = {}{}", flag, code, code != 0 && !on ? nothing : ""));
+  };
+  law(load == 1 ? "rotating load" : "race vibration", "kVarLoad", load,
+      motions.turning_load || motions.vibration[0] || motions.vibration[1],
+      load == 1 ? ", rotLoadFrac 0" : ", all amplitudes 0");
+  law("varying race speed", "kVarSpeed", speed,
+      motions.ramp[0] || motions.ramp[1] || motions.variation[0] || motions.variation[1],
+      speed == 1 ? ", raceAngAcc 0" : ", amplitudes 0");
   std::string because = fmt::format("kDCR = {}", deck.integer("kDCR"));
   for (std::size_t j = 0; j < 2; ++j)
     if (motions.free[j]) {
@@ -327,7 +333,8 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
     if (driven[j]) because += fmt::format(", {} driven by ADRX1", kRaces[j]);
   effect(Effect::FreeRaces, "races that move under loads", motions.any_free(), because);
   effect(Effect::TurningFrame, "turning base frame", motions.frame.has_value(),
-         fmt::format("kRotFrame = {}", deck.integer("kRotFrame")));
+         fmt::format("kRotFrame = {}{}", deck.integer("kRotFrame"),
+                     deck.integer("kRotFrame") == 1 && !motions.frame ? ", brgAngVel 0" : ""));
   for (std::size_t j = 0; j < 2; ++j) add_body(bearing, motions, j, plan);
 }
 

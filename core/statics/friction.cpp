@@ -208,9 +208,15 @@ tribology::FilmContact film_of(const Bearing& bearing, const StaticBall& ball, s
 FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
   FrictionEstimate out;
   out.speed = std::abs(bearing.speed[1] - bearing.speed[0]);
+  const auto acts = [](const bearing::TractionCurve& of) {
+    return tribology::largest_traction(of) > 0.0;
+  };
+  out.resists = acts(bearing.race_traction) || bearing.churning ||
+                (bearing.flange_traction && acts(*bearing.flange_traction));
   const std::string curve = fmt::format("the curve of record 10.1, {:.4g} at most",
                                         tribology::largest_traction(bearing.race_traction));
-  if (oil.given()) {
+  out.oil = oil.given();
+  if (out.oil) {
     out.law = fmt::format("film of {}, below the critical film {}", oil.name(), curve);
     if (oil.held())
       out.notes.push_back(fmt::format(
@@ -271,6 +277,13 @@ FrictionOfContact FrictionEstimate::of_race(int j) const noexcept {
 
 double FrictionEstimate::power() const noexcept {
   return of_race(0).total() + of_race(1).total() + flange[0] + flange[1] + drag();
+}
+
+std::string FrictionEstimate::why_none() const {
+  if (!(speed > 0.0)) return "the races do not turn against each other";
+  if (resists || power() > 0.0) return {};
+  return "nothing in the deck resists: the curves of record 10 are 0, no film carries, no medium "
+         "drags";
 }
 
 FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution& solution) {

@@ -45,11 +45,16 @@ struct FrictionEstimate {
   std::string medium, medium_provenance;               ///< of the drag; empty: none
   std::string law;                                     ///< of the traction, in words
   std::vector<std::string> notes;
-  double speed = 0.0;  ///< |Ω_i - Ω_o| [rad/s]
+  double speed = 0.0;   ///< |Ω_i - Ω_o| [rad/s]
+  bool oil = false;     ///< films in the contacts, which resist rolling, too
+  bool resists = true;  ///< a curve that is not 0 or a medium; films resist by themselves
 
   [[nodiscard]] FrictionOfContact of_race(int race) const noexcept;
   [[nodiscard]] double drag() const noexcept { return element_drag + cage_drag; }
   [[nodiscard]] double power() const noexcept;
+  /// Why there are no figures: the races do not turn against each other, or nothing in the deck
+  /// resists. Empty: there are.
+  [[nodiscard]] std::string why_none() const;
   /// Power over the relative speed of the races; 0 at rest [N m].
   [[nodiscard]] double torque() const noexcept { return speed > 0.0 ? power() / speed : 0.0; }
 };

@@ -1,8 +1,10 @@
 #include "adrinput/document.hpp"
+#include "adrinput/driver.hpp"
 #include "deck/templates.hpp"
 #include "facade/deck_request.hpp"
 #include "facade/rehearsal.hpp"
 
+#include <QTemporaryDir>
 #include <catch2/catch.hpp>
 
 #include <string>
@@ -57,4 +59,25 @@ TEST_CASE("a deck is told as ready when a run accepts its values, and what is wr
   }
   CHECK(refused > 50);
   CHECK(accepted > 50);
+}
+
+TEST_CASE("a start state that is not there is refused by the record that asks for it",
+          "[adrinput]") {
+  const QTemporaryDir folder;
+  for (const char* code : {"-1", "1"}) {
+    facade::LoadedDeck input;
+    input.path = folder.filePath("DATA.txt").toStdString();
+    input.deck = deck::new_deck("ball");
+    input.deck.set_all({{"kIcOpt", code}});
+    const std::vector<Issue> refused = facade::refusals_of_run(std::move(input));
+    REQUIRE(refused.size() == 1);
+    CHECK(refused[0].variable == "kIcOpt");
+    CHECK(refused[0].record == "1");
+    CHECK(refused[0].message.find("FINAL") != std::string::npos);
+    Document document;
+    document.start_new("ball");
+    document.edit(cell("kIcOpt"), code);
+    document.set_rehearsal(document.candidate(), refused);
+    CHECK(document.state_of("1") != RecordState::Complete);
+  }
 }

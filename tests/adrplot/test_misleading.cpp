@@ -139,6 +139,61 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
   CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
 }
 
+TEST_CASE("pages: wear that nothing integrated is no curve, beside some a cage may have none",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Power);
+  const std::vector<std::string> ids{"power.element1_wear_rate", "race.wear_rate",
+                                     "power.cage_wear_rate"};
+  for (const std::string& id : ids) set(file, id, 0.0);
+  for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels)
+    CHECK(panel.message == "No wear was computed in this run, or the wear coefficients are 0.");
+  set(file, "race.wear_rate", 1e-15);
+  for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels) {
+    CHECK(panel.message.empty());
+    for (const desktop::ChartCurve& curve : panel.curves) CHECK(any_value(curve.y));
+  }
+}
+
+TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a place at rest are",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Element);
+  const auto columns = results::sol_columns(file.header);
+  const auto fill = [&](const std::string& id, double slope) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      if (columns[c].id == id)
+        for (std::size_t i = 0; i < file.steps.size(); ++i)
+          file.steps[i].values.at(c) = slope == 0.0 ? 0.0 : 0.02 + slope * static_cast<double>(i);
+  };
+  const auto message = [&](const std::string& page, std::size_t panel) {
+    const desktop::ChartPanel built = page_with(file, page).panels.at(panel);
+    CHECK(built.message.empty() == any_value(built.curves.at(0).y));
+    return built.message;
+  };
+  const auto& velocity = page_with(file, "Velocity").panels;
+  std::size_t radial = 0;
+  while (radial < velocity.size() && velocity[radial].title.find("adial") == std::string::npos)
+    ++radial;
+  REQUIRE(radial < velocity.size());
+  fill("element.radial_position", 1e-6);
+  fill("element.radial_velocity", 0.0);
+  fill("element.radial_acceleration", 0.0);
+  for (const char* page : {"Velocity", "Accelerations"})
+    CHECK(message(page, radial).find("a balance gives the place") != std::string::npos);
+  fill("element.radial_velocity", 1e-3);  // the same with a velocity that changes
+  CHECK(message("Velocity", radial).empty());
+  CHECK(message("Accelerations", radial).find("Not computed") != std::string::npos);
+  fill("element.radial_velocity", 0.0);
+  set(file, "element.radial_position", 0.02);  // what rests has rates of 0
+  for (const char* page : {"Velocity", "Accelerations"}) CHECK(message(page, radial).empty());
+  for (const char* id : {"element.theta", "element.phi", "element.rotation"}) set(file, id, 0.0);
+  for (const double turns : {100.0, 0.0}) {
+    set(file, "element.angular_velocity", turns);
+    for (const std::size_t panel : {0U, 1U, 2U})
+      CHECK((message("Angular orientation", panel) ==
+             "The orientation was not integrated in this run.") == (turns > 0.0));
+  }
+}
+
 TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   set(file, "cage.land1_gap", 1e-4);

@@ -10,6 +10,8 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QPolygonF>
+#include <QRegularExpression>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -34,6 +36,8 @@ struct Shown {
   std::vector<KeyEntry> key;
   QString words;
   double key_top = 0.0;  ///< of its first entry
+  QByteArray svg;
+  std::vector<QRectF> key_marks;  ///< where the marks of the key are
 };
 
 Shown show(const Animation& animation, std::size_t frame, const ViewOptions& options) {
@@ -51,7 +55,7 @@ Shown show(const Animation& animation, std::size_t frame, const ViewOptions& opt
   paint(painter, kept);
   out.key = kept.key.entries();
   Kept again;
-  const QByteArray svg =
+  const QByteArray svg = out.svg =
       desktop::svg_of(area.size().toSize(), [&](QPainter& p) { paint(p, again); });
   out.words = test::all_words(svg);
   out.key_top = area.height();
@@ -61,6 +65,7 @@ Shown show(const Animation& animation, std::size_t frame, const ViewOptions& opt
       const QRectF mark(words.place.left() - 27.0, words.place.top() - 4.0, 27.0,
                         words.place.height() + 8.0);
       painter.fillRect(mark, paper);
+      out.key_marks.push_back(mark);
       out.key_top = std::min(out.key_top, words.place.top());
     }
   return out;
@@ -127,6 +132,7 @@ std::optional<std::string> quantity_of(const QString& text, View view) {
   const std::string race = view == View::OuterRace ? "outer" : "inner";
   if (has("flange")) return "force of flanges";
   if (has("guide lands") || has("clearance about")) return "guide lands";
+  if (has("mass centre now") || has("race centre now") || has("origin now")) return "orbit";
   for (const char* const side : {"outer", "inner"}) {
     const QString name = QString("%1 race").arg(side);
     if (text.startsWith(name + " frame") || text == "spot of the " + name)
@@ -165,7 +171,9 @@ TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named"
       ++named;
       INFO(entry.text.toStdString());
       // In space bodies, and what is painted on them, have light and shade.
-      if (solid && (entry.mark == KeyMark::Disc || entry.mark == KeyMark::Turning)) continue;
+      if (solid && (entry.mark == KeyMark::Disc || entry.mark == KeyMark::Turning ||
+                    entry.mark == KeyMark::Sector))
+        continue;
       if (solid && entry.text == kGuideLands) continue;
       const bool thin = entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted;
       CHECK(inked(shown.image, entry.colour, thin ? 120 : 40) > 0);
@@ -188,6 +196,123 @@ TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named"
     }
   });
   CHECK(named > 1000);
+}
+
+namespace {
+
+/// A mark that is drawn outside of the key: what it is, from its shape.
+struct Drawn {
+  enum class Shape { Round, Dashes, Star } shape;
+  QString colour;
+  QPointF at;
+};
+
+/// Points of an outline, and of how many curves it is.
+std::pair<QPolygonF, int> outline_of(const QString& d) {
+  static const QRegularExpression number("(-?[0-9.e-]+),(-?[0-9.e-]+)");
+  QPolygonF out;
+  auto found = number.globalMatch(d);
+  while (found.hasNext()) {
+    const auto match = found.next();
+    out.append({match.captured(1).toDouble(), match.captured(2).toDouble()});
+  }
+  return {out, static_cast<int>(d.count('C'))};
+}
+
+std::vector<Drawn> marks_of(const Shown& shown) {
+  static const QRegularExpression path("<path d=\"([^\"]*)\" ([^>]*)/>"),
+      filled("fill=\"(#[0-9a-f]{6})\""), stroked("stroke=\"(#[0-9a-f]{6})\""),
+      wide("stroke-width=\"([0-9.]+)\"");
+  std::vector<Drawn> out;
+  std::map<std::pair<QString, std::pair<int, int>>, int> crossing;  // lines through a middle
+  auto found = path.globalMatch(QString::fromUtf8(shown.svg));
+  while (found.hasNext()) {
+    const auto match = found.next();
+    const auto [points, curves] = outline_of(match.captured(1));
+    const QRectF box = points.boundingRect();
+    const QString look = match.captured(2), fill = filled.match(look).captured(1),
+                  stroke = stroked.match(look).captured(1);
+    if (std::any_of(shown.key_marks.begin(), shown.key_marks.end(),
+                    [&](const QRectF& mark) { return mark.contains(box.center()); }))
+      continue;
+    constexpr double kLeast = 6.0, kMost = 16.0;  // pixels; smaller ones are frames on a path
+    if (curves == 4 && box.width() > kLeast && box.width() < kMost &&
+        std::abs(box.width() - box.height()) < 0.1)
+      out.push_back({Drawn::Shape::Round, fill, box.center()});
+    if (look.contains("stroke-dasharray"))
+      out.push_back({Drawn::Shape::Dashes, stroke, box.center()});
+    if (curves == 0 && points.size() == 2 && wide.match(look).captured(1).toDouble() > 2.5)
+      if (++crossing[{stroke, {qRound(box.center().x()), qRound(box.center().y())}}] == 3)
+        out.push_back({Drawn::Shape::Star, stroke, box.center()});
+  }
+  return out;
+}
+
+/// Which marks of a key name it.
+bool names(const KeyEntry& entry, const Drawn& mark) {
+  // What dashes are is said once in space, for all of them.
+  if (mark.shape == Drawn::Shape::Dashes && entry.text == "dashed: behind a body") return true;
+  if (entry.colour.name() != mark.colour) return false;
+  switch (mark.shape) {
+    case Drawn::Shape::Round:
+      return entry.mark == KeyMark::Spot || entry.mark == KeyMark::Dots;
+    case Drawn::Shape::Dashes:
+      return entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted ||
+             entry.mark == KeyMark::Contact;
+    case Drawn::Shape::Star:
+      return entry.mark == KeyMark::Star;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("keys: every dot, star and dashed line that is drawn stands in the key by its shape",
+          "[gui][keys][slow]") {
+  test::use_qt();
+  std::map<Drawn::Shape, int> found;
+  for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
+                     const std::string& state) {
+    const Shown shown = show(animation, frame, options);
+    const desktop::Theme& t = theme_of(options);
+    std::set<QString> inks{t.red.name(), t.green.name(), t.blue.name(), t.light_blue.name(),
+                           t.muted.name()};
+    for (std::size_t i = 0; i < 5; ++i) inks.insert(t.curves[i].name());
+    for (const Drawn& mark : marks_of(shown)) {
+      if (inks.count(mark.colour) == 0) continue;  // of bodies and of paper
+      ++found[mark.shape];
+      INFO(state << ": " << mark.colour.toStdString() << " at " << mark.at.x() << ", "
+                 << mark.at.y() << ", shape " << static_cast<int>(mark.shape));
+      CHECK(std::any_of(shown.key.begin(), shown.key.end(),
+                        [&](const KeyEntry& entry) { return names(entry, mark); }));
+    }
+  });
+  for (const auto shape : {Drawn::Shape::Round, Drawn::Shape::Dashes, Drawn::Shape::Star})
+    CHECK(found[shape] > 20);
+}
+
+TEST_CASE("keys: below four small pictures entries stand in columns, none left out", "[gui][keys][slow]") {
+  test::use_qt();
+  constexpr QSize kSize(700, 450);
+  for (const std::string& type : test::kTypes) {
+    MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
+    for (const bool all : {false, true}) {
+      ViewOptions options;
+      options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
+      options.contacts = all;
+      options.colour = all ? ColourBy::Slip : ColourBy::None;
+      const QRectF key = MotionPicture::sharedKeyArea(QRectF({0, 0}, kSize), 4);
+      std::set<int> left;
+      int entries = 0;
+      const QByteArray svg = picture.svg(kSize, picture.frames() - 1, options);
+      for (const test::Words& words : test::words_of(svg))
+        if (key.contains(words.place.center())) left.insert(qRound(words.place.left())), ++entries;
+      INFO(type << (all ? ", all marks: " : ": ") << entries << " entries");
+      CHECK(entries > 8);
+      CHECK(left.size() <= 3);
+      CHECK_FALSE(svg.contains("has its own key"));
+    }
+  }
 }
 
 TEST_CASE("keys: one quantity has one colour in all views", "[gui][keys][slow]") {

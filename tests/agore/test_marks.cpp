@@ -4,6 +4,7 @@
 #include "agore/picture_words.hpp"
 #include "agore/solid_view.hpp"
 #include "agore/view_scene.hpp"
+#include "agore/ways.hpp"
 #include "support/qt_app.hpp"
 
 #include <QImage>
@@ -35,22 +36,26 @@ double contrast(QRgb a, QRgb b) {
 }
 
 /// Pixels of a mark's own colour, and those of them beside which, within a few pixels, nothing has
-/// three times or a third of their light.
+/// three times or a third of their light: the inside of an area, far from all other colours, is
+/// not lost.
 struct Seen {
   int all = 0, lost = 0;
 };
 Seen seen_of(const QImage& image, const QColor& colour) {
-  constexpr int kNear = 6;
+  constexpr int kNear = 6, kInside = 3;
   Seen out;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
       if (image.pixel(x, y) != colour.rgb()) continue;
       ++out.all;
-      bool apart = false;
+      bool apart = false, inside = true;
       for (int j = std::max(0, y - kNear); j <= std::min(image.height() - 1, y + kNear); ++j)
-        for (int i = std::max(0, x - kNear); i <= std::min(image.width() - 1, x + kNear); ++i)
+        for (int i = std::max(0, x - kNear); i <= std::min(image.width() - 1, x + kNear); ++i) {
           apart = apart || contrast(image.pixel(i, j), colour.rgb()) >= 3.0;
-      out.lost += !apart;
+          const bool next = std::max(std::abs(i - x), std::abs(j - y)) <= kInside;
+          inside = inside && (!next || image.pixel(i, j) == colour.rgb());
+        }
+      out.lost += !apart && !inside;
     }
   return out;
 }
@@ -254,6 +259,99 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
     INFO(type);
     CHECK(whole > 20);
     CHECK(inked(true) == whole);
+  }
+}
+
+TEST_CASE("marks: what turns with a roller is an area, which no edge of a path looks like",
+          "[gui][agore]") {
+  test::use_qt();
+  Animation animation = open_motion(test::example_run("cylindrical") / "RESULTS.h5");
+  const std::size_t frame = animation.frames() - 1;
+  const double radius = 1.1 * animation.file.geometry.outer_race_inner_radius;
+  constexpr int kSize = 180;  // a bearing with all of its marks and its key at 700x450
+  for (const bool dark : {false, true}) {
+    ViewOptions options;
+    options.dark = dark;
+    options.trails = true;
+    const desktop::Theme& t = theme_of(options);
+    // Of rollers as dark as the scale has them, and of steel, at the size that 700x450 leaves.
+    for (const ColourBy colour : {ColourBy::None, ColourBy::Load}) {
+      options.colour = colour;
+      options.scale = {ColourScale::Typed, 0.0, 1e9};
+      const QColor mark =
+          turning_mark_colour(t, colour == ColourBy::None ? QColor() : scale_colour(0.0));
+      double pixels = 0.0;  // of a roller's radius
+      const auto inked = [&](const Animation& of) {
+        QImage image(kSize, kSize, QImage::Format_RGB32);
+        image.fill(t.surface);
+        QPainter painter(&image);
+        const Sketch sketch(painter, QRectF(0, 0, kSize, kSize), radius, t);
+        pixels = of.file.geometry.element_radius * sketch.scale();
+        Kept kept;
+        const ViewOptions asked = options;
+        const Scene scene{sketch, of, frame, of.frame(frame), 1.0, asked, kept.cages, kept.key};
+        draw_elements(scene);
+        for (std::size_t k = 0; k < scene.frame.elements.size(); ++k) {
+          const QPointF at = element_centre(scene, k), across(-at.y(), at.x());
+          const QPointF way =
+              0.8 * of.file.geometry.element_radius / std::hypot(at.x(), at.y()) * across;
+          const QPointF from = at - way, to = at + way;
+          draw_way(painter, sketch.area(),
+                   {{sketch.at(from.x(), from.y()), false, false},
+                    {sketch.at(to.x(), to.y()), true, false}},
+                   {trail_colour(scene), 2.0, t.surface});
+        }
+        draw_turning_marks(scene);
+        painter.end();
+        // Of 3x3 pixels in the mark's colour: lines and edges of lines have none.
+        int out = 0;
+        const auto is = [&](int x, int y) {
+          const QColor c = image.pixelColor(x, y);
+          return std::abs(c.red() - mark.red()) + std::abs(c.green() - mark.green()) +
+                     std::abs(c.blue() - mark.blue()) <
+                 30;
+        };
+        for (int y = 1; y < kSize - 1; ++y)
+          for (int x = 1; x < kSize - 1; ++x) {
+            bool solid = true;
+            for (int dy = -1; dy <= 1; ++dy)
+              for (int dx = -1; dx <= 1; ++dx) solid = solid && is(x + dx, y + dy);
+            out += solid;
+          }
+        return out;
+      };
+      Animation unmarked = animation;
+      for (auto& element : unmarked.file.frames[frame].elements) element.angles = {};
+      const int with = inked(animation), without = inked(unmarked);
+      const auto rollers = static_cast<double>(animation.file.elements);
+      INFO((dark ? "dark" : "light")
+           << ", radius " << pixels << ": " << with << " and " << without);
+      CHECK(pixels < 14.0);
+      CHECK(without == 0);
+      CHECK(with > 0.02 * rollers * kPi * pixels * pixels);
+    }
+  }
+}
+
+TEST_CASE("marks: in space a roller's mark is a field, not a sliver", "[gui][agore]") {
+  test::use_qt();
+  for (const char* const type : {"tapered", "cylindrical"}) {
+    const Animation animation = open_motion(test::example_run(type) / "RESULTS.h5");
+    const std::size_t frame = animation.frames() - 1;
+    ViewOptions options;
+    options.view = View::Solid;
+    options.yaw = 0.0, options.elevation = 0.0;  // on their ends
+    const QImage image = picture_of(animation, frame, options);
+    const QColor ink = solid_mark_colour(theme_of(options));
+    int painted = 0;  // with light and shade
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor c = image.pixelColor(x, y);
+        painted +=
+            c.hsvSaturationF() > 0.5 * ink.hsvSaturationF() && std::abs(c.hue() - ink.hue()) < 30;
+      }
+    INFO(type << ": " << painted << " pixels for " << animation.file.elements << " rollers");
+    CHECK(painted > 100 * animation.file.elements);
   }
 }
 

@@ -1,5 +1,7 @@
+#include "agore/example_run.hpp"
 #include "agore/made_run.hpp"
 #include "agore/motion_picture.hpp"
+#include "agore/picture_words.hpp"
 #include "agore/pocket_outline.hpp"
 #include "agore/render.hpp"
 #include "agore/ring_profile.hpp"
@@ -67,6 +69,63 @@ TEST_CASE("the arrow of a pocket points to the wall that carries", "[unit][agore
     CHECK(touched_wall(false, {0.0, 0.0}, 0.0, direction) == QPointF(-direction, 0.0));
     CHECK(touched_wall(false, {0.0, -5.0}, 0.0, direction) == QPointF(0.0, -1.0));
   }
+}
+
+TEST_CASE("a roller meets its wall where the run says, or where it is drawn next to it",
+          "[unit][agore][pocket]") {
+  using agore::touching_place, agore::upright;
+  const agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
+  const auto near = [](QPointF a, QPointF b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y()) < 0.02;
+  };
+  const QPolygonF straight = upright(shape.outline(), 0.0);
+  for (const std::size_t side : {0U, 1U}) {
+    const double x = side == 0 ? -5.0 : 5.0;
+    CHECK(near(touching_place(straight, 0.0, side, {}), {x, 0.0}));
+    CHECK(near(touching_place(straight, 0.0, side, 3.0), {x, 3.0}));
+    CHECK(near(touching_place(straight, 0.0, side, 99.0), {x, 7.0}));
+    // A skew to the right brings its upper end to the right wall, its lower one to the left.
+    const QPolygonF skewed = upright(shape.outline(), 0.1);
+    const QPointF touch = touching_place(skewed, 0.0, side, {});
+    CHECK((side == 0 ? -1.0 : 1.0) * touch.y() > 6.0);
+    CHECK(std::abs(touch.x()) == Approx(5.0 * std::cos(0.1) + 7.0 * std::sin(0.1)).epsilon(0.01));
+    // A cone lies along the walls of its window.
+    const agore::RollerProfile cone{.half = 7.0, .radius = 5.0, .slope = -0.1};
+    const QPointF on_cone = touching_place(upright(cone.outline(), 0.0), -0.1, side, 4.0);
+    CHECK(std::abs(on_cone.x()) == Approx(4.6).epsilon(0.01));
+    CHECK(on_cone.y() == Approx(4.0));
+  }
+}
+
+TEST_CASE("the wall that carries by the stored angle is the one that is pressed in by its gap",
+          "[agore][pocket][h5][slow]") {
+  int contacts = 0;
+  for (const std::string& type : test::kTypes) {
+    const Animation a = open_motion(test::example_run(type) / "RESULTS.h5");
+    const auto& force = *a.motion->channel("pocket.force");
+    const auto& gap = *a.motion->channel("pocket.gap");
+    const auto& theta = *a.motion->channel("pocket.theta");
+    const bool balls = a.file.bearing_type == 1;
+    const std::size_t surfaces = a.motion->pocket_surfaces();
+    for (std::size_t frame = 0; frame < a.frames(); ++frame)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(a.file.elements); ++k)
+        for (std::size_t i = k * surfaces; i < (k + 1) * surfaces; ++i) {
+          if (!(force.at(frame, i) > 0.0)) continue;
+          ++contacts;
+          INFO(type << ", frame " << frame << ", element " << k + 1);
+          CHECK(gap.at(frame, i) < 0.0);
+          if (!balls) {  // the first of a pair drives the roller
+            CHECK((std::cos(theta.at(frame, i)) > 0.0) == ((i - k * surfaces) % 2 == 0));
+            continue;
+          }
+          // A ball has gone towards the wall that its angle names.
+          const auto& way = a.frame(frame).elements[k].pocket_vector;
+          const double turns = a.cage_angle.back() >= a.cage_angle.front() ? 1.0 : -1.0;
+          const QPointF wall = touched_wall(false, {}, theta.at(frame, i), turns);
+          CHECK(-way[1] * wall.x() + way[0] * wall.y() > 0.0);
+        }
+  }
+  CHECK(contacts > 3);
 }
 
 TEST_CASE("a leaning roller is seen foreshortened, in a window that leaves it its clearance",
@@ -276,7 +335,44 @@ TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tel
     for (int x = from; x < to; ++x) free[x < (from + to) / 2 ? 0 : 1] += is(x, paper);
     CHECK(free[first ? 0 : 1] <= 1);
     CHECK(free[first ? 1 : 0] > 20);
+    // What presses on it comes from that wall, and ends where it touches.
+    int wall = first ? from : to, red = 0, beyond = 0;
+    while (is(wall, cage)) wall += first ? 1 : -1;
+    for (int y = row - 100; y < row + 200; ++y)
+      for (int x = 0; x < 780; ++x)
+        if (image.pixelColor(x, y) == theme_of(options).red)
+          ++red, beyond += first ? x > wall + 4 : x < wall - 4;
+    INFO(red << " pixels of the arrow, " << beyond << " beyond the wall");
+    CHECK(red > 40);
+    CHECK(beyond == 0);
   }
+}
+
+TEST_CASE("views: a wall that carries nothing is not called touched", "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  const TemporaryFolder folder;
+  bearing::Bearing bearing = make_bearing(8);
+  bearing.cage->pocket = bearing::PocketShape::Rectangular;
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 3; ++step) {
+    scene::Snapshot snapshot = make_snapshot(bearing, step);
+    for (auto& element : snapshot.elements)
+      for (std::size_t i = 0; i < 4; ++i)
+        element.pocket[i].force = 0.0, element.pocket[i].gap = i % 2 == 0 ? 0.0 : 3.8e-4;
+    h5.write(recorder.record(snapshot));
+  }
+  h5.close();
+  write_sizes(folder / "RESULTS.h5", {{"bearing_type", 3.0}, {"roller_length", 0.013}});
+  MotionPicture picture = open_animation(folder / "RESULTS.h5");
+  ViewOptions options;
+  options.view = View::Pocket;
+  const QString words = test::all_words(picture.svg({1280, 800}, 2, options));
+  INFO(words.toStdString());
+  CHECK(words.contains("no contact with the side walls"));
+  CHECK(words.contains("right 380 µm away"));
+  CHECK_FALSE(words.contains("touched"));
 }
 
 TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",

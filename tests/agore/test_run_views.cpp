@@ -65,11 +65,11 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gu
   };
   CHECK(scaled("usual").high == Approx(1500.0));
   CHECK(scaled("usual").high_end() == "≥ 1.5 kN");
-  CHECK(scaled("usual").scale == "usual in the run, run to 18 kN");
+  CHECK(scaled("usual").scale == "1 in 20 is beyond, up to 18 kN");
   CHECK(scaled("run").high == Approx(18000.0));
   CHECK_FALSE(scaled("run").above);
   CHECK(scaled("moment").high == Approx(1800.0));
-  CHECK(scaled("moment").scale == "of this moment, run to 18 kN");
+  CHECK(scaled("moment").scale == "spans this moment, run up to 18 kN");
   CHECK(scaled("1000:1600").of(2) == scale_colour(0.5));
   CHECK(scaled("1000:1600").of(7) == scale_colour(1.0));
   CHECK(scaled("1000:1600").low_end() == "≤ 1 kN");

@@ -1,7 +1,6 @@
-#include "desktop/chart_scene.hpp"
 #include "desktop/dense_line.hpp"
 #include "desktop/dense_way.hpp"
-#include "desktop/kept_way.hpp"
+#include "many_turns.hpp"
 #include "support/qt_app.hpp"
 
 #include <QImage>
@@ -11,40 +10,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 /// What is drawn of ways of very many points.
 using namespace adore;
 using namespace adore::desktop;
+using adore::test::many_turns;
+using adore::test::Way;
 
 namespace {
-
-struct Way {
-  std::vector<double> x, y;
-  void add(double across, double up) {
-    x.push_back(across);
-    y.push_back(up);
-  }
-};
-
-/// Turns that precess by a golden angle, with an excursion in the middle, a gap and strokes that
-/// cross the picture from far outside.
-Way many_turns(int turns, double noise) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> some(0.0, 1.0);
-  Way way;
-  for (int i = 0; i < 400 * turns; ++i) {
-    const double a = 2.0 * 3.14159265358979 * i / 400.0;
-    const double r = 120.0 + 25.0 * std::sin(0.381966 * a) + noise * some(random);
-    way.add(200.0 + r * std::cos(a), 200.0 + r * std::sin(a));
-  }
-  const std::size_t middle = way.x.size() / 2;
-  way.x[middle] = 390.0, way.y[middle] = 12.0;
-  way.x[middle + 7] = std::numeric_limits<double>::quiet_NaN();
-  way.x[middle + 50] = -1e7, way.y[middle + 50] = 5e6;
-  return way;
-}
 
 /// Distance of the nearest drawn stroke, by a grid of their points.
 class Drawn {
@@ -176,77 +150,4 @@ TEST_CASE("dense_way: a picture has ink wherever the whole way has, and nowhere 
       CHECK(lost == 0);
       CHECK(made == 0);
     }
-}
-
-TEST_CASE("dense_way: a frame that moves over a way shows the same as one that has not moved",
-          "[unit][desktop]") {
-  const Way way = many_turns(300, 2.0);
-  const QRectF area(30.0, 20.0, 150.0, 120.0);
-  KeptWay kept;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> some(-1.0, 1.0);
-  PlaneScale scale{0.0, 1.0, 0.0, -1.0};
-  for (int move = 0; move < 40; ++move) {
-    // Small moves, some far ones, and twice another scale.
-    const double far = move % 8 == 0 ? 150.0 : 9.0;
-    scale.x_at = std::clamp(scale.x_at + far * some(random), -200.0, 100.0);
-    scale.y_at = std::clamp(scale.y_at + far * some(random), 100.0, 400.0);
-    if (move == 15 || move == 30) scale.x_per *= 1.01, scale.y_per *= 1.01;
-    const auto strokes = kept.inside(way.x, way.y, scale, area);
-    KeptWay fresh;
-    const auto anew = fresh.inside(way.x, way.y, scale, area);
-    const auto ink = [&area](const std::vector<QPolygonF>& lines) {
-      return stamp_image(lines, 1.2, Qt::black, area.toAlignedRect()).image;
-    };
-    INFO("move " << move << " to " << scale.x_at << ", " << scale.y_at);
-    const QImage one = ink(strokes), other = ink(anew);
-    REQUIRE(one.size() == other.size());
-    if (one.isNull()) continue;
-    int most = 0;
-    for (int y = 0; y < one.height(); ++y)
-      for (int x = 0; x < one.width(); ++x)
-        most = std::max(most, std::abs(qAlpha(one.pixel(x, y)) - qAlpha(other.pixel(x, y))));
-    CHECK(most <= 1);
-    for (const QPolygonF& part : strokes)
-      for (qsizetype i = 1; i < part.size(); ++i)
-        REQUIRE(
-            area.adjusted(-4, -4, 4, 4)
-                .intersects(
-                    QRectF(part[i - 1], part[i]).normalized().adjusted(-1e-9, -1e-9, 1e-9, 1e-9)));
-  }
-}
-
-TEST_CASE("dense_way: an orbit shows its own points after another page, curve by curve",
-          "[gui][desktop]") {
-  test::use_qt();
-  const auto page = [](double radius, bool first_hidden) {
-    ChartPage out;
-    out.title = "Orbit";
-    out.equal_axes = true;
-    out.x_title = "Y";
-    ChartPanel panel{"Z", "", {}};
-    for (const double r : {radius, 0.5 * radius}) {
-      ChartCurve curve{r == radius ? "outer" : "inner", {}, {}};
-      for (int i = 0; i <= 6000; ++i) {
-        const double a = 2.0 * 3.14159265358979 * i / 2000.0;
-        curve.x.push_back(r * std::cos(a) + (i == 0 ? 1.0 : 0.0));  // one scale for all pages
-        curve.y.push_back(r * std::sin(a) + (i == 1 ? 1.0 : 0.0));
-      }
-      panel.curves.push_back(std::move(curve));
-    }
-    panel.curves[0].hidden = first_hidden;
-    out.panels = {panel};
-    return out;
-  };
-  const auto drawn = [&](ChartScene& scene, const ChartPage& of) {
-    scene.setPage(of);
-    return scene.image(QSize(700, 450));
-  };
-  ChartScene scene;
-  for (const bool hidden : {false, true})
-    for (const double radius : {1.0, 0.9, 1.0}) {
-      ChartScene own;
-      CHECK(drawn(scene, page(radius, hidden)) == drawn(own, page(radius, hidden)));
-    }
-  CHECK(drawn(scene, page(1.0, false)) != drawn(scene, page(0.9, false)));
 }

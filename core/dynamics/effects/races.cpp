@@ -432,6 +432,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     race.omega = body.omega;
     race.applied_force = race.carried_force = -body.force;
     race.applied_moment = -body.moment;
+    snapshot.power.integrated = load_slip_[j] >= 0;
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
     if (!in_contact_) continue;

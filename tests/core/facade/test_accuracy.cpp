@@ -213,6 +213,18 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
   CHECK(recommendation(study).find("two accurate runs differ by 4 %") != std::string::npos);
   CHECK(recommendation(study).find("within 1 % (heat within 6 %) over 50 turns") !=
         std::string::npos);
+  // What the resolution of the contacts changes is no matter of integrators.
+  CHECK(recommendation(study).find("of integrator and steps") == std::string::npos);
+  AccuracyRow nodes;
+  nodes.setting.name = "ellipse nodes 30 x 8";
+  nodes.errors = {0.056, 0.001, 0.002, 0.0};
+  study.models = {nodes};
+  CHECK(
+      recommendation(study).find(
+          "all this is of integrator and steps: ellipse nodes 30 x 8 changes more (speeds 5.6 %") !=
+      std::string::npos);
+  study.short_reference.noise.speed = 0.05;  // no more than accurate runs differ by
+  CHECK(recommendation(study).find("of integrator and steps") == std::string::npos);
   study.recommended = -1;
   CHECK(recommendation(study).find("None of the settings keeps within 1 %") == 0);
 }

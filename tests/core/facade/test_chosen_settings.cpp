@@ -3,6 +3,7 @@
 #include "facade/chosen_settings.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -50,6 +51,12 @@ TEST_CASE("nodes of the contact ellipses are chosen with the steps", "[accuracy]
   };
   INFO(rough.text << "\n" << fine.text);
   CHECK(nodes(rough) < nodes(fine));
+
+  std::string again = fmt::format("the same run again: --integrator {} --tol {:g}",
+                                  rough.integrator, rough.tolerance);
+  for (const auto& [name, value] : rough.sets) again += fmt::format(" --set {}={}", name, value);
+  for (const auto& [name, value] : rough.options) again += fmt::format(" --opt {}={}", name, value);
+  CHECK(rough.text.ends_with(again));
 
   SECTION("the run tells of them in its files") {
     const testing::TemporaryFolder folder;

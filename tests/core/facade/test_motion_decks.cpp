@@ -1,6 +1,7 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
+#include "facade/plan.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 #include "support/paths.hpp"
@@ -296,4 +297,31 @@ TEST_CASE("runs with moving races go on where they stopped", "[validation][motio
     };
     CHECK(state(whole / "FINAL") == state(parts / "FINAL"));
   }
+}
+
+TEST_CASE("a law of the races that moves nothing is off, and costs nothing", "[deck][motion]") {
+  // Each code, what it would do, and a value with which it does that.
+  const std::vector<std::tuple<Sets, std::string, Sets>> laws{
+      {{{"kVarLoad", "1"}}, "rotating load", {{"rotLoadFrac2", "0.5"}, {"rotLoadRpm2", "9000"}}},
+      {{{"kVarLoad", "2"}}, "race vibration", {{"raceVibAmp32", "1e-6"}, {"raceVibFreq2", "500"}}},
+      {{{"kVarSpeed", "1"}}, "varying race speed", {{"raceAngAcc2", "100"}, {"endTime2", "1"}}},
+      {{{"kVarSpeed", "2"}},
+       "varying race speed",
+       {{"raceSpeedAmp2", "10"}, {"raceSpeedFreq2", "50"}}},
+      {{{"kRotFrame", "1"}}, "turning base frame", {{"brgAngVel", "500"}}}};
+  for (const auto& [code, name, acting] : laws)
+    for (const bool acts : {false, true}) {
+      const nlohmann::ordered_json plan =
+          facade::plan(request_of(ball(acts ? with(code, acting) : code))).json;
+      INFO(code.front().first << " = " << code.front().second << (acts ? ", acting" : ""));
+      bool found = false;
+      for (const auto& effect : plan.at("effects"))
+        if (effect.at("name") == name) {
+          found = true;
+          CHECK(effect.at("on") == acts);
+          const std::string because = effect.at("because");
+          CHECK((because.find(" 0") != std::string::npos) != acts);
+        }
+      CHECK(found);
+    }
 }

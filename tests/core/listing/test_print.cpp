@@ -228,6 +228,38 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
   CHECK(without.find("pocket") != 0);
 }
 
+TEST_CASE("a printed step has no averages at time zero, and no wear where none was integrated",
+          "[unit][print]") {
+  const bearing::Bearing bearing = make_bearing();
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
+  RunAverages averages;
+  const auto print = [&](long step, bool integrated) {
+    scene::Snapshot snapshot = make_snapshot(bearing, step);
+    snapshot.power.integrated = integrated;
+    averages.add(snapshot);
+    Report report(bearing.run_id, UnitSystem::SI);
+    print_step(report, snapshot, recorder.record(snapshot), bearing, averages.averages(), 1, {},
+               RaceFriction::Film);
+    return report.take();
+  };
+  const std::vector<std::string> ratios{"Orbital velocity ratio", "Cage angular velocity ratio",
+                                        "Cage whirl ratio"},
+      wear{"Average wear rate, rolling element 1", "Average wear rate, outer race",
+           "Average wear rate, inner race", "Average wear rate, cage"};
+  std::string text = print(0, true);
+  for (const auto* lines : {&ratios, &wear})
+    for (const std::string& line : *lines)
+      CHECK_THAT(line_with(text, line), Contains("not computed: no time has passed"));
+  text = print(100, true);
+  for (const auto* lines : {&ratios, &wear})
+    for (const std::string& line : *lines)
+      CHECK_THAT(line_with(text, line), !Contains("not computed"));
+  text = print(200, false);
+  for (const std::string& line : ratios)
+    CHECK_THAT(line_with(text, line), !Contains("not computed"));
+  for (const std::string& line : wear) CHECK_THAT(line_with(text, line), EndsWith("not computed"));
+}
+
 TEST_CASE("a printed step shows half chords of inner contacts and says what was not computed",
           "[unit][print]") {
   const bearing::Bearing bearing = make_bearing(3, false);

@@ -105,8 +105,21 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read),
                Contains(name + ":7:") && Contains("no number") && Contains("kIcOpt"));
+    // One digit is another motion.
+    for (std::size_t at = text.find('\n', text.find("\nrun ") + 1); at < text.rfind("end "); ++at) {
+      if (text[at] < '0' || text[at] > '9') continue;
+      wrong = text;
+      wrong[at] = text[at] == '5' ? '6' : '5';
+      write_bytes(folder / name, wrong);
+      CAPTURE(name, at);
+      REQUIRE_THROWS_AS(read(), InputError);
+    }
     wrong = text;
-    wrong.replace(wrong.find("format 2"), 8, "format 9");
+    wrong.replace(wrong.find("\ntime 0.3"), 9, "\ntime 0.4");
+    write_bytes(folder / name, wrong);
+    CHECK_THAT(message_of(read), Contains("checksum") && Contains("the file is damaged"));
+    wrong = text;
+    wrong.replace(wrong.find("format 3"), 8, "format 9");
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("format 9"));
   }
@@ -126,13 +139,26 @@ TEST_CASE("a state of another layout is refused by component name", "[unit][rest
              Contains("nothing more") && Contains("'cage.q[2] [-]'"));
 }
 
+TEST_CASE("a FINAL of before checksums still reads", "[unit][restart]") {
+  TemporaryFolder folder;
+  write_final(make_state(), folder / "FINAL");
+  std::string text = read_bytes(folder / "FINAL");
+  text.replace(text.find("format 3"), 8, "format 2");
+  text.replace(text.rfind("end "), std::string::npos, "end\n");
+  write_bytes(folder / "FINAL", text);
+  check_equal(read_final(folder / "FINAL"), make_state());
+  text.replace(text.find("format 2"), 8, "format 3");
+  write_bytes(folder / "FINAL", text);
+  CHECK_THAT(message_of([&] { (void)read_final(folder / "FINAL"); }), Contains("checksum"));
+}
+
 TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") {
   TemporaryFolder folder;
   FinalState state = make_state();
   write_final(state, folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
-  text.replace(text.find("format 2"), 8, "format 1");
-  text.erase(text.find("deck 2"), text.find("end\n") - text.find("deck 2"));
+  text.replace(text.find("format 3"), 8, "format 1");
+  text.replace(text.find("deck 2"), std::string::npos, "end\n");
   write_bytes(folder / "FINAL", text);
   state.deck.clear();
   check_equal(read_final(folder / "FINAL"), state);

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+/// A way of very many points, found by place.
+namespace adore::desktop {
+
+/// Points `first` to before `end`.
+struct Stretch {
+  std::size_t first = 0, end = 0;
+};
+
+/// A way in runs of a few neighbouring points and the boxes that hold them: what is far from a
+/// place or from a part of a picture is passed over without a look at its points.
+class WayRuns {
+ public:
+  /// Of a run, with the stroke to the next one. Nothing is known of a run: its left is right of its
+  /// right.
+  struct Box {
+    double left, right, low, high;
+  };
+
+  WayRuns() = default;
+  /// The points stay where they are.
+  WayRuns(const std::vector<double>& x, const std::vector<double>& y);
+
+  [[nodiscard]] const std::vector<double>& x() const { return *x_; }
+  [[nodiscard]] const std::vector<double>& y() const { return *y_; }
+  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+  /// Points of the run `index` and the first one of the next.
+  [[nodiscard]] Stretch stretch(std::size_t index) const;
+  /// The last of the points that are nearest to a place, the square of whose distance is not more
+  /// than `most`, which becomes that square.
+  [[nodiscard]] std::optional<std::size_t> nearest(double x, double y, double& most) const;
+
+ private:
+  const std::vector<double>* x_ = nullptr;
+  const std::vector<double>* y_ = nullptr;
+  std::size_t count_ = 0;
+  std::vector<Box> boxes_;
+};
+
+}  // namespace adore::desktop
