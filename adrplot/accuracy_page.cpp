@@ -1,15 +1,18 @@
 #include "adrplot/accuracy_page.hpp"
 
 #include "adrplot/plot_document.hpp"
+#include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "desktop/axis_scale.hpp"
 #include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -19,27 +22,107 @@ namespace {
 
 struct Point {
   double seconds, error;
-  std::string curve;
+  std::string curve, name;
+  bool own = false;
+  bool stands_out = false;  ///< of the noise of some quantity, though below the largest one
 };
 
-std::vector<Point> points_of(const nlohmann::json& rows) {
+double number(const nlohmann::json& of, const char* key) {
+  if (!of.is_object()) return 0.0;
+  const auto found = of.find(key);
+  return found != of.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+std::string word(const nlohmann::json& of, const char* key) {
+  if (!of.is_object()) return {};
+  const auto found = of.find(key);
+  return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+nlohmann::json part(const nlohmann::json& of, const char* key) {
+  return of.is_object() && of.contains(key) ? of[key] : nlohmann::json();
+}
+
+/// Errors up to which chance is as good a reason as the settings, by quantity: as the study itself
+/// judges them.
+class Chance {
+ public:
+  explicit Chance(double times) : times_(times) {}
+  /// Of runs whose loads differ by a millionth, or of two accurate methods: the larger ones.
+  void add(const nlohmann::json& noise) {
+    for (std::size_t q = 0; q < limits_.size(); ++q)
+      limits_[q] = std::max(limits_[q], times_ * number(noise, kQuantities[q]));
+  }
+  [[nodiscard]] double largest() const { return *std::max_element(limits_.begin(), limits_.end()); }
+  [[nodiscard]] double times() const { return times_; }  ///< of what chance changes
+  [[nodiscard]] bool left_behind(const nlohmann::json& errors) const {
+    for (std::size_t q = 0; q < limits_.size(); ++q)
+      if (number(errors, kQuantities[q]) > limits_[q]) return true;
+    return false;
+  }
+
+ private:
+  static constexpr std::array<const char*, 4> kQuantities{"speed", "load", "heat", "life"};
+  double times_;
+  std::array<double, 4> limits_{};
+};
+
+std::vector<Point> points_of(const nlohmann::json& rows, const Chance& chance) {
   std::vector<Point> out;
   if (!rows.is_array()) return out;
-  const auto number = [](const nlohmann::json& row, const char* key) {
-    const auto found = row.find(key);
-    return found != row.end() && found->is_number() ? found->get<double>() : 0.0;
-  };
   for (const nlohmann::json& row : rows) {
     if (!row.is_object() || row.contains("failure")) continue;
-    const double seconds = number(row, "seconds"), error = number(row, "error");
-    const auto curve = row.find("curve");
+    Point point{number(row, "seconds"),
+                number(row, "error"),
+                word(row, "curve"),
+                word(row, "name"),
+                false,
+                false};
+    const auto own = row.find("own"), errors = row.find("errors");
+    point.own = own != row.end() && own->is_boolean() && own->get<bool>();
+    point.stands_out =
+        errors != row.end() && point.error <= chance.largest() && chance.left_behind(*errors);
     // A logarithmic axis has no place for others.
-    if (seconds > 0.0 && error > 0.0 && curve != row.end() && curve->is_string())
-      out.push_back({seconds, error, curve->get<std::string>()});
+    if (point.seconds > 0.0 && point.error > 0.0 && !point.curve.empty())
+      out.push_back(std::move(point));
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Point& a, const Point& b) { return a.seconds < b.seconds; });
   return out;
+}
+
+/// Below the floor of chance: pale, with a sentence on what lies in it.
+void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const Chance& chance) {
+  if (!(chance.largest() > 0.0) || points.empty()) return;
+  const double floor = 100.0 * chance.largest();
+  desktop::ChartCurve curve;
+  curve.name = "not told apart";
+  curve.y.assign(page.x.size(), floor);
+  curve.low.assign(page.x.size(), 0.0);
+  curve.high = curve.y;
+  curve.dashed = true;
+  page.panels.front().curves.push_back(std::move(curve));
+  page.note += fmt::format(
+      " Below {} % (pale) settings cannot be told apart: there errors are within {:g} times what "
+      "chance alone changes.",
+      desktop::pretty_number(floor, 2), chance.times());
+  const auto others = std::count_if(points.begin(), points.end(),
+                                    [](const Point& point) { return point.stands_out; });
+  if (others > 0)
+    page.note += fmt::format(" Of {} in it an error of another quantity is more than chance.",
+                             counted(others, "point"));
+}
+
+/// Which of the points a reader looks for.
+void add_marks(desktop::ChartPage& page, const std::vector<Point>& points,
+               const std::string& recommended) {
+  for (const Point& point : points) {
+    const bool best = !recommended.empty() && point.name == recommended;
+    if (best || point.own)
+      page.marks.push_back({point.seconds, best && point.own ? "recommended: the deck's own"
+                                           : best            ? "recommended"
+                                                             : "the deck's own"});
+  }
 }
 
 /// "1e-04, 1e-06": of the runs that have a point.
@@ -57,8 +140,9 @@ std::string tolerances_of(const nlohmann::json& rows) {
 }
 
 desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
-                           const std::string& error_title) {
-  const std::vector<Point> points = points_of(rows);
+                           const std::string& error_title, const Chance& chance,
+                           const std::string& recommended) {
+  const std::vector<Point> points = points_of(rows, chance);
   desktop::ChartPage page;
   page.title = title;
   page.note = "A point for each run that came to its end; low and left is good.";
@@ -72,24 +156,26 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
   page.log_x = page.points = true;
   desktop::ChartPanel panel{error_title, "%", {}};
   panel.log = true;
+  // No point on the frame: the abscissa reaches beyond the first and the last of them.
+  constexpr double kBeyond = 1.3;
+  if (!points.empty()) page.x.push_back(points.front().seconds / kBeyond);
   for (const Point& point : points) page.x.push_back(point.seconds);
-  if (!points.empty()) {  // no point on the frame
-    page.view_low = 0.7 * points.front().seconds;
-    page.view_high = 1.4 * points.back().seconds;
-  }
+  if (!points.empty()) page.x.push_back(points.back().seconds * kBeyond);
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto curve = std::find_if(panel.curves.begin(), panel.curves.end(),
                               [&](const auto& c) { return c.name == points[i].curve; });
     if (curve == panel.curves.end()) {
       desktop::ChartCurve fresh;
       fresh.name = points[i].curve;
-      fresh.y.assign(points.size(), std::nan(""));
+      fresh.y.assign(page.x.size(), std::nan(""));
       curve = panel.curves.insert(curve, std::move(fresh));
     }
-    curve->y[i] = 100.0 * points[i].error;
+    curve->y[i + 1] = 100.0 * points[i].error;
   }
   if (points.empty()) panel.message = "No run of the study came to its end with an error above 0.";
   page.panels.push_back(std::move(panel));
+  add_floor(page, points, chance);
+  add_marks(page, points, recommended);
   return page;
 }
 
@@ -105,23 +191,34 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
     throw InputError(fmt::format(
         "{} is no table of `adore accuracy`; give the ACCURACY.json that it wrote", path.string()));
   const auto text = [&](const char* key, const char* otherwise) {
-    const auto found = study.find(key);
-    return found != study.end() && found->is_string() ? found->get<std::string>()
-                                                      : std::string(otherwise);
+    const std::string found = word(study, key);
+    return found.empty() ? std::string(otherwise) : found;
   };
+  constexpr double kBeyondNoise = 1.5;  // of studies that do not say
+  const double said = number(study, "beyond_noise"), times = said > 0.0 ? said : kBeyondNoise;
+  Chance brief(times), whole(times);
+  brief.add(part(part(study, "short_reference"), "noise"));
+  whole.add(part(part(study, "long_reference"), "noise"));
+  whole.add(part(study, "irregular"));
+  const nlohmann::json finals = part(study, "finals");
+  const double best = study.contains("recommended") ? number(study, "recommended") : -1.0;
+  const std::string recommended =
+      finals.is_array() && best >= 0.0 && best < static_cast<double>(finals.size())
+          ? word(finals[static_cast<std::size_t>(best)], "name")
+          : std::string();
   const std::string title = text("title", "What accuracy costs"),
                     error = text("error_title", "Error");
   std::vector<desktop::ChartPage> out;
-  const auto finals = study.find("finals");
-  if (finals != study.end() && finals->is_array() && !finals->empty())
-    out.push_back(page_of(*finals, title, error));
+  if (finals.is_array() && !finals.empty())
+    out.push_back(page_of(finals, title, error, whole, recommended));
   // The title of the study is that of its last round.
   const auto turns = study.find("short_turns");
   const std::string first =
       turns != study.end() && turns->is_number()
           ? fmt::format("First round, {}: what accuracy costs", turns_text(turns->get<double>()))
           : "First round: what accuracy costs";
-  out.push_back(page_of(study["screening"], out.empty() ? title : first, error));
+  out.push_back(
+      page_of(study["screening"], out.empty() ? title : first, error, brief, recommended));
   for (desktop::ChartPage& page : out) page.subtitle = run_folder(path).filename().string();
   return out;
 }

@@ -150,6 +150,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   for (const std::string& gap : add_panels(chart, file, page, context.facts)) add_note(chart, gap);
   limit_detail(chart);
   tell_of_values(chart, file, page, context.facts);
+  tell_of_ratios(chart, file, page, context);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (const CurveSpec& spec : page.panels[p].curves) {
       // A flange that is not there has no curve beside those that are.
@@ -171,6 +172,8 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
     add_note(chart, aliased + "; faster motion between them is not seen in the lines.");
+  else
+    tell_of_peaks(chart, file, page, context);
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair,

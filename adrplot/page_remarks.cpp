@@ -4,12 +4,15 @@
 #include "adrplot/spectrum_page.hpp"
 #include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/stored_rate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace adore::adrplot {
 namespace {
@@ -19,17 +22,26 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 using results::SolFile;
 
-/// The longest stored interval when it is too long to show a vibration of that frequency (less than
+std::vector<double> times_of(const SolFile& file) {
+  std::vector<double> out;
+  for (const auto& step : file.steps) out.push_back(step.time);
+  return out;
+}
+
+/// The usual stored interval when it is too long to show a vibration of that frequency (less than
 /// two samples a period), else 0.
 double alias_interval(const SolFile& file, double frequency) {
-  if (!(frequency > 0.0) || file.steps.size() < 2) return 0.0;
-  // The median: single steps may be longer or shorter.
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < file.steps.size(); ++i)
-    steps.push_back(file.steps[i].time - file.steps[i - 1].time);
-  std::nth_element(steps.begin(), steps.begin() + std::ssize(steps) / 2, steps.end());
-  const double interval = steps[steps.size() / 2];
-  return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
+  const std::vector<double> times = times_of(file);
+  const double values = desktop::values_per_period(times, frequency);
+  return values > 0.0 && values < desktop::kAliased ? desktop::usual_interval(times) : 0.0;
+}
+
+/// Does it follow each vibration of a contact? Temperatures, lives and averages do not.
+bool vibrates(const std::string& column) {
+  const auto has = [&column](const char* part) { return column.find(part) != std::string::npos; };
+  if (has("temperature") || has("life") || has("wear_rate")) return false;
+  return column == "power.loss" ||
+         (!column.starts_with("power.") && !column.starts_with("thermal."));
 }
 
 /// Is it 0 but for rounding (a thousandth of the least range of its axis)?
@@ -174,6 +186,36 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
         "not loads of the deck.");
 }
 
+/// Speeds of outer and inner race [rpm], from what the marks count; none where one of them varies.
+std::optional<std::array<double, 2>> race_speeds(const SolFile& file, const PageContext& context) {
+  constexpr double kSteady = 1e-3;
+  const auto mark = [&context](std::string_view label) {
+    const auto found = std::find_if(context.marks.begin(), context.marks.end(),
+                                    [&](const MarkTurns& one) { return one.label == label; });
+    return found == context.marks.end() ? nullptr : &*found;
+  };
+  const std::array<const MarkTurns*, 2> past{mark("BPFO"), mark("BPFI")};
+  const MarkTurns* const orbit = mark("FTF");
+  if (orbit == nullptr || past[0] == nullptr || past[1] == nullptr || orbit->time.size() < 2)
+    return std::nullopt;
+  const std::vector<double>& times = orbit->time;
+  const double span = times.back() - times.front();
+  if (!(span > 0.0) || file.header.elements < 1) return std::nullopt;
+  // Elements pass a race as often as they orbit against it.
+  const auto turned = [&](std::size_t race, std::size_t i) {
+    return orbit->turns[i] - orbit->turns[0] -
+           (past[race]->turns[i] - past[race]->turns[0]) / file.header.elements;
+  };
+  const std::size_t last = times.size() - 1;
+  const std::array<double, 2> all{turned(0, last), turned(1, last)};
+  const double least = kSteady * std::max(std::abs(all[0]), std::abs(all[1]));
+  for (std::size_t race = 0; race < 2; ++race)
+    for (std::size_t i = 0; i <= last; ++i)
+      if (std::abs(turned(race, i) - all[race] * (times[i] - times.front()) / span) > least)
+        return std::nullopt;
+  return std::array{60.0 * all[0] / span, 60.0 * all[1] / span};
+}
+
 }  // namespace
 
 std::string aliasing(const SolFile& file, const PageContext& context) {
@@ -186,6 +228,35 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
       file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
                      : "steps are stored",
       desktop::pretty_quantity(every / interval, "Hz", 3));
+}
+
+void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                    const PageContext& context) {
+  for (const PanelSpec& panel : page.panels) {
+    const std::string& column = panel.curves.front().column;
+    if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
+    const auto speeds = race_speeds(file, context);
+    if (!speeds) {
+      add_note(chart, panel.title + ": over the speed of the faster race.");
+      continue;
+    }
+    const bool outer = std::abs((*speeds)[0]) > std::abs((*speeds)[1]);
+    add_note(chart, fmt::format("{}: over the faster race, {} at {} rpm.", panel.title,
+                                outer ? "outer" : "inner",
+                                desktop::pretty_number((*speeds)[outer ? 0 : 1], 4)));
+  }
+}
+
+void tell_of_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                   const PageContext& context) {
+  for (std::size_t p = 0; p < page.panels.size(); ++p) {
+    if (!vibrates(page.panels[p].curves.front().column)) continue;
+    const double least = 1e-3 * desktop::least_span_of(chart.panels[p].unit);
+    for (const ChartCurve& curve : chart.panels[p].curves)
+      if (curve.low.empty() && any_value(curve.y) && !never_changes(curve.y, least))
+        return add_note(
+            chart, desktop::seldom_stored(times_of(file), context.fastest_frequency, file.every));
+  }
 }
 
 void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext& context) {

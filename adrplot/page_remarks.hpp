@@ -8,6 +8,15 @@ namespace adore::adrplot {
 /// "Aliased: ..." of a run that is stored too seldom for its fastest contact, else empty.
 [[nodiscard]] std::string aliasing(const results::SolFile& file, const PageContext& context);
 
+/// A cage's speeds are ratios, and not over what other pages of a run divide by (N54).
+void tell_of_ratios(desktop::ChartPage& chart, const results::SolFile& file, const PageSpec& page,
+                    const PageContext& context);
+
+/// Lines through few stored values of a period have beats and uneven peaks that do not exist: said
+/// of a page with such a line. Where extremes between steps are drawn, these show the peaks.
+void tell_of_peaks(desktop::ChartPage& chart, const results::SolFile& file, const PageSpec& page,
+                   const PageContext& context);
+
 /// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
 void lead_with_aliasing(desktop::ChartPage& chart, const results::SolFile& file,
                         const PageContext& context);

@@ -1,3 +1,5 @@
+#include "agore/fastest_contact.hpp"
+#include "agore/race_speeds.hpp"
 #include "agore/views.hpp"
 
 #include <fmt/format.h>
@@ -64,9 +66,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
     case View::Cage:
-      page.title = animation.segments > 1
-                       ? "Cage over race speed" + animation.segment_remark(segment)
-                       : "Cage speeds over race speed";
+      page.title = "Cage over " + divisor_text(animation, over_of_cage(animation)) +
+                   animation.segment_remark(segment);
       add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
       add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
       break;
@@ -75,7 +76,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
     case View::Element:
-      page.title = fmt::format("Element {} over shaft speed", options.element);
+      page.title = fmt::format("Element {} over {}", options.element,
+                               divisor_text(animation, over_of_element(animation, k)));
       add(page, "Orbit", "", element_orbit(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
       break;
@@ -101,6 +103,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     }
   }
+  tell_of_peaks(page, animation);
   page.band_note = "Pale: extremes between stored steps.";
   // What is behind the end of RESULTS.h5 has other digits, or none.
   if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});

@@ -1,4 +1,4 @@
-#include "agore/animation.hpp"
+#include "agore/race_speeds.hpp"
 #include "base/counted.hpp"
 #include "results/channels.hpp"
 #include "results/run_folder.hpp"
@@ -58,8 +58,31 @@ void take_larger(History& out, const History& other) {
   larger(out.high, other.high);
 }
 
-std::vector<double> shaft_of_motion(const Animation& animation) {
+std::vector<double> race_speed(const Animation& animation, std::size_t race) {
+  return slope(animation.motion->series("race.rotation", race), animation.motion->times());
+}
+
+/// What ratios are divided by [rad/s].
+std::vector<double> divisor_of_motion(const Animation& animation) {
+  if (races_alike(animation)) return race_speed(animation, 1);
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
+}
+
+/// What a cage's SOL file has behind the end of RESULTS.h5 is over another speed (N54).
+std::function<History(const Animation&)> if_same_divisor(
+    const Animation& animation, std::function<History(const Animation&)> alone) {
+  if (animation.alone && over_of_cage(*animation.alone) == Over::FasterRace) return {};
+  return alone;
+}
+
+/// From a ratio over the faster race, as files have it (N54), to one as all others here are.
+void change_divisor(History& out, const Animation& animation) {
+  const std::vector<double> outer = race_speed(animation, 0), inner = race_speed(animation, 1),
+                            divisor = divisor_of_motion(animation);
+  for (std::size_t i = 0; i < out.value.size(); ++i) {
+    const double faster = std::abs(outer.at(i)) > std::abs(inner.at(i)) ? outer[i] : inner[i];
+    out.value[i] = std::abs(divisor.at(i)) > 0.0 ? out.value[i] * faster / divisor[i] : kNone;
+  }
 }
 
 /// What RESULTS.h5 has, and behind its end what SOL8 or a SOL file beside it has; `alone` null:
@@ -153,7 +176,7 @@ std::optional<History> one_column(const Animation& animation, int index, const s
                  ""};
 }
 
-/// A speed in rpm over that of the shaft.
+/// A speed in rpm over inner minus outer race.
 std::optional<History> speed_column(const Animation& animation, int index, const std::string& id) {
   auto stored = stored_beside(animation, index, {id});
   if (!stored) return std::nullopt;
@@ -188,6 +211,11 @@ double turns_per_frame(const Animation& animation) {
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
   constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
+  if (outer_turns(animation)) {
+    out.unknown =
+        "Not to be known from SOL8 alone: the outer race turns, and no file tells how far.";
+    return out;
+  }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
     out.unknown =
@@ -206,6 +234,18 @@ History by_differences(const Animation& animation, const std::vector<double>& an
 }
 
 }  // namespace
+
+Over over_of_cage(const Animation& animation) {
+  if (animation.motion && animation.motion->has("cage.speed_ratio")) return Over::Races;
+  if (!stored_beside(animation, cage_index(animation), {"cage.speed_ratio"})) return Over::Mean;
+  return outer_turns(animation) ? Over::FasterRace : Over::Races;
+}
+
+Over over_of_element(const Animation& animation, std::size_t element) {
+  const bool stored = animation.motion || stored_beside(animation, static_cast<int>(element) + 1,
+                                                        {"element.orbital_velocity"});
+  return stored ? Over::Races : Over::Mean;
+}
 
 History land_force(const Animation& animation, std::size_t land, int segment) {
   if (animation.motion && animation.motion->has("land.force")) {
@@ -242,10 +282,14 @@ History pocket_force(const Animation& animation, std::size_t element) {
 }
 
 History cage_whirl(const Animation& animation, int segment) {
-  if (animation.motion && animation.motion->has("cage.whirl_ratio"))
-    return with_rest(animation,
-                     of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment)),
-                     [&](const Animation& alone) { return cage_whirl(alone, segment); });
+  if (animation.motion && animation.motion->has("cage.whirl_ratio")) {
+    History out = of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
+    if (outer_turns(animation)) change_divisor(out, animation);
+    return with_rest(animation, std::move(out),
+                     if_same_divisor(animation, [&](const Animation& alone) {
+                       return cage_whirl(alone, segment);
+                     }));
+  }
   if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
     return *stored;
   std::vector<double> angle;
@@ -266,10 +310,20 @@ History cage_whirl(const Animation& animation, int segment) {
 }
 
 History cage_speed(const Animation& animation, int segment) {
+  const auto part = static_cast<std::size_t>(segment);
+  const auto rest = if_same_divisor(
+      animation, [segment](const Animation& alone) { return cage_speed(alone, segment); });
+  if (animation.motion && outer_turns(animation) &&
+      animation.motion->has("cage.angular_velocity")) {
+    // The file's ratio is a size, and the way it turns matters as soon as both races do.
+    History out = of_motion(animation, "cage.angular_velocity", 3 * part);
+    for (double& value : out.value) value *= kRpm;
+    divide(out.value, divisor_of_motion(animation));
+    out.unit.clear();
+    return with_rest(animation, std::move(out), rest);
+  }
   if (animation.motion && animation.motion->has("cage.speed_ratio"))
-    return with_rest(animation,
-                     of_motion(animation, "cage.speed_ratio", static_cast<std::size_t>(segment)),
-                     [&](const Animation& alone) { return cage_speed(alone, segment); });
+    return with_rest(animation, of_motion(animation, "cage.speed_ratio", part), rest);
   if (auto stored = one_column(animation, cage_index(animation), "cage.speed_ratio"))
     return *stored;
   return by_differences(animation, animation.cage_angle, 0.6);
@@ -279,7 +333,7 @@ History element_orbit(const Animation& animation, std::size_t element) {
   if (animation.motion) {
     History out = of_motion(animation, "element.orbital_velocity", element);
     for (double& value : out.value) value *= kRpm;
-    divide(out.value, shaft_of_motion(animation));
+    divide(out.value, divisor_of_motion(animation));
     out.unit.clear();
     return with_rest(animation, std::move(out),
                      [&](const Animation& alone) { return element_orbit(alone, element); });
@@ -300,7 +354,7 @@ History element_spin(const Animation& animation, std::size_t element) {
   if (animation.motion) {
     History out = of_motion(animation, "element.angular_velocity", element);
     for (double& value : out.value) value *= kRpm;
-    divide(out.value, shaft_of_motion(animation));
+    divide(out.value, divisor_of_motion(animation));
     out.unit.clear();
     return with_rest(animation, size(std::move(out)),
                      [&](const Animation& alone) { return element_spin(alone, element); });

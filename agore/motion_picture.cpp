@@ -1,5 +1,6 @@
 #include "agore/motion_picture.hpp"
 
+#include "agore/race_speeds.hpp"
 #include "agore/view_layout.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/svg_writer.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::agore {
 namespace {
@@ -49,7 +49,7 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
   const QFontMetricsF metrics(desktop::ui_font(12)), small(desktop::ui_font(kSmall));
   const QString whole = parts.join("   ");
   if (parts.isEmpty() || metrics.horizontalAdvance(whole) <= width) {
-    const QString note = scene.tellsOfBands() ? QString::fromStdString(page.band_note) : QString();
+    const QString note = QString::fromStdString(scene.tellsOfBands() ? page.band_note : page.note);
     if (note.isEmpty() || small.horizontalAdvance(note) > width) return {whole};
     return {whole, note};
   }
@@ -65,56 +65,6 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
                      return small.horizontalAdvance(l) <= width;
                    });
   return fit ? lines : QStringList{metrics.elidedText(values.join(" · "), Qt::ElideRight, width)};
-}
-
-/// Speeds of the shaft over equal parts of the frames [rpm], with those at both ends, to which the
-/// outer two parts are continued straight.
-std::vector<double> shaft_speeds(const Animation& animation) {
-  constexpr std::size_t kParts = 20;
-  const auto& frames = animation.file.frames;
-  const std::size_t parts = std::min(kParts, frames.size() - 1);
-  std::vector<double> middle, speed;
-  for (std::size_t i = 0; i < parts; ++i) {
-    const auto& from = frames[i * (frames.size() - 1) / parts];
-    const auto& to = frames[(i + 1) * (frames.size() - 1) / parts];
-    if (!(to.time > from.time)) continue;
-    middle.push_back(0.5 * (from.time + to.time));
-    speed.push_back(60.0 * (to.revolutions - from.revolutions) / (to.time - from.time));
-  }
-  if (speed.size() < 2) return speed;
-  const auto at = [&](double time, std::size_t i, std::size_t j) {
-    return speed[i] + (speed[j] - speed[i]) * (time - middle[i]) / (middle[j] - middle[i]);
-  };
-  const std::size_t last = speed.size() - 1;
-  const double begins = at(frames.front().time, 0, 1),
-               ends = at(frames.back().time, last, last - 1);
-  speed.insert(speed.begin(), begins);
-  speed.push_back(ends);
-  return speed;
-}
-
-/// The run's own speed: the name of a deck may say that of another one. One that varies has no
-/// single number: its ends are told or, where they are not its limits, the limits.
-std::string speed_text(const Animation& animation) {
-  constexpr double kRpm = 30.0 / std::numbers::pi, kSteady = 0.01;
-  const double mean = kRpm * shaft_speed(animation);
-  const std::vector<double> speeds = shaft_speeds(animation);
-  if (speeds.empty()) return {};
-  const auto [least, most] = std::minmax_element(speeds.begin(), speeds.end());
-  const double span = *most - *least, size = std::max(std::abs(*least), std::abs(*most));
-  // Three digits are what parts of a run can tell; where it stands still, rounding is left.
-  const auto words = [size](double value) {
-    if (std::abs(value) < 1e-3 * size) return desktop::pretty_number(0.0, 3);
-    const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
-    return desktop::pretty_number(digit * std::round(value / digit), 3);
-  };
-  if (span <= kSteady * size)
-    return std::abs(mean) > 0.0 ? "   ·   runs at " + desktop::pretty_number(mean, 3) + " rpm"
-                                : std::string();
-  const double begins = speeds.front(), ends = speeds.back();
-  if (std::abs(ends - begins) > (1.0 - kSteady) * span)
-    return "   ·   runs from " + words(begins) + " to " + words(ends) + " rpm";
-  return "   ·   runs between " + words(*least) + " and " + words(*most) + " rpm";
 }
 
 }  // namespace
@@ -295,9 +245,10 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.setFont(desktop::ui_font(13));
   painter.setPen(t.muted);
   const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
-  const QString origin = QString::fromStdString(run + speed_text(animation_) + "   ·   " +
-                                                animation_.file.path.filename().string() +
-                                                "   ·   " + animation_.source);
+  const std::string gap = "   ·   ", speed = speed_text(animation_);
+  const QString origin =
+      QString::fromStdString(run + (speed.empty() ? speed : gap + speed) + gap +
+                             animation_.file.path.filename().string() + gap + animation_.source);
   const QFontMetricsF metrics(painter.font());
   const double width = area.width() - 2.0 * kMargin;
   const auto heading = desktop::fitted_heading(origin, metrics, width, width - title_width - 24.0);

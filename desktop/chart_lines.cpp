@@ -213,8 +213,9 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
   addWay(std::move(parts), area, pen);
   if (!lines_.empty()) lines_.back() += static_cast<int>(shown.lines.size());
   for (std::size_t i = 0; i < shown.pieces.size(); ++i) {
-    // A value between gaps has no line: it is a point.
-    if (page_.points || shown.pieces[i].x.size() == 1)
+    // A value between gaps has no line: it is a point. A dashed line among points is a limit.
+    const bool limit = panel.curves[shown.curve].dashed;
+    if ((page_.points && !limit) || shown.pieces[i].x.size() == 1)
       addPoints(shown.pieces[i], area, x_axis_, y_axis, shown.colour, m.line);
   }
 }

@@ -1,23 +1,18 @@
 #include "cli/pictures/drawing.hpp"
 
+#include "adrplot/accuracy_page.hpp"
 #include "adrplot/render.hpp"
 #include "agore/render.hpp"
 #include "base/errors.hpp"
-#include "base/json_text.hpp"
 #include "cli/pictures/gallery.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
-#include "desktop/log_chart.hpp"
 #include "desktop/lubricant_pages.hpp"
 #include "desktop/page_export.hpp"
-#include "results/growing_file.hpp"
 #include "results/run_folder.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace adore::cli {
 namespace {
@@ -115,33 +110,15 @@ void animate(const AnimateRequest& request) {
 PictureActions drawing_actions() { return {plot, animate, draw_gallery}; }
 
 void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
-  const auto study = parse_json(results::read_text_file(table), table.string());
-  if (!study.is_object() || !study.contains("finals"))
-    throw InputError(fmt::format("{} is no table of `adore accuracy`", table.string()));
-  desktop::ensure_headless_application();
-  desktop::LogChart chart;
-  chart.title = study.value("title", "What accuracy costs");
-  chart.x_title = "computing time [s]";
-  chart.y_title = study.value("error_title", "error") + " [%]";
-  const bool finals = !study["finals"].empty();
-  if (const long long best = study.value("recommended", -1LL);
-      finals && best >= 0 && best < static_cast<long long>(study["finals"].size()))
-    chart.title += "; recommended: " +
-                   study["finals"][static_cast<std::size_t>(best)].value("name", "the deck's own");
-  for (const auto& row : study[finals ? "finals" : "screening"]) {
-    const double seconds = row.value("seconds", 0.0), error = row.value("error", 0.0);
-    if (row.contains("failure") || !(seconds > 0.0) || !(error > 0.0)) continue;
-    const std::string name = row.value("own", false) ? row.value("method", "") + " (the deck's own)"
-                                                     : row.value("curve", "");
-    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
-                              [&](const desktop::ChartCurve& c) { return c.name == name; });
-    if (curve == chart.curves.end())
-      curve = chart.curves.insert(curve, desktop::ChartCurve{name, {}, {}});
-    curve->x.push_back(seconds);
-    curve->y.push_back(100.0 * error);
-  }
-  if (!desktop::save_log_chart(chart, picture))
+  std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);
+  if (pages.front().x.empty())
     throw InputError(fmt::format("{} holds no run that came to its end", table.string()));
+  desktop::ensure_headless_application();
+  constexpr double kWidth = 1280.0, kHeight = 800.0;
+  desktop::ChartScene scene;
+  scene.setPageSize({kWidth, kHeight});
+  scene.setPage(std::move(pages.front()));
+  desktop::save_page(scene, picture, {kWidth, kHeight});
 }
 
 }  // namespace adore::cli

@@ -350,6 +350,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
       {"short_turns", study.short_turns},
       {"long_turns", study.long_turns},
       {"target", study.target},
+      {"beyond_noise", kBeyondNoise},
       {"reference", study.reference},
       {"short_reference", json_of(study.short_reference)},
       {"long_reference", json_of(study.long_reference)},

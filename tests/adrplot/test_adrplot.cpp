@@ -318,7 +318,8 @@ TEST_CASE("page_builder: what is stored too seldom for the fastest contact says 
   const auto race = test::synthetic_sol(SolKind::Race);  // every 12 us: 83 kHz
   const auto pages = plot_pages(race.kind, race.header);
   constexpr int kAcceleration = 4;  // a page without a note of its own
-  CHECK(build_page(race, pages, kAcceleration, {}, {{}, 41e3, ""}).note.empty());
+  CHECK(build_page(race, pages, kAcceleration, {}, {{}, 41e3, ""}).note.find("Aliased") ==
+        std::string::npos);
   CHECK(build_page(race, pages, kAcceleration, {}, {{}, 43e3, ""}).note.find("Aliased") == 0);
   // Spectra and waterfalls too, above all else: there it is folded into what is drawn.
   for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
@@ -330,6 +331,41 @@ TEST_CASE("page_builder: what is stored too seldom for the fastest contact says 
     CHECK(note.find("folded") != std::string::npos);
     CHECK(build_page(race, pages, kAcceleration, options, {{}, 41e3, ""}).note.find("Aliased") ==
           std::string::npos);
+  }
+}
+
+TEST_CASE("page_builder: a line through few values of a vibration says that it misses peaks",
+          "[unit]") {
+  const std::string said = "steps a period: its shape and part of its peaks are not seen";
+  const auto noted = [&](SolKind kind, int page, double frequency, bool banded = false) {
+    const auto file = test::synthetic_sol(kind);  // every 12 us: 83 kHz
+    const auto pages = plot_pages(file.kind, file.header);
+    PageContext context{{}, frequency, ""};
+    const std::vector<double> none(file.steps.size(), 0.0);
+    if (banded)
+      for (const auto& panel : pages.at(static_cast<std::size_t>(page - 1)).panels)
+        for (const auto& curve : panel.curves) context.bands[curve.column] = {none, none};
+    const std::string note = build_page(file, pages, page, {}, context).note;
+    INFO(note);
+    const bool out = note.find(said) != std::string::npos;
+    CHECK((note.find("Aliased") == std::string::npos || !out));
+    return out;
+  };
+  constexpr int kVelocities = 1;
+  CHECK(noted(SolKind::Element, kVelocities, 41e3));  // 2.03 values a period
+  CHECK(noted(SolKind::Element, kVelocities, 14.5e3));
+  CHECK_FALSE(noted(SolKind::Element, kVelocities, 13.5e3));  // 6.2
+  CHECK_FALSE(noted(SolKind::Element, kVelocities, 43e3));    // that is "Aliased"
+  CHECK_FALSE(noted(SolKind::Element, kVelocities, 0.0));     // nobody knows
+  CHECK_FALSE(noted(SolKind::Element, kVelocities, 41e3, true));
+  // What follows no single vibration: wear and temperatures.
+  const auto power = test::synthetic_sol(SolKind::Power);
+  const auto pages = plot_pages(power.kind, power.header);
+  for (std::size_t p = 1; p < pages.size(); ++p) {
+    const std::string& column = pages[p].panels.front().curves.front().column;
+    INFO(column);
+    const bool of_contacts = column == "power.loss" || column == "power.churning_fraction";
+    CHECK(noted(SolKind::Power, static_cast<int>(p + 1), 41e3) == of_contacts);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "adrplot/plot_document.hpp"
 #include "base/errors.hpp"
 #include "core/results/synthetic.hpp"
+#include "desktop/chart_scene.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -56,11 +57,16 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
                         {"curve": "rkf5", "seconds": 0.4, "error": null}, 7]})");
   const auto pages = accuracy_pages(path);
   REQUIRE(pages.size() == 1);
-  CHECK(pages[0].x == std::vector<double>{0.2, 0.5});
+  // The frame stands aside of the first and the last point.
+  REQUIRE(pages[0].x.size() == 4);
+  CHECK(pages[0].x[1] == 0.2);
+  CHECK(pages[0].x[2] == 0.5);
+  CHECK(pages[0].x[0] < 0.9 * 0.2);
+  CHECK(pages[0].x[3] > 1.1 * 0.5);
   REQUIRE(pages[0].panels.at(0).curves.size() == 2);
   CHECK(pages[0].panels[0].curves[0].name == "rkf6");
-  CHECK(pages[0].panels[0].curves[1].y[1] == Approx(0.1));
-  CHECK(std::isnan(pages[0].panels[0].curves[1].y[0]));
+  CHECK(pages[0].panels[0].curves[1].y[2] == Approx(0.1));
+  CHECK(std::isnan(pages[0].panels[0].curves[1].y[1]));
   CHECK(pages[0].log_x);
   CHECK(open_document(path).pages.size() == 1);
   // Each round says its own span, and what the points of a method are.
@@ -78,4 +84,60 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
   CHECK_FALSE(accuracy_pages(path).at(0).panels.at(0).message.empty());
   testing::write_bytes(path, R"([1, 2])");
   CHECK_THROWS_WITH(accuracy_pages(path), Catch::Contains("adore accuracy"));
+}
+
+TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matters is marked",
+          "[gui][adrplot]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  const auto path = folder / "ACCURACY.json";
+  const auto study = [](const std::string& irregular) {
+    return R"({"title": "What accuracy costs: 5 turns", "error_title": "largest error",
+      "screening": [], "recommended": 1, "long_reference": {"noise": {"speed": 1e-4}},)" +
+           irregular + R"(
+      "finals": [
+        {"name": "own", "curve": "rkf5", "seconds": 0.36, "error": 6e-3, "own": true,
+         "errors": {"speed": 6e-3, "heat": 1e-4}},
+        {"name": "cheap", "curve": "rk4", "seconds": 0.1, "error": 4e-3, "own": false,
+         "errors": {"speed": 1e-4, "heat": 4e-3}},
+        {"name": "dear", "curve": "pece4", "seconds": 0.9, "error": 3e-2, "own": false,
+         "errors": {"speed": 3e-2, "heat": 1e-4}}]})";
+  };
+  testing::write_bytes(path, study(R"("irregular": {"speed": 8e-3, "heat": 1e-3},)"));
+  const auto page = accuracy_pages(path).front();
+  CHECK_THAT(page.note, Catch::Contains("Below 1.2 % (pale) settings cannot be told apart"));
+  CHECK_THAT(page.note, Catch::Contains("Of one point in it"));  // the heat of "cheap"
+  REQUIRE(page.marks.size() == 2);
+  CHECK(page.marks[0].x == 0.1);
+  CHECK(page.marks[0].label == "recommended");
+  CHECK(page.marks[1].x == 0.36);
+  CHECK(page.marks[1].label == "the deck's own");
+  for (const QSize size : {QSize(700, 450), QSize(1280, 800)}) {
+    desktop::ChartScene scene;
+    scene.setPageSize(size);
+    scene.setPage(page);
+    const QImage image = scene.image(size);
+    const QRectF area = scene.plotAreas().front();
+    // Of one colour from the floor down, of another one from it up, all the way across.
+    const int floor = static_cast<int>(scene.heightOf(0, 1.2));
+    const auto at = [&](double part, int y) {
+      return image.pixelColor(static_cast<int>(area.left() + part * area.width()), y);
+    };
+    for (const double part : {0.02, 0.98}) {
+      CHECK(at(part, floor + 7) != image.pixelColor(1, 1));
+      CHECK(at(part, floor - 7) == image.pixelColor(1, 1));
+    }
+    for (const double seconds : {0.1, 0.36, 0.9}) {
+      CHECK(scene.positionOf(seconds) > area.left() + 10.0);
+      CHECK(scene.positionOf(seconds) < area.right() - 10.0);
+    }
+  }
+  // Where nobody knows what chance does, there is no floor.
+  testing::write_bytes(path, study(""));
+  CHECK(accuracy_pages(path).front().panels.front().curves.size() == 4);
+  std::string unknown = study("");
+  unknown.replace(unknown.find("1e-4}}"), 4, "-1.0");
+  testing::write_bytes(path, unknown);
+  CHECK(accuracy_pages(path).front().panels.front().curves.size() == 3);
+  CHECK_THAT(accuracy_pages(path).front().note, !Catch::Contains("told apart"));
 }

@@ -225,3 +225,33 @@ TEST_CASE("axis_scale: the base value of an axis lies in its range", "[unit]") {
     CHECK(axis.offset <= high);
   }
 }
+
+TEST_CASE("pages of a cage say what its speeds are over", "[unit][adrplot]") {
+  const auto cage = test::synthetic_sol(SolKind::Cage);
+  const auto pages = plot_pages(cage.kind, cage.header);
+  const double elements = cage.header.elements;
+  // One second of a run, as marks count it: FTF, and how elements pass the races.
+  const auto note = [&](const std::string& column, double outer, double inner, double middle) {
+    const auto turns = [&](double speed) {
+      return std::vector<double>{0.0, middle * speed / 60.0, speed / 60.0};
+    };
+    const std::vector<double> times{0.0, 0.5, 1.0};
+    PageContext context;
+    const double orbit = 0.6 * outer + 0.4 * inner;
+    context.marks = {{"FTF", times, turns(orbit)},
+                     {"BPFO", times, turns(elements * (orbit - outer))},
+                     {"BPFI", times, turns(elements * (orbit - inner))}};
+    if (middle == 0.0) context.marks.clear();
+    for (std::size_t p = 0; p < pages.size(); ++p)
+      if (pages[p].panels.front().curves.front().column == column)
+        return build_page(cage, pages, static_cast<int>(p + 1), {}, context).note;
+    return std::string("no such page");
+  };
+  const char* const whirl = "cage.whirl_ratio";
+  CHECK_THAT(note(whirl, -6000, 10000, 0.5), Contains("over the faster race, inner at 10000 rpm."));
+  CHECK_THAT(note("cage.speed_ratio", -8000, 0, 0.5), Contains("race, outer at \u22128000 rpm."));
+  // No single value where speeds vary, or where nobody knows them.
+  for (const double middle : {0.3, 0.0})
+    CHECK_THAT(note(whirl, 0, 10000, middle), Contains("over the speed of the faster race."));
+  CHECK_THAT(note("cage.land1_force", 0, 10000, 0.5), !Contains("faster race"));
+}

@@ -3,7 +3,6 @@
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
-#include "desktop/log_chart.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 #include "support/bytes.hpp"
@@ -222,27 +221,6 @@ TEST_CASE("command_line: picture sizes are checked", "[unit]") {
   for (const char* wrong :
        {"", "800", "800x", "x600", "800x600x3", "10x600", "99999x600", "8e2x600"})
     CHECK_THROWS_AS(parse_size(wrong), InputError);
-}
-
-TEST_CASE("log chart: a picture with every curve, and none without points", "[gui]") {
-  test::use_qt();
-  const QTemporaryDir folder;
-  const std::filesystem::path file = folder.filePath("log.png").toStdString();
-  LogChart chart{"Cost", "seconds", "error", {{"a", {}, {}}}};
-  CHECK_FALSE(save_log_chart(chart, file));
-  CHECK_FALSE(std::filesystem::exists(file));
-  chart.curves = {{"a", {1e-3, 1e-5, 1e-7}, {0.01, 0.1, 1.0}}, {"b", {1e-2, 1e-6}, {0.02, 2.0}}};
-  REQUIRE(save_log_chart(chart, file));
-  const QImage image(QString::fromStdString(file.string()));
-  CHECK(image.size() == QSize(1280, 800));
-  int blue = 0, orange = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      blue += image.pixelColor(x, y) == QColor("#0072b2");
-      orange += image.pixelColor(x, y) == QColor("#d55e00");
-    }
-  CHECK(blue > 500);
-  CHECK(orange > 500);
 }
 
 TEST_CASE("a window opens within its screen, frame and title bar included", "[unit][gui][window]") {

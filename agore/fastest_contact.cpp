@@ -1,0 +1,40 @@
+#include "agore/fastest_contact.hpp"
+
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "desktop/stored_rate.hpp"
+#include "results/growing_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+
+double fastest_frequency(const Animation& animation) {
+  const std::filesystem::path file = animation.file.path.parent_path() / "RUN.json";
+  try {
+    const nlohmann::json run = parse_json(results::read_text_file(file), file.string());
+    if (run.at("run") != animation.file.run_id) return 0.0;
+    return run.at("plan").at("estimates").at("fastest_frequency_Hz").get<double>();
+  } catch (const InputError&) {
+    return 0.0;  // none, or not ours
+  } catch (const nlohmann::json::exception&) {
+    return 0.0;  // of a run that has none
+  }
+}
+
+void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
+  const auto bare = [](const desktop::ChartCurve& curve) {
+    return curve.low.empty() &&
+           std::any_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
+  };
+  for (const desktop::ChartPanel& panel : page.panels)
+    if (std::any_of(panel.curves.begin(), panel.curves.end(), bare)) {
+      page.note = desktop::seldom_stored(page.x, fastest_frequency(animation));
+      return;
+    }
+}
+
+}  // namespace adore::agore
