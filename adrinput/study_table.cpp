@@ -52,7 +52,7 @@ class CellEditor : public QStyledItemDelegate {
     auto* self = const_cast<CellEditor*>(this);
     if (!column.choices.empty()) {
       auto* box = new QComboBox(parent);
-      desktop::name_box(*box, from(column.title));
+      desktop::name_box(*box, from(column.label));
       for (const std::string_view choice : column.choices) box->addItem(from(choice));
       connect(box, &QComboBox::activated, self, [self, box] {
         emit self->commitData(box);
