@@ -38,7 +38,7 @@ fs::path turned(const testing::TemporaryFolder& folder, const std::string& type,
 double named_divisor(const std::string& title) {
   std::smatch found;
   INFO(title);
-  REQUIRE(std::regex_search(title, found, std::regex(", (−?)([0-9.]+) rpm")));
+  REQUIRE(std::regex_search(title, found, std::regex(", ((?:−)?)([0-9.]+) rpm")));
   return (found[1].length() > 0 ? -1.0 : 1.0) * std::stod(found[2]);
 }
 
