@@ -20,6 +20,18 @@ std::vector<double> accumulated_turns(const results::SolFile& file) {
   return turns;
 }
 
+bool turns_back(const results::SolFile& file) {
+  constexpr double kLeast = 1e-3;  // turns
+  double forth = 0.0, back = 0.0, last = std::nan("");
+  for (const auto& step : file.steps) {
+    if (!std::isfinite(step.revolutions)) continue;
+    if (std::isfinite(last))
+      (step.revolutions > last ? forth : back) += std::abs(step.revolutions - last);
+    last = step.revolutions;
+  }
+  return std::min(forth, back) > kLeast;
+}
+
 void set_abscissa(desktop::ChartPage& page, const results::SolFile& file, Abscissa abscissa) {
   constexpr double kLeastTurn = 1e-9;
   if (abscissa == Abscissa::Revolutions) {

@@ -225,6 +225,10 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
       });
   if (!drawn) return;  // what is said of lines is false without any
   const std::vector<double> turns = accumulated_turns(file);
+  if (!chart.marks.empty() && turns_back(file)) {
+    chart.marks.clear();
+    add_note(chart, "The shaft turns to and fro: no speed counts marks.");
+  }
   if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
     const auto [low, high] = speed_range(times(file), turns);
     add_note(chart, fmt::format("The shaft's speed varies from {} to {}: marks are of the mean "

@@ -1,5 +1,6 @@
 #include "adrplot/page_remarks.hpp"
 
+#include "adrplot/abscissa.hpp"
 #include "adrplot/known_values.hpp"
 #include "adrplot/spectrum_page.hpp"
 #include "base/counted.hpp"
@@ -235,6 +236,10 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
   for (const PanelSpec& panel : page.panels) {
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
+    if (turns_back(file)) {
+      add_note(chart, panel.title + ": over a race's speed, which passes 0 where it turns back.");
+      continue;
+    }
     const auto speeds = race_speeds(file, context);
     if (!speeds) {
       add_note(chart, panel.title + ": over the speed of the faster race.");

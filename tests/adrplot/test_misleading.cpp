@@ -194,6 +194,30 @@ TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a
   }
 }
 
+TEST_CASE(
+    "pages: of a shaft that turns to and fro no speed counts marks, and ratios say why they run "
+    "away",
+    "[unit][adrplot]") {
+  for (const bool swings : {false, true}) {
+    results::SolFile file = test::synthetic_sol(SolKind::Cage);
+    const double whole = static_cast<double>(file.steps.size());
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const double part = static_cast<double>(i) / whole;
+      file.steps[i].revolutions = swings ? std::sin(6.0 * part) : part;
+    }
+    PageOptions spectrum;
+    spectrum.domain = Domain::Spectrum;
+    const auto lines = page_with(file, "Whirl", spectrum);
+    INFO(lines.note);
+    CHECK(lines.marks.empty() == swings);
+    CHECK((lines.note.find("to and fro") != std::string::npos) == swings);
+    CHECK(lines.note.find("varies from") == std::string::npos);
+    const auto history = page_with(file, "Whirl");
+    INFO(history.note);
+    CHECK((history.note.find("passes 0 where it turns back") != std::string::npos) == swings);
+  }
+}
+
 TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   set(file, "cage.land1_gap", 1e-4);
