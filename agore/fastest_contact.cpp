@@ -2,9 +2,11 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "desktop/axis_scale.hpp"
 #include "desktop/stored_rate.hpp"
 #include "results/growing_file.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -32,7 +34,12 @@ void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
   };
   for (const desktop::ChartPanel& panel : page.panels)
     if (std::any_of(panel.curves.begin(), panel.curves.end(), bare)) {
-      page.note = desktop::seldom_stored(page.x, fastest_frequency(animation));
+      // Shorter than AdrPlot's sentence: it stands beside the present values, in 350 pixels.
+      const double frequency = fastest_frequency(animation);
+      const double values = desktop::values_per_period(page.x, frequency);
+      if (values > 0.0 && values < desktop::kTrueShape)
+        page.note = fmt::format("{:.2g} stored steps a period of {}: peaks are missed.", values,
+                                desktop::pretty_quantity(frequency, "Hz", 3));
       return;
     }
 }
