@@ -2,6 +2,7 @@
 
 #include "adrplot/known_values.hpp"
 #include "adrplot/sentence_words.hpp"
+#include "base/counted.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -218,7 +219,7 @@ static bool one_value(const std::vector<double>& values) {
 static void tell_drift(ChartPage& chart, const std::vector<std::string>& drifting,
                        std::size_t drawn) {
   if (drifting.empty()) return;
-  std::string of = drifting.size() == drawn ? "" : fmt::format("Of {} curves ", drifting.size());
+  std::string of = drifting.size() == drawn ? "" : "Of " + counted(drifting.size(), "curve") + " ";
   if (drifting.size() < drawn && drifting.size() < 3)
     of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
   add_note(chart, fmt::format("{}{} first line is drift over the whole run, not vibration.", of,

@@ -1,5 +1,6 @@
 #include "agore/fastest_contact.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
@@ -38,7 +39,8 @@ void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
       const double frequency = fastest_frequency(animation);
       const double values = desktop::values_per_period(page.x, frequency);
       if (values > 0.0 && values < desktop::kTrueShape)
-        page.note = fmt::format("{:.2g} stored steps a period of {}: peaks are missed.", values,
+        page.note = fmt::format("{} a period of {}: peaks are missed.",
+                                counted(fmt::format("{:.2g}", values), "stored step"),
                                 desktop::pretty_quantity(frequency, "Hz", 3));
       return;
     }

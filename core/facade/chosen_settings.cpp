@@ -97,7 +97,7 @@ class Choice {
     }
     out_.text += fmt::format(
         ". Times of this machine decided between settings, so that another choice may end "
-        "elsewhere; the same run again: {}",
+        "elsewhere; the same run again: `adore run DECK {}`",
         again());
     return std::move(out_);
   }

@@ -70,22 +70,22 @@ TEST_CASE("three times a number in a vector of three is asked back: decks mean t
     at.element = element;
     return document.parse(at, typed).problem;
   };
-  const auto asked = problem_of("cageGsCls", 0, "2*4e-4");
-  CHECK(asked.message == "can be read as a product or, as in a deck, as 2 values");
-  CHECK(asked.remedy == "write 4e-4*2 for the product, or 4e-4 in each of the 2 fields");
-  CHECK(problem_of("cageGsCls", 0, " 2*0,0004 "));
+  const auto asked = problem_of("cageGcPos", 0, "3*4e-4");
+  CHECK(asked.message == "can be read as a product or, as in a deck, as 3 values");
+  CHECK(asked.remedy == "write 4e-4*3 for the product, or 4e-4 in each of the 3 fields");
+  CHECK(problem_of("cageGcPos", 0, " 2*0,0004 "));
   // What cannot be several values here is a product, and so is what a deck would not say like this.
-  Cell last = cell("cageGsCls");
+  Cell last = cell("cageGcPos");
   while (value_at(document.deck(), {last.record, 1, last.variable, last.element + 1}) != nullptr)
     ++last.element;
   REQUIRE(last.element > 0);
-  CHECK_FALSE(problem_of("cageGsCls", last.element, "2*4e-4"));
+  CHECK_FALSE(problem_of("cageGcPos", last.element, "3*4e-4"));
   for (const char* product : {"4e-4*2", "99*4e-4", "1*4e-4", "2 * 4e-4", "2*0.4 mm", "0.5*4e-4"}) {
     INFO(product);
-    CHECK_FALSE(problem_of("cageGsCls", 0, product));
+    CHECK_FALSE(problem_of("cageGcPos", 0, product));
   }
   CHECK_FALSE(problem_of("pitchDia", 0, "2*0.03"));  // alone
-  document.edit(cell("cageGsCls"), "2*4e-4");
+  document.edit(cell("cageGcPos"), "3*4e-4");
   CHECK_FALSE(document.errors().empty());  // nothing is taken before it is clear
 }
 

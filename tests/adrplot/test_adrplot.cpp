@@ -364,7 +364,7 @@ TEST_CASE("page_builder: a line through few values of a vibration says that it m
   for (std::size_t p = 1; p < pages.size(); ++p) {
     const std::string& column = pages[p].panels.front().curves.front().column;
     INFO(column);
-    const bool of_contacts = column == "power.loss" || column == "power.churning_fraction";
+    const bool of_contacts = column == "power.loss" || column.starts_with("race.applied_");
     CHECK(noted(SolKind::Power, static_cast<int>(p + 1), 41e3) == of_contacts);
   }
 }

@@ -106,7 +106,7 @@ TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matt
   testing::write_bytes(path, study(R"("irregular": {"speed": 8e-3, "heat": 1e-3},)"));
   const auto page = accuracy_pages(path).front();
   CHECK_THAT(page.note, Catch::Contains("Below 1.2 % (pale) settings cannot be told apart"));
-  CHECK_THAT(page.note, Catch::Contains("Of one point in it"));  // the heat of "cheap"
+  CHECK_THAT(page.note, Catch::Contains("Of 1 point in it"));  // the heat of "cheap"
   REQUIRE(page.marks.size() == 2);
   CHECK(page.marks[0].x == 0.1);
   CHECK(page.marks[0].label == "recommended");

@@ -207,12 +207,12 @@ TEST_CASE(
     }
     PageOptions spectrum;
     spectrum.domain = Domain::Spectrum;
-    const auto lines = page_with(file, "Whirl", spectrum);
+    const auto lines = page_with(file, "Mass centre velocities", spectrum);
     INFO(lines.note);
     CHECK(lines.marks.empty() == swings);
     CHECK((lines.note.find("to and fro") != std::string::npos) == swings);
     CHECK(lines.note.find("varies from") == std::string::npos);
-    const auto history = page_with(file, "Whirl");
+    const auto history = page_with(file, "Mass centre velocities");
     INFO(history.note);
     CHECK((history.note.find("passes 0 where it turns back") != std::string::npos) == swings);
   }

@@ -80,6 +80,8 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "it has at most {} lines",
                                       "{} elements of {} mm on a pitch diameter",
                                       "an array of {} values",
+                                      "as in a deck, as {} values",
+                                      "has {:.2g} {} steps a period",
                                       "this bearing has {} segments",
                                       "gives {} values a step, but {} rolling",
                                       "{} balls; there must be at least one",

@@ -39,7 +39,8 @@ TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "
   refused(run_adore("run " + deck + " --tol -1"), "--tol");
   refused(run_adore("run " + deck + " --out /proc/adore"), "/proc/adore");
   refused(run_adore("check " + (folder / "nowhere").string()), "nowhere");
-  refused(run_adore("calc no-such --json " + deck), "JSON");
+  refused(run_adore("calc hertz --json " + deck), "JSON");
+  refused(run_adore("calc no-such --json " + deck), "no calculator named \"no-such\"");
   refused(run_adore("show " + deck), "DATA.txt");
   refused(run_adore("nonsense"), "there is no command \"nonsense\"");
 }
