@@ -291,7 +291,8 @@ TEST_CASE("keys: every dot, star and dashed line that is drawn stands in the key
     CHECK(found[shape] > 20);
 }
 
-TEST_CASE("keys: below four small pictures entries stand in columns, none left out", "[gui][keys][slow]") {
+TEST_CASE("keys: below four small pictures entries stand in columns, none left out",
+          "[gui][keys][slow]") {
   test::use_qt();
   constexpr QSize kSize(700, 450);
   for (const std::string& type : test::kTypes) {
