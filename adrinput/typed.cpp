@@ -160,11 +160,10 @@ std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable
     if (variable.max_length > 0) out = fmt::format("at most {} characters", variable.max_length);
   } else {
     deck::Range range = deck::range_in_deck_units(deck, variable);
-    constexpr double kAnyInteger = 2147483647.0;  // not a limit that a person needs to read
-    if (variable.type == deck::VarType::Integer) {
-      if (range.min <= -kAnyInteger) range.min = -std::numeric_limits<double>::infinity();
-      if (range.max >= kAnyInteger) range.max = std::numeric_limits<double>::infinity();
-    }
+    constexpr double kAnyInteger = 2147483647.0, kAnyReal = 1e6;  // nobody needs to read those
+    const double far = variable.type == deck::VarType::Integer ? kAnyInteger : kAnyReal;
+    if (range.min <= -far) range.min = -std::numeric_limits<double>::infinity();
+    if (range.max >= far) range.max = std::numeric_limits<double>::infinity();
     out = deck::describe_range(range, {});
   }
   if (!variable.default_value.empty())
