@@ -41,6 +41,7 @@ double alias_interval(const SolFile& file, double frequency) {
 bool vibrates(const std::string& column) {
   const auto has = [&column](const char* part) { return column.find(part) != std::string::npos; };
   if (has("temperature") || has("life") || has("wear_rate")) return false;
+  if (has("rotation")) return false;  // a ramp of turns, beside which no vibration is seen
   return column == "power.loss" ||
          (!column.starts_with("power.") && !column.starts_with("thermal."));
 }
@@ -259,8 +260,8 @@ void tell_of_peaks(ChartPage& chart, const SolFile& file, const PageSpec& page,
     const double least = 1e-3 * desktop::least_span_of(chart.panels[p].unit);
     for (const ChartCurve& curve : chart.panels[p].curves)
       if (curve.low.empty() && any_value(curve.y) && !never_changes(curve.y, least))
-        return add_note(
-            chart, desktop::seldom_stored(times_of(file), context.fastest_frequency, file.every));
+        return add_note(chart, desktop::seldom_stored(times_of(file), context.fastest_frequency,
+                                                      file.every, !chart.band_note.empty()));
   }
 }
 

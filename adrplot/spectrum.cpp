@@ -138,9 +138,12 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   out.start = grid.start;
   out.step = grid.step;
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
+  // Straight lines over steps of h leave (sin(pi f h) / (pi f h))^2 of a tone of frequency f.
   out.note = fmt::format(
-      "Resampled every {} by straight lines (steps of {} to {}): trust nothing above {}.",
+      "Resampled every {} by straight lines (steps of {} to {}): lines are lower than they should "
+      "be, by up to a fifth at {}; trust nothing above {}.",
       seconds(out.step), seconds(smallest), seconds(largest),
+      desktop::pretty_quantity(0.25 / largest, "Hz", 3),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
   std::size_t at = 0;
   for (std::size_t i = 0; i < grid.count; ++i) {

@@ -29,12 +29,16 @@ double fastest_frequency(const Animation& animation) {
 }
 
 void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
-  const auto bare = [](const desktop::ChartCurve& curve) {
-    return curve.low.empty() &&
-           std::any_of(curve.y.begin(), curve.y.end(), [](double v) { return std::isfinite(v); });
+  /// A line that moves, and has no extremes between its values.
+  const auto bare = [](const desktop::ChartPanel& panel, const desktop::ChartCurve& curve) {
+    desktop::Extent extent;
+    for (const double v : curve.y) extent.include(v);
+    return curve.low.empty() && !extent.empty() &&
+           extent.high - extent.low > 1e-3 * desktop::least_span_of(panel.unit);
   };
   for (const desktop::ChartPanel& panel : page.panels)
-    if (std::any_of(panel.curves.begin(), panel.curves.end(), bare)) {
+    if (std::any_of(panel.curves.begin(), panel.curves.end(),
+                    [&](const desktop::ChartCurve& curve) { return bare(panel, curve); })) {
       // Shorter than AdrPlot's sentence: it stands beside the present values, in 350 pixels.
       const double frequency = fastest_frequency(animation);
       const double values = desktop::values_per_period(page.x, frequency);

@@ -21,13 +21,15 @@ double values_per_period(const std::vector<double>& times, double frequency) {
   return frequency > 0.0 && interval > 0.0 ? 1.0 / (interval * frequency) : 0.0;
 }
 
-std::string seldom_stored(const std::vector<double>& times, double frequency, long every) {
+std::string seldom_stored(const std::vector<double>& times, double frequency, long every,
+                          bool beside_bands) {
   const double values = values_per_period(times, frequency);
   if (!(values > 0.0) || values >= kTrueShape) return {};
   return fmt::format(
       "The fastest contact vibration, {}, has {:.2g} {} steps a period: its shape and part of its "
-      "peaks are not seen.",
-      pretty_quantity(frequency, "Hz", 3), values, every > 1 ? "drawn" : "stored");
+      "peaks are not seen{}.",
+      pretty_quantity(frequency, "Hz", 3), values, every > 1 ? "drawn" : "stored",
+      beside_bands ? " in lines without pale areas" : "");
 }
 
 }  // namespace adore::desktop

@@ -20,8 +20,8 @@ inline constexpr double kAliased = 2.0;
 
 /// "The fastest contact vibration, 26.3 kHz, has 2.2 stored steps a period: ..."; empty where
 /// there are enough of them, or where the frequency is not known. `every`: of stored steps, one is
-/// among the times.
+/// among the times. @param beside_bands other lines of the picture have their extremes
 [[nodiscard]] std::string seldom_stored(const std::vector<double>& times, double frequency,
-                                        long every = 1);
+                                        long every = 1, bool beside_bands = false);
 
 }  // namespace adore::desktop
