@@ -165,7 +165,10 @@ TEST_CASE(
   std::vector<std::string> master;
   std::set<std::string> known;
   std::vector<std::size_t> chosen;
-  for (std::string line; std::getline(lines, line);) master.push_back(line);
+  // As of a release before checksums, which would refuse all.
+  for (std::string line; std::getline(lines, line);)
+    master.push_back(line == "format 3" ? "format 2" : line.starts_with("end ") ? "end" : line);
+  CHECK(master[2] == "format 2");
   for (std::size_t i = 4; i < master.size(); ++i) {
     const std::string& line = master[i];
     const std::size_t blank = line.find(' ');
