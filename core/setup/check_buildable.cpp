@@ -332,8 +332,8 @@ void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
 }
 
 void check_lubricant(const Deck& deck, Checker& check) {
-  if (deck.integer("kTrac") <= 0) return;
   const deck::ReportOnly quiet(deck);
+  if (deck.integer("kTrac") <= 0) return;
   if (deck.si("strParam") == 0.0)
     check.note("strParam",
                "leaves no oil before the contacts: they have no film, and the traction of record "
