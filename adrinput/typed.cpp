@@ -34,7 +34,7 @@ std::string plain_number(std::string_view typed) {
 
 /// "10,000": ten to three decimals, or ten thousand. Nobody groups 0,125 or 1234,567.
 deck::NumberProblem thousands_or_decimals(std::string_view typed) {
-  static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,])");
+  static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,eEdD])");
   std::cmatch found;
   if (!std::regex_search(typed.begin(), typed.end(), found, kGroup)) return {};
   return {"can be read with a decimal comma or with thousands",

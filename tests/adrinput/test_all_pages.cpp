@@ -43,7 +43,9 @@ QString other_value(const Document& document, const Cell& at) {
       old != nullptr && *old != 0.0) {
     const QString more = QString::number(*old * 1.001, 'g', 6);
     if (deck::in_range(deck::range_in_deck_units(document.deck(), variable), more.toDouble()))
-      return QString(more).replace('.', ',');
+      return parse_typed(variable, QString(more).replace('.', ',').toStdString()).problem
+                 ? more  // "1,001" is asked back
+                 : QString(more).replace('.', ',');
   }
   for (const char* text :
        {"0,75", "12,5", "1", "2", "3", "-0,25", "60", "0,4", "0,3", "0,05", "0"}) {

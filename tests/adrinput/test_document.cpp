@@ -42,7 +42,7 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   }
   // Ten or ten thousand? A comma before three digits may be either, unless nobody groups so.
   const deck::Deck deck = deck::new_deck("ball");
-  for (const char* either : {"10,000", "1,500", " -12,700", "12,700 mm", "2*1,250", "1,500e3"}) {
+  for (const char* either : {"10,000", "1,500", " -12,700", "12,700 mm", "2*1,250"}) {
     INFO(either);
     for (const Typed& typed : {parse_typed(real, either), parse_typed(deck, real, either)}) {
       CHECK(typed.problem.message == "can be read with a decimal comma or with thousands");
@@ -53,6 +53,7 @@ TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense 
   CHECK(number("0,125") == 0.125);
   CHECK(number("1234,567") == 1234.567);
   CHECK(number("1,5000") == 1.5);
+  CHECK(number("1,500e3") == 1500.0);
   CHECK(number("12,12") == 12.12);
   CHECK(std::get<long long>(parse_typed(whole, "12").value) == 12);
   CHECK(parse_typed(whole, "12.0").problem);
