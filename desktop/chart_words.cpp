@@ -190,7 +190,7 @@ void ChartScene::addHeading(const Metrics& m) {
     };
     while (letters > kLeastTitle && !fits(title)) --letters;
     QString shown = title;
-    const qsizetype subject = title.indexOf(", ");
+    const qsizetype subject = title.lastIndexOf(", ");
     for (qsizetype n = subject; n > 1 && !fits(shown); --n)
       shown = title.left(n - 1).trimmed() + QChar(0x2026) + title.mid(subject);
     line(shown, ui_font(letters, true), theme_->text, 8);

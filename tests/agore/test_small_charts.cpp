@@ -34,7 +34,7 @@ TEST_CASE("agore: numbers of the small chart are read beside one to four views",
 
 TEST_CASE("agore: a title that is cut keeps what tells it apart", "[gui]") {
   test::use_qt();
-  for (const qreal width : {300.0, 350.0, 400.0}) {
+  for (const qreal width : {200.0, 230.0, 300.0}) {
     desktop::ChartScene scene(desktop::ChartStyle::Compact);
     scene.setPageSize({width, 200.0});
     desktop::ChartPage page;
