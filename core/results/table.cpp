@@ -1,6 +1,7 @@
 #include "results/table.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "results/channels.hpp"
 #include "results/results_h5.hpp"
 #include "results/sol_parser.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace adore::results {
 namespace {

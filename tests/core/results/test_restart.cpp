@@ -119,7 +119,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("checksum") && Contains("the file is damaged"));
     wrong = text;
-    wrong.replace(wrong.find("format 3"), 8, "format 9");
+    wrong.replace(wrong.find("format 4"), 8, "format 9");
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("format 9"));
   }
@@ -143,11 +143,11 @@ TEST_CASE("a FINAL of before checksums still reads", "[unit][restart]") {
   TemporaryFolder folder;
   write_final(make_state(), folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
-  text.replace(text.find("format 3"), 8, "format 2");
+  text.replace(text.find("format 4"), 8, "format 2");
   text.replace(text.rfind("end "), std::string::npos, "end\n");
   write_bytes(folder / "FINAL", text);
   check_equal(read_final(folder / "FINAL"), make_state());
-  text.replace(text.find("format 2"), 8, "format 3");
+  text.replace(text.find("format 2"), 8, "format 4");
   write_bytes(folder / "FINAL", text);
   CHECK_THAT(message_of([&] { (void)read_final(folder / "FINAL"); }), Contains("checksum"));
 }
@@ -157,7 +157,7 @@ TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") 
   FinalState state = make_state();
   write_final(state, folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
-  text.replace(text.find("format 3"), 8, "format 1");
+  text.replace(text.find("format 4"), 8, "format 1");
   text.replace(text.find("deck 2"), std::string::npos, "end\n");
   write_bytes(folder / "FINAL", text);
   state.deck.clear();
