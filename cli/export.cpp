@@ -96,16 +96,27 @@ void write_export(const fs::path& path, std::string_view text,
 }
 
 void print_export(const std::function<void(std::ostream&)>& produce) {
-  PieceBuffer buffer([](std::string_view piece) {
-    print_text(stdout, piece);
+  const auto put = [](std::string_view text) {
+    print_text(stdout, text);
     if (std::ferror(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output");
+  };
+  std::string rest;  // of a line: a letter of several bytes must not be cut
+  PieceBuffer buffer([&](std::string_view piece) {
+    const std::size_t end = piece.rfind('\n');
+    if (end == std::string_view::npos) {
+      rest += piece;
+      return;
+    }
+    put(rest.append(piece.substr(0, end + 1)));
+    rest = piece.substr(end + 1);
   });
   std::ostream out(&buffer);
   out.imbue(std::locale::classic());
   out.exceptions(std::ios::badbit);
   produce(out);
   out.flush();
+  put(rest);
 }
 
 void write_export(const fs::path& path, const std::function<void(std::ostream&)>& produce,
