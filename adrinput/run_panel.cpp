@@ -345,7 +345,8 @@ void RunPanel::showListing() {
   file.read(bytes.data(), bytes.size());
   bytes.truncate(static_cast<qsizetype>(file.gcount()));
   QString text = QString::fromUtf8(bytes).replace(QChar('\f'), QChar('\n'));
-  if (file) text += tr("\n… the listing goes on in %1").arg(name);
+  if (file && file.peek() != std::char_traits<char>::eof())
+    text += tr("\n… the listing goes on in %1").arg(name);
   auto* window = new QDialog(this);
   window->setObjectName("listing-window");
   desktop::delete_when_done(*window);
