@@ -12,10 +12,12 @@
 #include "dynamics/scene_estimate.hpp"
 #include "facade/film_precision.hpp"
 #include "facade/judge_steps.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/pilot.hpp"
 #include "facade/run_span.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
+#include "facade/traction_spread.hpp"
 #include "facade/user_session.hpp"
 #include "life/contact_strength.hpp"
 #include "listing/ball_warnings.hpp"
@@ -153,6 +155,29 @@ void choose_nodes(Prepared& prepared) {
   }
 }
 
+/// Run options of the films between elements and races.
+void set_film_options(Prepared& out) {
+  if (!out.as_built.lubrication) return;
+  bearing::Lubrication& oil = *out.as_built.lubrication;
+  oil.direct_strips = out.options.direct_strips;
+  oil.stress_limit = out.options.stress_limit;
+  oil.recommended = out.options.recommended_law;
+  if (!oil.stress_limit)
+    add_remark(
+        out, Severity::Note,
+        "run option filmStressLimit = off: oil films have no limiting shear stress. Friction "
+        "coefficients above 1 GPa can be far too large.");
+  if (!oil.user) return;
+  oil.user->limit_ratio = out.options.user_limit;
+  oil.user->limit_softening = out.options.user_softening;
+  if (oil.stress_limit && !out.options.user_limit)
+    add_remark(
+        out, Severity::Note,
+        fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
+                    "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
+                    tribology::kUserLimit));
+}
+
 /// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
 /// known of it. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
@@ -185,6 +210,31 @@ void doubt_fluids(Prepared& out) {
         fmt::format("the properties of {}, the churning medium, are known from {:g} to {:g} "
                     "K; it is at {:.4g} K, and the nearer end is used",
                     medium.name, medium.T_min, medium.T_max, medium.temperature));
+}
+
+/// Laws that the quasi-static solution takes outside their range of validity. What other remarks
+/// on the solution describe in more detail is kept for RUN.json alone.
+void find_left_ranges(Prepared& out) {
+  LawRanges ranges(out.bearing);
+  const statics::FrictionEstimate* const friction = out.friction ? &*out.friction : nullptr;
+  if (out.rollers)
+    ranges.look(*out.rollers, friction);
+  else
+    ranges.look(out.control.dynamic ? out.start : out.statics, friction);
+  ranges.look(out.life);
+  out.left_ranges = ranges.findings();
+  std::vector<validity::Finding> new_ones = out.left_ranges;
+  std::erase_if(new_ones, [](const validity::Finding& found) {
+    constexpr std::array<std::string_view, 5> kDescribed{"film.thickness", "film.viscosity",
+                                                         "hertz.ellipse", "drag.temperature",
+                                                         "materials.temperature"};
+    return std::find(kDescribed.begin(), kDescribed.end(), found.range->id) != kDescribed.end();
+  });
+  for (const auto& [severity, text] : validity::remarks(new_ones)) add_remark(out, severity, text);
+  if (const std::string text = ranges.given_coefficient(); !text.empty())
+    add_remark(out, Severity::Note, text);
+  if (const std::string text = traction_spread(out); !text.empty())
+    add_remark(out, Severity::Note, text);
 }
 
 /// Says where what flows around the elements is known by hearsay or guess.
@@ -234,7 +284,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.as_built.user_version =
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  if (out.as_built.lubrication) out.as_built.lubrication->direct_strips = out.options.direct_strips;
+  set_film_options(out);
   choose_nodes(out);
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
@@ -307,6 +357,7 @@ Prepared prepare_model(LoadedDeck input) {
                         "guide ring does; in motion only its groove and friction hold it",
                         out.rollers->guide_force)));
     }
+    find_left_ranges(out);
     return out;
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
@@ -316,7 +367,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
-      ratio > statics::kTrustedOverStrips)
+      ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
         out, Severity::Note,
         fmt::format("the rolling resistance of the balls in oil, whose law knows no pressure "
@@ -341,6 +392,7 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
                                      out.control.dynamic ? out.start : out.statics);
+  find_left_ranges(out);
   return out;
 }
 

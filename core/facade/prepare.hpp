@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "deck/no_part.hpp"
 #include "dynamics/system.hpp"
@@ -52,6 +53,8 @@ struct Prepared {
   life::BearingLife life;             ///< at the equilibrium that PRINT.txt shows
   std::optional<statics::FrictionEstimate> friction;  ///< of a quasi-static deck
   std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
+  /// Laws outside their range of validity in the quasi-static solution.
+  std::vector<validity::Finding> left_ranges;
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {

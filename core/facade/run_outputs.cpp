@@ -11,6 +11,7 @@
 #include "facade/equilibrium.hpp"
 #include "facade/kept_races.hpp"
 #include "facade/key_results.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/missed_tolerance.hpp"
 #include "facade/motion_watch.hpp"
@@ -113,6 +114,7 @@ struct RunOutputs::Impl {
   bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
   LifeObserver life;
   MotionWatch watch;
+  LawRanges ranges;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
   std::uintmax_t sol9_bytes = 0;   ///< and of SOL9
@@ -142,6 +144,7 @@ struct RunOutputs::Impl {
         life(p.bearing, p.life.parameters,
              {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
+        ranges(p.bearing),
         files(p, std::move(f)) {
     // Plots compare it with the interval of the stored steps.
     if (p.control.dynamic) dynamics::find_fastest(plan, p.bearing, p.start);
@@ -293,12 +296,14 @@ void RunOutputs::show_thermal(const ThermalRun& thermal) {
   impl_->thermal = &thermal;
   impl_->recorder.set_bearing(impl_->prepared.bearing);
   impl_->life.follow_bearing();
+  impl_->ranges.follow_bearing();
 }
 
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;
   s.recorder.set_bearing(s.prepared.bearing);
   s.life.follow_bearing();
+  s.ranges.follow_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
   const bearing::Bearing& bearing = s.prepared.bearing;
   s.network = results::to_json({bearing.run_id,
@@ -455,6 +460,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   s.last = s.snapshot(system, point);
   s.last_y.assign(point.y.begin(), point.y.end());
   s.watch.look(s.last);
+  s.ranges.look(s.last);
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
@@ -548,6 +554,9 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
+  const std::vector<validity::Finding> left = s.ranges.findings();
+  for (const auto& [severity, text] : validity::remarks(left)) s.remark(text, severity);
+  if (const std::string text = s.ranges.given_coefficient(); !text.empty()) s.remark(text);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const std::string missed =
@@ -605,6 +614,9 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.summary = s.key_results;
   run.life["run"] = listing::run_life_json(run_life);
   run.thermal_network = s.network;
+  std::vector<validity::Finding> all_left = s.prepared.left_ranges;
+  all_left.insert(all_left.end(), left.begin(), left.end());
+  if (!all_left.empty()) run.validity = validity_json(all_left);
   s.close(run, run_life);
 }
 
@@ -620,6 +632,11 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   s.key_results = solution.results;
   run.summary = s.key_results;
   run.quasi_static = results::to_json(solution.tables);
+  if (!s.prepared.left_ranges.empty()) run.validity = validity_json(s.prepared.left_ranges);
+  if (const std::string why = untrusted(s.prepared.left_ranges); !why.empty()) {
+    run.status = status_word(RunStatus::Untrusted);
+    run.message = why;
+  }
   s.close(run);
   return solution.lines;
 }
@@ -633,6 +650,8 @@ results::EnergyJudgement RunOutputs::judge_energy() const {
   return results::judge_energy(impl_->last.energy, vibrates ? static_elastic(impl_->prepared) : 0.0,
                                impl_->averages.averages().largest_residual);
 }
+
+std::string RunOutputs::untrusted_law() const { return untrusted(impl_->ranges.findings()); }
 
 std::string RunOutputs::load_warning() const {
   return results::load_warning(impl_->mean_load(), impl_->units);

@@ -222,6 +222,11 @@ void TimeRun::close(RunEnd& end) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(missed.text);
   }
+  if (std::string why = parts_.outputs.untrusted_law();
+      !why.empty() && status_ == RunStatus::Done) {
+    status_ = RunStatus::Untrusted;
+    message_ = std::move(why);
+  }
   if (const std::string text = parts_.outputs.load_warning(); !text.empty())
     add_remark(parts_.prepared, Severity::Warning, text);
 }

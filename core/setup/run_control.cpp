@@ -270,6 +270,32 @@ const std::vector<Option>& options() {
            o.direct_strips = v == "direct";
            return true;
          }},
+        {{"filmLaw", "code",
+          "traction law of oil films: code (that of kTrac), or recommended (that of the code which "
+          "lubricants.json recommends for the same oil; the film stays that of kTrac)"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "code" && v != "recommended") return false;
+           o.recommended_law = v == "recommended";
+           return true;
+         }},
+        {{"filmStressLimit", "on",
+          "limiting shear stress of oil films between elements and races, a share of the pressure "
+          "that each lubricant has (lubricants.json): on, or off (classic laws; friction "
+          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep theirs). off is reported"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "on" && v != "off") return false;
+           o.stress_limit = v == "on";
+           return true;
+         }},
+        {{"lubStressLimit", "none",
+          "limiting shear stress over pressure of the user's lubricant (kTrac 9) at 40 °C, above 0 "
+          "to 1, or none (0.07 is assumed)"},
+         [](RunOptions& o, std::string_view v) { return parse_optional(v, o.user_limit, 1.0); }},
+        {{"lubStressSoftening", fmt::format("{:g}", defaults.user_softening),
+          "relative decrease of that limit per kelvin, 0 to 0.1 [1/K]"},
+         [](RunOptions& o, std::string_view v) {
+           return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
+         }},
         {{"filmPrecision", "single",
           "points of films between elements and races (kTrac; of 12 with iTherm never): single (by "
           "floats, to 3e-5 of the traction, where tol is 1e-6 or more, the method is explicit "
@@ -379,10 +405,13 @@ std::vector<std::string> option_choices(std::string_view name) {
     if (name == on_or_off) return {"1", "0"};
   if (name == "filmStress") return {"surface", "direct"};
   if (name == "filmPrecision") return {"single", "double"};
+  if (name == "filmLaw") return {"code", "recommended"};
+  if (name == "filmStressLimit") return {"on", "off"};
   if (name == "lifeElements") return {"gz", "all", "none"};
   if (name == "lifeElementTracks") return {"separate", "shared"};
   if (name == "lifeLimitForm") return {"peak", "integral"};
-  for (const char* open : {"lifeLambda", "lifeFilter", "isoKappa", "isoContamination"})
+  for (const char* open :
+       {"lifeLambda", "lifeFilter", "isoKappa", "isoContamination", "lubStressLimit"})
     if (name == open) return {"none"};
   return out;
 }

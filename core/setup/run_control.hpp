@@ -59,6 +59,10 @@ struct RunOptions {
   std::uint64_t seed = kDefaultSeed;     ///< of random imperfections (kReGeoImp 1)
   bool direct_strips = false;            ///< visco-elastic films without a surface
   bool single_films = true;              ///< films by floats where that is enough
+  bool recommended_law = false;          ///< traction by the recommended law of the oil
+  bool stress_limit = true;              ///< films have their limiting shear stress
+  std::optional<double> user_limit;      ///< limiting stress over pressure of the user's lubricant
+  double user_softening = 0.003;         ///< its fall with temperature [1/K]
   bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out

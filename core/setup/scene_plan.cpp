@@ -33,10 +33,16 @@ std::string flange_reason(const deck::Deck& deck) {
   return out;
 }
 
-std::string film_reason(const bearing::Lubrication& lubrication) {
+std::string film_reason(const bearing::Bearing& bearing) {
+  const bearing::Lubrication& lubrication = *bearing.lubrication;
   const tribology::Lubricant oil = tribology::lubricant_of(lubrication);
+  const double T = 0.5 * (bearing.race_temperature[1] + bearing.element_temperature);
+  const double limit = oil.limiting_ratio(T);
   return fmt::format(
-      "kTrac = {}, {}{}", lubrication.code, oil.name,
+      "kTrac = {}, {}; {}{}", lubrication.code, oil.name,
+      limit > 0.0
+          ? fmt::format("limiting shear stress {:.3g} of the pressure at {:.4g} K", limit, T)
+          : std::string("no limiting shear stress"),
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
 }
 
@@ -154,7 +160,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
            damping_reason(alpha, element, bearing));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
-         bearing.lubrication ? film_reason(*bearing.lubrication)
+         bearing.lubrication ? film_reason(bearing)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
   if (bearing.lubrication)
     effect(Effect::RollingResistance, element + " / race rolling resistance",

@@ -71,7 +71,7 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   CHECK(panel->chart().chartScene().page().panels.empty());  // hidden: nothing is computed
   dock->show();
   panel->drawNow();
-  CHECK(panel->chart().chartScene().page().panels.size() == 1);
+  CHECK(panel->chart().chartScene().page().panels.size() == 2);
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
   const std::string lubricant = panel->chart().chartScene().page().title;
   const auto whole = desktop::lubricant_pages(*calculators::lubricant_contact(in_oil("4")));

@@ -59,7 +59,7 @@ double direct(const Lubricant& oil, double T, double h, double slip, double p) {
   else
     stress = film_shear_stress({h, mu, 0.0, beta, K}, slip, 0.0);
   const double kappa = stress / p;
-  return kappa * std::pow(1.0 + std::pow(kappa / oil.limiting_ratio, 4.0), -0.25);
+  return kappa * std::pow(1.0 + std::pow(kappa / oil.limiting_ratio(T), 8.0), -0.125);
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
     for (const double T : {223.15, 300.0, 400.0})  // -50 C
       for (const bool lines : {false, true}) {
         const TractionLaw law = law_of(code, T, 1e-8, lines);
-        const double limit = lubricant(code).limiting_ratio;
+        const double limit = lubricant(code).limiting_ratio(T);
         CHECK(law.rounded());
         law.visit([&](const auto& own) {
           for (const double p0 : {1.0, 1e7, 1e9, 4e9, 6e9})
@@ -346,7 +346,8 @@ TEST_CASE("all lubricants: traction falls with temperature at one film, and wher
         CHECK(below == Approx(slopes).margin(1e-3));
       }
       falls_below += below < 0.0 ? 1 : 0;
-      if (oil.model == LubricantModel::NewtonianThermal && !(oil.limiting_ratio > 0.0)) {
+      if (oil.model == LubricantModel::NewtonianThermal &&
+          kappa(warm, thinner, kMuch, kPressure) < 0.4 * oil.limiting_ratio(T)) {
         const double beyond =
             kappa(warm, thinner, kMuch, kPressure) / kappa(cool, h, kMuch, kPressure);
         CHECK(beyond > 1.0);
