@@ -134,36 +134,32 @@ TEST_CASE("recommended law: kTrac 4, 10, 11, 12 → within a factor of 2 above 1
   CHECK(widest_by_code > 5.0);  // what the recommended law is for
 }
 
-TEST_CASE("stress limit: below 1 GPa → at most 2 % less where the classic law is below 0.8 of it",
+TEST_CASE("stress limit: below 1 GPa → at most 2 % less where the classic law is below half of it",
           "[physics][lubricants]") {
-  int compared = 0, at_bearing_temperatures = 0;
+  int compared = 0, of_tested_oils = 0;
   for (const int code : tribology::lubricant_codes()) {
     const tribology::Lubricant& oil = tribology::lubricant(code);
     for (const double celsius : {0.0, 40.0, 80.0, 120.0, 200.0})
-      for (const double pressure : {0.5e9, 0.75e9, 1.0e9}) {
+      for (const double pressure : {0.5e9, 0.75e9, 0.9e9}) {
         LubricantContact free = of(code);
         free.stress_limit = false;
         const std::vector<double> limited = coefficients(of(code), celsius, pressure),
                                   classic = coefficients(free, celsius, pressure);
+        // kTrac 1, 3, 4 and 5: constants of disc tests; any slip at bearing temperatures.
+        const bool tested = (code == 1 || code == 3 || code == 4 || code == 5) && celsius >= 40.0 &&
+                            celsius <= 120.0;
         for (std::size_t i = 0; i < limited.size(); ++i) {
           CAPTURE(code, celsius, pressure, kSlipRatio[i], limited[i], classic[i]);
           CHECK(limited[i] <= classic[i] * (1.0 + 1e-12));
-          // A mean coefficient of 0.7 has 0.8 in the middle of the contact.
-          if (classic[i] > 0.7 * oil.limiting_ratio(celsius + 273.15)) continue;
+          if (!tested && classic[i] > 0.5 * oil.limiting_ratio(celsius + 273.15)) continue;
           CHECK(limited[i] >= 0.98 * classic[i]);
           ++compared;
+          of_tested_oils += tested ? 1 : 0;
         }
-        // The oils that disc tests described: kTrac 1, 3, 4, 5 at 80 °C and more.
-        if ((code == 1 || code == 3 || code == 4 || code == 5) && celsius >= 80.0)
-          for (std::size_t i = 0; i < limited.size(); ++i) {
-            CAPTURE(code, celsius, pressure, kSlipRatio[i], limited[i], classic[i]);
-            CHECK(limited[i] >= 0.98 * classic[i]);
-            ++at_bearing_temperatures;
-          }
       }
   }
   CHECK(compared > 1000);
-  CHECK(at_bearing_temperatures == 4 * 3 * 3 * static_cast<int>(kSlipRatio.size()));
+  CHECK(of_tested_oils == 4 * 3 * 3 * static_cast<int>(kSlipRatio.size()));
 }
 
 TEST_CASE("stress limit: user lubricant → own value, 0.07 assumed without one, none when off",
