@@ -12,6 +12,7 @@
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
 #include "thermal/steady_state.hpp"
+#include "thermal/time_line.hpp"
 
 #include <array>
 #include <memory>
@@ -52,6 +53,7 @@ struct Prepared {
   life::BearingLife life;             ///< at the equilibrium that PRINT.txt shows
   std::optional<statics::FrictionEstimate> friction;  ///< of a quasi-static deck
   std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
+  std::optional<thermal::TimeLine> time_line;         ///< and thermalTransient = on
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {
