@@ -285,14 +285,34 @@ Prepared prepare_model(LoadedDeck input) {
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   set_film_options(out);
+  if (out.as_built.thermal) {
+    out.as_built.thermal->model = out.options.thermal_model;
+    out.as_built.thermal->surroundings = out.options.surroundings;
+    if (!out.options.thermal_base) {
+      if (out.options.thermal_model == bearing::ThermalModel::Ladder)
+        throw InputError(
+            "run option thermalBase = none: the ladder needs a base temperature. Use "
+            "thermalModel=network.");
+      out.as_built.thermal->base = static_cast<int>(thermal::BaseNode::None);
+    }
+    if (out.options.thermal_transient && out.options.thermal_model == bearing::ThermalModel::Ladder)
+      throw InputError(
+          "run option thermalTransient = on: the ladder has no heat capacities. Use "
+          "thermalModel=network.");
+  }
   choose_nodes(out);
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {
-    out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, [&] {
+    const auto interrupt = [&] {
       if (out.input.stop.stop_requested())
         throw Interrupted("interrupted in the thermal analysis; nothing was written");
-    });
+    };
+    if (out.options.thermal_transient) {
+      out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
+      if (!out.time_line->settled) throw SolverError("thermal time line: " + out.time_line->end);
+    }
+    out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, interrupt);
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
     for (const std::string& note : out.thermal->heat.notes)

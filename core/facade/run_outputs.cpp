@@ -277,6 +277,7 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
     print.quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
   if (prepared.friction) print.friction(*prepared.friction, prepared.rollers ? "roller" : "ball");
   if (prepared.thermal) print.thermal(*prepared.thermal);
+  if (prepared.time_line) print.time_line(*prepared.time_line);
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);

@@ -42,7 +42,9 @@ double cage_speed(const scene::Snapshot& at) {
 ThermalRun::ThermalRun(const Prepared& prepared)
     : as_built_(prepared.as_built),
       now_(thermal::BulkTemperatures::in(prepared.as_built)),
-      geometry_(now_) {
+      geometry_(now_),
+      transient_(prepared.options.thermal_transient),
+      acceleration_(prepared.options.thermal_acceleration) {
   shown_.outside = now_.race[0];
   shown_.bore = now_.race[1];
   shown_.housing = now_.housing;
@@ -50,6 +52,9 @@ ThermalRun::ThermalRun(const Prepared& prepared)
       as_built_.thermal->base == 2 || as_built_.thermal->base == 3
           ? as_built_.thermal->base_temperature
           : now_.element;
+  relaxation_.least = 0.2;
+  relaxation_.most = 1.0;
+  relaxation_.quiet = 0.5;
   const auto field = now_.list();
   history_.emplace_back(field.begin(), field.end());
 }
@@ -102,7 +107,8 @@ void ThermalRun::show(const thermal::BearingHeat& heat) {
       T.housing, heat.sources.total(), heat.to_coolant(), heat.flows.race};
 }
 
-ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
+ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
+                                   const thermal::RaceConductance& contact) {
   const thermal::HeatSources until = sources(at.energy);
   const std::array<double, 8> now = list_of(until), then = list_of(before_);
   std::array<double, 8> mean{};
@@ -111,10 +117,15 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
   Step out;
   bearing::Bearing warm = as_built_;
   now_.set(warm);
-  out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at));
+  const thermal::HeatStep in_time{node_state_, (at.time - begun_) * acceleration_};
+  out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at), contact,
+                                         transient_ ? &in_time : nullptr);
+  node_state_ = out.heat.state;
   ++steps_;
   out.number = steps_;
-  now_ = out.heat.bulk;
+  now_ = transient_
+             ? out.heat.bulk
+             : thermal::BulkTemperatures::of(relaxation_.step(now_.list(), out.heat.bulk.list()));
   begun_ = at.time;
   before_ = until;
   show(out.heat);
@@ -128,6 +139,9 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
   thermal::StepRules rules;
   rules.limit = thermal::kHottest;
   out.judged = thermal::judge_sequence(history_, rules);
+  // Slow changes of a transient are not a steady state, growing ones no instability.
+  if (transient_ && out.judged.reason != "limit")
+    out.judged.verdict = thermal::StepVerdict::Undecided;
   settled_ = out.judged.verdict == thermal::StepVerdict::Stable;
   if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
     throw SolverError(fmt::format(
@@ -164,6 +178,11 @@ void ThermalRun::save(std::map<std::string, double>& state) const {
     state[key("now", k)] = now[k];
     state[key("geometry", k)] = geometry[k];
   }
+  state["thermal.nodes"] = static_cast<double>(node_state_.size());
+  for (std::size_t k = 0; k < node_state_.size(); ++k) state[key("node", k)] = node_state_[k];
+  state["thermal.relaxation"] = relaxation_.factor;
+  state["thermal.relaxed"] = relaxation_.begun ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) state[key("residual", k)] = relaxation_.residual[k];
   const auto heat = list_of(before_);
   for (std::size_t k = 0; k < heat.size(); ++k) state[key("heat", k)] = heat[k];
   state["thermal.history"] = static_cast<double>(history_.size());
@@ -202,6 +221,14 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
   }
   now_ = thermal::BulkTemperatures::of(now);
   geometry_ = thermal::BulkTemperatures::of(geometry);
+  constexpr double kMostNodes = 64.0;
+  node_state_.resize(static_cast<std::size_t>(get("thermal.nodes", 0.0, kMostNodes)));
+  for (std::size_t k = 0; k < node_state_.size(); ++k)
+    node_state_[k] = get(key("node", k), -kMost, kMost);
+  relaxation_.factor = get("thermal.relaxation", 0.0, 1.0);
+  relaxation_.begun = get("thermal.relaxed", 0.0, 1.0) > 0.5;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    relaxation_.residual[k] = get(key("residual", k), -kMost, kMost);
   std::array<double, 8> heat{};
   for (std::size_t k = 0; k < heat.size(); ++k) heat[k] = get(key("heat", k), -kMost, kMost);
   before_ = of_list(heat);
@@ -216,6 +243,11 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
             shown[2], shown[3], shown[4],
             shown[5], shown[6], {shown[7], shown[8]}};
   return true;
+}
+
+thermal::RaceConductance race_conductance(const Prepared& p) {
+  return p.roller_scene ? thermal::race_conductance(p.bearing, p.roller_scene->solution)
+                        : thermal::race_conductance(p.bearing, p.start);
 }
 
 std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {

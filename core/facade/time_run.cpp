@@ -119,7 +119,8 @@ void TimeRun::thermal_step() {
   std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
   ThermalRun& thermal = *parts_.thermal;
   const bool settled = thermal.settled();
-  const ThermalRun::Step done = thermal.close(system().snapshot(t, y));
+  const ThermalRun::Step done =
+      thermal.close(system().snapshot(t, y), race_conductance(parts_.prepared));
   if (thermal.settled() && !settled)
     parts_.outputs.remark(fmt::format(
         "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));

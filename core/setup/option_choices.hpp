@@ -8,7 +8,7 @@
 namespace adore::setup {
 
 /// Words that a run option takes, in the order of its meaning; "1" and "0" of a switch. Empty for
-/// an option that takes numbers only; one with "none" takes numbers besides.
+/// an option that takes numbers only; one with "none" or "auto" takes numbers, too.
 [[nodiscard]] std::vector<std::string> option_choices(std::string_view name);
 
 }  // namespace adore::setup

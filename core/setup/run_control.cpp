@@ -149,6 +149,87 @@ bool parse_optional(std::string_view text, std::optional<double>& out, double mo
   return true;
 }
 
+/// A number from `least` to `most`, or "auto".
+bool parse_automatic(std::string_view text, std::optional<double>& out, double least, double most) {
+  if (text == "auto") {
+    out.reset();
+    return true;
+  }
+  double value = 0.0;
+  if (!parse(text, value) || !(value >= least && value <= most)) return false;
+  out = value;
+  return true;
+}
+
+/// Thermal analysis (kTherm): model and surroundings.
+void add_thermal_options(std::vector<Option>& table) {
+  table.push_back(
+      {{"thermalModel", "network",
+        "temperatures of a thermal analysis (kTherm): network (closed heat balance, each ring with "
+        "its own temperature) or ladder (one base temperature, contact heat in halves, both "
+        "raceways as warm as the rolling elements)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "network" && v != "ladder") return false;
+         o.thermal_model =
+             v == "network" ? bearing::ThermalModel::Network : bearing::ThermalModel::Ladder;
+         return true;
+       }});
+  table.push_back(
+      {{"thermalBase", "deck",
+        "boundaries of the thermal network: deck (the place of kBaseTemp is held at baseTemp) or "
+        "none (only ambient and coolant; of the deck baseTemp is the coolant inlet)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "deck" && v != "none") return false;
+         o.thermal_base = v == "deck";
+         return true;
+       }});
+  table.push_back(
+      {{"thermalTransient", "off",
+        "heat capacities of the thermal network: off (each thermal step of a motion sets the "
+        "temperatures of the steady state) or on (temperatures follow in time, in a motion times "
+        "thermalAcceleration; mode -1 also gives a time line from record 9.1.3 to the steady state "
+        "or to seizure)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "on" && v != "off") return false;
+         o.thermal_transient = v == "on";
+         return true;
+       }});
+  table.push_back({{"thermalAcceleration", "1",
+                    "thermal time over the time of the motion with thermalTransient=on, 1 to "
+                    "1000000000: a run of 0.1 s shows 100 s of warming with 1000"},
+                   [](RunOptions& o, std::string_view v) {
+                     constexpr double kFastest = 1e9;
+                     return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
+                            o.thermal_acceleration <= kFastest;
+                   }});
+  constexpr double kColdest = 1.0, kHottest = 1000.0, kMost = 1e6;
+  const auto add = [&](const char* name, const char* meaning, double least, double most,
+                       std::optional<double>& (*place)(bearing::Surroundings&)) {
+    table.push_back({{name, "auto", meaning}, [=](RunOptions& o, std::string_view v) {
+                       return parse_automatic(v, place(o.surroundings), least, most);
+                     }});
+  };
+  using bearing::Surroundings;
+  add("ambientTemperature",
+      "temperature around housing and shaft in the thermal network [K], 1 to 1000, or auto "
+      "(roomTemp)",
+      kColdest, kHottest, [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
+  add("housingCooling",
+      "conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or auto (ISO "
+      "15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or kBaseTemp 4, "
+      "5)",
+      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
+  add("shaftCooling",
+      "conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or auto (as "
+      "housingCooling)",
+      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
+  add("coolantInlet",
+      "temperature of the coolant at its inlet [K], 1 to 1000, where baseTemp is that of a race, "
+      "the housing or the shaft (kBaseTemp 0, 1, 4, 5), or auto (baseTemp)",
+      kColdest, kHottest,
+      [](Surroundings& o) -> std::optional<double>& { return o.coolant_inlet; });
+}
+
 /// Fatigue life: what no record of the deck holds.
 void add_life_options(std::vector<Option>& table) {
   const auto add = [&](const char* name, const char* value, const char* meaning,
@@ -383,6 +464,7 @@ const std::vector<Option>& options() {
            return true;
          }},
     };
+    add_thermal_options(all);
     add_life_options(all);
     return all;
   }();
@@ -404,6 +486,11 @@ std::vector<std::string> option_choices(std::string_view name) {
   for (const char* on_or_off : {"resultsH5", "centrifugalGrowth", "userProcess"})
     if (name == on_or_off) return {"1", "0"};
   if (name == "filmStress") return {"surface", "direct"};
+  if (name == "thermalBase") return {"deck", "none"};
+  if (name == "thermalTransient") return {"off", "on"};
+  if (name == "thermalModel") return {"network", "ladder"};
+  for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
+    if (name == open) return {"auto"};
   if (name == "filmPrecision") return {"single", "double"};
   if (name == "filmLaw") return {"code", "recommended"};
   if (name == "filmStressLimit") return {"on", "off"};

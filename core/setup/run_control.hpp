@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
+#include "bearing/thermal_inputs.hpp"
 #include "deck/deck.hpp"
 #include "scene/system_options.hpp"
 #include "setup/build_imperfections.hpp"
@@ -64,6 +65,11 @@ struct RunOptions {
   std::optional<double> user_limit;      ///< limiting stress over pressure of the user's lubricant
   double user_softening = 0.003;         ///< its fall with temperature [1/K]
   bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
+  bearing::ThermalModel thermal_model = bearing::ThermalModel::Network;
+  bearing::Surroundings surroundings;    ///< of the thermal network
+  bool thermal_base = true;              ///< the place of kBaseTemp is held at baseTemp
+  bool thermal_transient = false;        ///< heat capacities act
+  double thermal_acceleration = 1.0;     ///< thermal over mechanical time of a motion
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out
   bool user_process = false;             ///< a plug-in of --user runs in a process of its own

@@ -24,9 +24,9 @@ results::StaticTables network(results::UnitSystem units) {
                                 {"inner race at the shaft", 327.0},
                                 {"shaft inside", 321.0}})
     table.add(name, unit::kTemperature, {T});
-  table.add("rolling elements to coolant", unit::kPower, {70.0});
-  table.add("outer raceway to housing", unit::kPower, {30.0});
-  table.add("inner raceway to shaft", unit::kPower, {40.0});
+  table.add("rolling elements to coolant mean", unit::kPower, {70.0});
+  table.add("outer raceway to outer race at the housing", unit::kPower, {30.0});
+  table.add("inner raceway to inner race at the shaft", unit::kPower, {40.0});
   table.add("made at the outer race", unit::kPower, {60.0});
   table.add("made in the pockets", unit::kPower, {0.0});
   table.add("mean of the outer race", unit::kTemperature, {329.0});
@@ -70,7 +70,7 @@ TEST_CASE("the picture of the network has each node with its temperature, each f
   CHECK(head_of(*page).second == Approx(5.0 - 0.12));
   results::StaticTables turned = network(results::UnitSystem::SI);
   for (results::StaticColumn& column : turned.tables[0].columns)
-    if (column.name == "outer raceway to housing") column.values = {-30.0};
+    if (column.name == "outer raceway to outer race at the housing") column.values = {-30.0};
   const auto inward = desktop::heat_page(turned);
   REQUIRE(inward);
   CHECK(head_of(*inward).second == Approx(4.0 + 0.12));
