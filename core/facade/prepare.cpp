@@ -27,6 +27,7 @@
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
 #include "statics/deck_fault.hpp"
+#include "statics/element_places.hpp"
 #include "statics/film_doubts.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/bearing_drag.hpp"
@@ -354,9 +355,11 @@ Prepared prepare_model(LoadedDeck input) {
       add_remark(out, Severity::Warning, text);
   };
   ask_to_go_on(out.input);
+  const auto& frame = out.plan.race_motions.frame;
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+    if (frame) statics::put_into_frame(out.bearing, *frame, out.options.rollers, *out.rollers);
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
@@ -381,6 +384,7 @@ Prepared prepare_model(LoadedDeck input) {
     return out;
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
+  if (frame) statics::put_into_frame(out.bearing, *frame, statics::StaticsOptions{}, out.statics);
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
@@ -408,6 +412,7 @@ Prepared prepare_model(LoadedDeck input) {
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
+    if (frame) statics::put_into_frame(out.bearing, *frame, as_in_motion, out.start);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,

@@ -79,6 +79,23 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   return true;
 }
 
+/// Geometry at the speeds of the stored instant; false: that of the start.
+bool restore_growth(ReadyRun& run, Prepared& prepared) {
+  std::error_code error;
+  if (!fs::exists(run.master, error)) return false;
+  const results::MasterState master = results::read_master(run.master);
+  if (master.last.state.size() != static_cast<std::size_t>(run.system->layout().size()))
+    return false;
+  const dynamics::PrescribedRaces races =
+      run.system->prescribed_races(master.last.time, master.last.state);
+  const std::array<double, 2> speed{races[0].speed, races[1].speed};
+  const RingGrowth::Levels levels = run.growth->levels(speed);
+  if (levels == RingGrowth::Levels{}) return false;
+  move_to_speeds(prepared, run.thermal ? &*run.thermal : nullptr,
+                 run.growth->speeds(levels, speed));
+  return true;
+}
+
 /// Does something that may refuse the deck's method: names intMet, where no record is named and the
 /// request has no method in its place.
 template <class Check>
@@ -128,11 +145,14 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   outputs.emplace(prepared, folder, request_digest(request, prepared.input), request.overwrite);
+  growth.emplace(prepared);
   // Times, limits and estimates above are those of the bearing of the deck, as they were when the
   // run began: a run that was killed goes on in the same steps.
   thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   if (thermal_goes_on) system.emplace(make_system(prepared));
+  if (how == setup::StartState::Continue && growth->active() && restore_growth(*this, prepared))
+    system.emplace(make_system(prepared));
   if (thermal) outputs->show_thermal(*thermal);
   start = outputs->find_start(*system, how);
 }

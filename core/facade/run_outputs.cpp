@@ -6,6 +6,7 @@
 #include "dynamics/effect_catalogue.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/cage_start.hpp"
+#include "facade/changed_equilibrium.hpp"
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
 #include "facade/equilibrium.hpp"
@@ -65,20 +66,6 @@ const char* status_word(RunStatus status) {
       break;
   }
   return "failed";
-}
-
-/// A state of another run as start of this one, component by component: what FINAL does not have
-/// (an orientation that only this deck shows) keeps its own start value, and integrals begin at
-/// zero.
-void take_state(const results::FinalState& from, const dynamics::System& system,
-                std::vector<double>& y) {
-  std::map<std::string, double> stored;
-  for (std::size_t i = 0; i < from.components.size(); ++i)
-    stored[from.components[i]] = from.state[i];
-  for (int i = 0; i < system.layout().controlled_size(); ++i) {
-    const auto found = stored.find(system.layout().component_name(i));
-    if (found != stored.end()) y[static_cast<std::size_t>(i)] = found->second;
-  }
 }
 
 /// What a run that starts anew from FINAL, where races are prescribed as `now`, takes from before:
@@ -221,6 +208,7 @@ results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, cons
   out.components = component_names(system);
   out.state.assign(y.begin(), y.end());
   keep_races(system.prescribed_races(at.time, y), out.extras);
+  if (thermal != nullptr) thermal->save(out.extras);
   deck::Deck deck = prepared.input.deck;
   deck.user_lines.clear();  // of user routines: any text
   out.deck = deck::write_deck(deck);
@@ -347,9 +335,39 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
                          s.control.final_file));
     start = setup::StartState::FromFinal;
   }
+  bool changed = false;  // the equilibrium may be another one
   const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
     for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
       s.remarks.push_back(std::move(note));
+    changed = !stored.deck.empty() && acts_on_bearing(stored.deck, s.prepared.input.deck, start);
+  };
+  // Moves the state to the equilibrium of this deck. @return it did
+  const auto move = [&](const results::FinalState& stored,
+                        const std::map<std::string, double>& thermal, const fs::path& file) {
+    if (!changed) return false;
+    dynamics::NewEquilibrium change;
+    try {
+      const StoredScene from = stored_scene(stored, thermal, s.prepared, file);
+      change =
+          dynamics::move_to_equilibrium(moving_scene(from.prepared, *from.system), from.time,
+                                        from.y, moving_scene(s.prepared, system), out.time, out.y);
+    } catch (const InputError& failure) {
+      change.why_not =
+          fmt::format("the scene of the stored state is not known ({})", failure.what());
+    } catch (const SolverError& failure) {
+      change.why_not =
+          fmt::format("the scene of the stored state is not known ({})", failure.what());
+    }
+    if (const std::string text = change_remark(change, "start from " + file.filename().string());
+        !text.empty())
+      s.remark(text, Severity::Warning);
+    if (change.moved)
+      s.remark(
+          fmt::format("the stored state moves to the equilibrium of this deck, elements and "
+                      "races by up to {:.4g} {}",
+                      results::from_si(change.largest_shift, results::unit::kLength, s.units),
+                      results::unit_name(results::unit::kLength, s.units)));
+    return change.moved;
   };
   if (start == setup::StartState::FromFinal) {
     const fs::path file = s.path(s.control.final_file);
@@ -357,12 +375,14 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
-    if (const auto races = kept_races(from.extras)) {
-      const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
-      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units))
+    changed = changed || from.extras.contains("thermal.steps") || s.plan.race_motions.excited();
+    const auto races = kept_races(from.extras);
+    const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
+    if (races) system.go_on(of_new_run(*races, from, now), out.time, out.y);
+    const bool moved = move(from, from.extras, file);
+    if (races)
+      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(jump, Severity::Warning);
-      system.go_on(of_new_run(*races, from, now), out.time, out.y);
-    }
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
@@ -376,12 +396,13 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
-    if (const auto races = kept_races(master.last.extras)) {
-      for (const std::string& jump :
-           jumps_of_races(*races, system.prescribed_races(out.time, out.y), s.plan, s.units))
+    const auto races = kept_races(master.last.extras);
+    const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
+    if (races) system.go_on(*races, out.time, out.y);
+    const bool moved = move(master.last, master.averages, s.path(s.control.master_file));
+    if (races)
+      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(jump, Severity::Warning);
-      system.go_on(*races, out.time, out.y);
-    }
     // The shaft goes on from where it was.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
@@ -414,7 +435,16 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.files.check();
     std::tie(out.stored_step, out.stored_time) = s.files.stored_end(s.print_bytes);
   } else {
-    check_room(s.files.outputs(), s.overwrite);
+    try {
+      check_room(s.files.outputs(), s.overwrite);
+    } catch (const ResultsExist&) {
+      if (start != setup::StartState::FromFinal) throw;
+      throw ResultsExist(
+          s.files.outputs().folder,
+          {s.control.final_file + ", which this run reads as its start (kIcOpt = -1) before it "
+                                  "replaces any file and keeps until its own first checkpoint",
+           "others"});
+    }
   }
   return out;
 }

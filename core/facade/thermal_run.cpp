@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "dynamics/roller_start.hpp"
+#include "statics/element_places.hpp"
 #include "statics/film_doubts.hpp"
 #include "statics/kinematics.hpp"
 #include "thermal/steady_state.hpp"
@@ -253,10 +254,12 @@ thermal::RaceConductance race_conductance(const Prepared& p) {
 std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
   std::optional<statics::LubricantFilms> films;
+  const auto& frame = p.plan.race_motions.frame;
   if (p.bearing.rollers()) {
     auto scene = std::make_shared<dynamics::RollerScene>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
+    if (frame) statics::put_into_frame(p.bearing, *frame, p.options.rollers, scene->solution);
     p.start = dynamics::static_start(*scene, p.bearing);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
@@ -266,6 +269,7 @@ std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
+    if (frame) statics::put_into_frame(p.bearing, *frame, as_in_motion, p.start);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
   if (!films) return {};

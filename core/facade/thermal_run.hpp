@@ -44,6 +44,9 @@ class ThermalRun {
   /// The bearing at work after the last step.
   [[nodiscard]] bearing::Bearing operating() const;
 
+  /// Race speeds at which the rings grow from now on [rad/s].
+  void set_speed(const std::array<double, 2>& speed) noexcept { as_built_.speed = speed; }
+
   [[nodiscard]] const scene::ThermalSnapshot& shown() const noexcept { return shown_; }
   [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept { return now_; }
   [[nodiscard]] int steps() const noexcept { return steps_; }

@@ -410,10 +410,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
                       out.constraints.load[0] != 0.0 || out.constraints.displacement[0] != 0.0;
     out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", acts);
   }
-  const bearing::Vec3 in_frame = frame_load(deck, out.race_inertia);
-  for (std::size_t k = 1; k < 3; ++k)
+  if (deck.has("gravityVecX"))
+    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
+  const bearing::Vec3 of_fields =
+      frame_load(deck, out.race_inertia) + race_weight(deck, out.race_inertia, out.gravity);
+  for (std::size_t k = 0; k < 3; ++k)
     if (!out.constraints.displacement_given[k])
-      out.constraints.load[k] += in_frame[static_cast<int>(k)];
+      out.constraints.load[k] += of_fields[static_cast<int>(k)];
   constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
                                           bearing::SpinRule::RaceControl,
                                           bearing::SpinRule::Prescribed};
@@ -423,8 +426,6 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
     out.spin_angle = si_where(out.spin_rule == bearing::SpinRule::Prescribed, deck, "angVelOrient");
   }
   out.speed = {deck.si("rpm1"), deck.si("rpm2")};
-  if (deck.has("gravityVecX"))
-    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
   out.room_temperature = deck.si("roomTemp");
   out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
   out.element_temperature = deck.si("reTemp");
