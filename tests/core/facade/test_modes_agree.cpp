@@ -270,6 +270,35 @@ TEST_CASE("mode 2 in oil has the heat of mode 0 that is held where the balls car
   }
 }
 
+// Where film friction is stronger than the pace of the balance, sqrt(K m), a race that ignored it
+// swung by 80 % of the load for ever.
+TEST_CASE("mode 2 in an oil of strong traction: the inner race carries the specified load",
+          "[physics][facade][constrained][film]") {
+  const testing::TemporaryFolder folder;
+  deck::Deck deck = deck_of("ball",
+                            in_oil(7, {{"freeConAng", "15"},
+                                       {"appLoadX", "1200"},
+                                       {"rpm2", "3600"},
+                                       {"raceTemp1", "355"},
+                                       {"raceTemp2", "355"},
+                                       {"reTemp", "355"},
+                                       {"nCseg", "0"},
+                                       {"kNumPltElem", "1"},
+                                       {"kPltElemInd", "1"}}),
+                            2, 2.1);
+  deck.set_all(Sets{{"kPltFreq", "2"}});
+  means_of(deck, folder / "", 0.1);
+  const results::H5Reader file(folder / "RESULTS.h5");
+  const std::vector<double> x = file.read("race.applied_force_x"),
+                            y = file.read("race.applied_force_y"),
+                            z = file.read("race.applied_force_z");
+  REQUIRE(x.size() > 60);
+  double largest = 0.0;
+  for (std::size_t k = x.size() / 3 | 1; k < x.size(); k += 2)
+    largest = std::max(largest, std::hypot(x[k] - 1200.0, y[k], z[k] - 1050.0));
+  CHECK(largest < 2e-3 * std::hypot(1200.0, 1050.0));
+}
+
 // 0.012 % of the heat of a race, 0.007 % of all heat.
 TEST_CASE("mode 1 of a preloaded cylindrical bearing in oil has the heat of mode 0",
           "[physics][facade][constrained][film][slow]") {

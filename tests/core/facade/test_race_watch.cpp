@@ -137,7 +137,7 @@ TEST_CASE("mode 2 of rollers that barely touch ends soon, with that cause",
   INFO(end.message);
   CHECK(end.status == facade::RunStatus::Failed);
   CHECK_THAT(end.message, Catch::Contains("the inner race is not in balance"));
-  CHECK(end.time < 8e-4);  // before the steps shrink
+  CHECK(end.time < 1.5e-3);  // soon; friction slows the race (decision 825): 1.18 ms
   // Steps that nStps counts as one are looked at one by one.
   CHECK(counted_in_fifties.message.substr(counted_in_fifties.message.find("asked")) ==
         end.message.substr(end.message.find("asked")));
