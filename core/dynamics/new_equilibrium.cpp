@@ -417,6 +417,51 @@ void change_speeds(const Instant& before, const ElementPlaces& was, const Instan
   }
 }
 
+/// Clearance after over clearance before, at most 1.
+double narrowing(double before, double after) {
+  return before > 0.0 && after > 0.0 ? std::min(1.0, after / before) : 1.0;
+}
+
+/// Where clearances of a cage of one piece become smaller, the cage keeps its relative place in its
+/// guide lands, and the elements theirs in the pockets along the pitch circle.
+void fit_cage(const MovingScene& before, double t, std::span<const double> y_before,
+              const MovingScene& after, std::span<double> y) {
+  const auto &old = before.system.bearing(), &now = after.system.bearing();
+  const auto body = body_states(after.system.layout(), "cage");
+  if (!body || !old.cage || !now.cage) return;
+  double guide = 1.0;
+  std::size_t race = 0;
+  for (std::size_t i = 0; i < old.cage->lands.size() && i < now.cage->lands.size(); ++i) {
+    using Guide = bearing::GuideLand::Guide;
+    const bearing::GuideLand& land = now.cage->lands[i];
+    if (land.guide == Guide::None) continue;
+    const double one = narrowing(old.cage->lands[i].clearance, land.clearance);
+    if (one < guide) race = land.guide == Guide::Outer ? 0 : 1;
+    guide = std::min(guide, one);
+  }
+  const double pocket = narrowing(old.cage->pocket_clearance_1, now.cage->pocket_clearance_1);
+  if (guide == 1.0 && pocket == 1.0) return;
+  const Snapshot at = before.system.snapshot(t, y_before);
+  const Mat3 to_base = rotation_matrix(normalise(quaternion_at(y.data(), body->attitude)));
+  const Vec3 position = vector_at(y.data(), body->position);
+  Vec3 offset = position + to_base * now.cage->inertia.geometric_centre - at.races[race].position;
+  offset[0] = 0.0;
+  const Vec3 shift = (guide - 1.0) * offset;
+  store_at(y.data(), body->position, Vec3(position + shift));
+  const Instant elements(after, t, y);
+  for (std::size_t i = 0; i < at.elements.size(); ++i) {
+    const scene::ElementSnapshot& element = at.elements[i];
+    const double ahead = -element.pocket_to_centre[1];  // y of the pocket is against the azimuth
+    const double turn =
+        ((pocket - 1.0) * ahead + shift.dot(circumferential_direction(element.theta))) / element.r;
+    component(y, elements.slices()[Quantity::Theta], i) += turn;
+    if (elements.attitudes().empty()) continue;
+    const Slice& attitude = elements.attitudes()[i];
+    store_at(y.data(), attitude,
+             multiply(quaternion_about(Vec3::UnitX(), turn), quaternion_at(y.data(), attitude)));
+  }
+}
+
 double energy_floor(const System& system) {
   return kEnergyFloor * system.scales().force * system.scales().length;
 }
@@ -427,6 +472,7 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
                                    std::span<const double> y_before, const MovingScene& after,
                                    double t, std::span<double> y) {
   NewEquilibrium out;
+  fit_cage(before, t_before, y_before, after, y);
   Instant old(before, t_before, y_before), now(after, t, y);
   std::optional<Rest> was, is;
   for (const bool conservative : {false, true}) {
@@ -536,22 +582,6 @@ void book_change(System& before, std::span<const double> y_before, System& after
       is.momentum->linear.sum(LedgerKind::Stored) - was.momentum->linear.sum(LedgerKind::Stored));
   add("thermal.angular_impulse",
       is.momentum->angular.sum(LedgerKind::Stored) - was.momentum->angular.sum(LedgerKind::Stored));
-}
-
-NewEquilibrium judge_start(const MovingScene& scene, double t, std::span<const double> y) {
-  NewEquilibrium out;
-  Instant at(scene, t, y);
-  for (const bool conservative : {false, true}) {
-    const auto rest = rest_of(at, y, conservative, at.race());
-    if (!rest) continue;
-    double elastic = 0.0;
-    const auto excess = departure_energy(at, y, rest->race, elastic);
-    out.elastic = std::max(elastic, energy_floor(scene.system));
-    if (excess) out.excess = std::max(0.0, *excess);
-    return out;
-  }
-  out.why_not = "the elements have no equilibrium at the start";
-  return out;
 }
 
 }  // namespace adore::dynamics

@@ -24,12 +24,16 @@
 /// rolling take their new values, and departures from them (slip, whirl of the cage) are scaled by
 /// the ratio of the race speeds, at most 1.
 ///
+/// A cage of one piece keeps its relative place in clearances that become smaller (guide lands,
+/// pockets along the pitch circle), so that growth presses no body into another one.
+///
 /// Excess energy: potential energy of the departures at constant angular momentum of the orbits,
 /// after the change less before it. It is what the change itself puts into vibration [derived].
 ///
-/// Limits: friction, forces of the cage and loads of user routines enter the difference of both
-/// equilibria to first order only; waves of races are those under the nominal azimuths; two free
-/// races share no displacement: the inner one takes it.
+/// Limits: segments of a cage and axial clearances stay where they are; friction, forces of the
+/// cage and loads of user routines enter the difference of both equilibria to first order only;
+/// waves of races are those under the nominal azimuths; two free races share no displacement: the
+/// inner one takes it.
 namespace adore::dynamics {
 
 struct NewEquilibrium {
@@ -61,10 +65,6 @@ struct MovingScene {
 /// @throws SolverError when a state is not valid
 void book_change(System& before, std::span<const double> y_before, System& after, double t,
                  std::span<double> y);
-
-/// Excess energy of a start state: that of its departures from the equilibrium.
-[[nodiscard]] NewEquilibrium judge_start(const MovingScene& scene, double t,
-                                         std::span<const double> y);
 
 /// Above the first ratio a change is reported, above the second it is an error.
 inline constexpr double kExcessWarned = 0.1, kExcessRefused = 1.0;

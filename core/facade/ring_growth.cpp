@@ -53,7 +53,6 @@ std::array<double, 2> RingGrowth::speeds(const Levels& levels,
 }
 
 void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<double, 2>& speed) {
-  const std::array<double, 2> at_start = prepared.as_built.speed;
   bearing::Bearing operating;
   if (thermal != nullptr) {
     thermal->set_speed(speed);
@@ -63,8 +62,22 @@ void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<do
     as_built.speed = speed;
     operating = thermal::operating_bearing(as_built);
   }
-  (void)move_to(prepared, std::move(operating));
+  (void)move_at_speed(prepared, operating);
+}
+
+std::vector<std::string> move_at_speed(Prepared& prepared, const bearing::Bearing& operating) {
+  const std::array<double, 2> at_start = prepared.as_built.speed;
+  std::vector<std::string> doubts;
+  try {
+    doubts = move_to(prepared, operating);
+  } catch (const SolverError&) {
+    if (operating.speed == at_start) throw;
+    bearing::Bearing slow = operating;  // held where the load at t = 0 puts it
+    slow.speed = at_start;
+    doubts = move_to(prepared, std::move(slow));
+  }
   prepared.bearing.speed = at_start;
+  return doubts;
 }
 
 }  // namespace adore::facade

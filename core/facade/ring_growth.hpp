@@ -3,6 +3,8 @@
 #include "facade/prepare.hpp"
 
 #include <array>
+#include <string>
+#include <vector>
 
 /// Growth of rings, shaft, housing and cage under their own rotation (thermal/ring.hpp) where the
 /// race speeds follow a law of the time (record 9.4). The clearance goes with Ω² of each race:
@@ -15,7 +17,7 @@ namespace adore::facade {
 class ThermalRun;
 
 /// Δ over the largest contact deflection: contact loads change by 1.5 times this share in a step.
-/// [choice; halving it changes the loads after a ramp by less than 0.5 %, test_ring_growth.cpp]
+/// The geometry is off by at most half a level, the loads by 0.4 % [choice; test_ring_growth.cpp].
 inline constexpr double kGrowthShare = 0.005;
 
 class RingGrowth {
@@ -39,5 +41,11 @@ class RingGrowth {
 /// The bearing of `prepared` at work at these race speeds, with the present temperatures of a
 /// thermal analysis; the motion's laws keep the speeds of t = 0. @throws InputError, SolverError
 void move_to_speeds(Prepared& prepared, ThermalRun* thermal, const std::array<double, 2>& speed);
+
+/// move_to() of a bearing at its present speeds, for laws that keep the speeds of t = 0. Where the
+/// present speeds leave no equilibrium under the specified load (a tapered row without enough
+/// thrust), that of t = 0 places the race. @return as move_to()
+[[nodiscard]] std::vector<std::string> move_at_speed(Prepared& prepared,
+                                                     const bearing::Bearing& operating);
 
 }  // namespace adore::facade

@@ -127,8 +127,7 @@ void TimeRun::thermal_step() {
     parts_.outputs.remark(fmt::format(
         "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
   try {
-    const std::vector<std::string> doubts = move_to(parts_.prepared, thermal.operating());
-    parts_.prepared.bearing.speed = parts_.prepared.as_built.speed;
+    const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
     for (const std::string& text : doubts)
       if (!films_doubted_)
         parts_.outputs.remark(fmt::format("from thermal step {} on: {}", done.number, text));
