@@ -100,24 +100,15 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
           "stored in this file."));
     return pages;
   }
-  std::vector<PanelSpec> temperatures{
-      PanelSpec{
-          "Coolant", {{"inlet", "thermal.coolant_inlet"}, {"exit", "thermal.coolant_exit"}}, false},
-      PanelSpec{"Bearing",
-                {{"outside diameter", "thermal.outside_diameter"}, {"bore", "thermal.bore"}},
-                false},
-      single("Housing outside diameter", "thermal.housing")};
-  if (columns.has("thermal.shaft_mean")) {
-    temperatures.push_back(
-        PanelSpec{"Raceways",
-                  {{"outer", "thermal.outer_raceway"}, {"inner", "thermal.inner_raceway"}},
-                  false});
-    temperatures.push_back(
-        PanelSpec{"Mean of housing and shaft",
-                  {{"housing", "thermal.housing_mean"}, {"shaft", "thermal.shaft_mean"}},
-                  false});
-  }
-  pages.push_back(history("Bearing temperatures", std::move(temperatures)));
+  pages.push_back(history(
+      "Bearing temperatures",
+      {PanelSpec{"Coolant",
+                 {{"inlet", "thermal.coolant_inlet"}, {"exit", "thermal.coolant_exit"}},
+                 false},
+       PanelSpec{"Bearing",
+                 {{"outside diameter", "thermal.outside_diameter"}, {"bore", "thermal.bore"}},
+                 false},
+       single("Housing outside diameter", "thermal.housing")}));
   pages.push_back(history(
       "Average heat distribution in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),

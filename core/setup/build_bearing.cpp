@@ -57,9 +57,10 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.elastic_modulus = value("EM");
   out.poisson_ratio = value("PR");
   out.thermal_expansion = value("CTE");
-  out.conductivity = value("TC", deck.integer("kTherm") > 0 && part != Part::RollingElement &&
-                                     part != Part::Cage);  // of the rings in the thermal network
-  out.specific_heat = value("SH", false);
+  // Conduction of the rings, and patches of contacts that move over elements and races.
+  const bool heat = deck.integer("kTherm") > 0;
+  out.conductivity = value("TC", heat);
+  out.specific_heat = value("SH", heat && contact);
   out.elastic_strain_limit = value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
   out.wear_coefficient = value("WC", wears);
   out.fatigue_limit_stress = value("VM", contact);

@@ -166,7 +166,8 @@ TEST_CASE("stress limit: user lubricant → own value, 0.07 assumed without one,
           "[unit][lubricants]") {
   bearing::Lubrication lubrication;
   lubrication.code = 9;
-  lubrication.user = {"mine", 313.0, 0.03, 1.5e-8, 4000.0, 0.14, 900.0, 2000.0, 0.2, 6e-9, 0.03};
+  lubrication.user = {"mine", 313.0, 0.03, 1.5e-8, 4000.0, 0.14, 900.0,
+                      2000.0, 0.2,   6e-9, 0.03,   {},     0.003};
   const auto limit = [&](double T) {
     return tribology::lubricant_of(lubrication).limiting_ratio(T);
   };

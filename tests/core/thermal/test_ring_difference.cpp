@@ -149,9 +149,9 @@ TEST_CASE(
   const auto at = [](const thermal::TimeLine& of) {
     for (std::size_t i = 1; i < of.points.size(); ++i)
       if (of.points[i].time >= 300.0) {
-        const thermal::TimeLinePoint &a = of.points[i - 1], &b = of.points[i];
-        return a.bulk.race[1] +
-               (b.bulk.race[1] - a.bulk.race[1]) * (300.0 - a.time) / (b.time - a.time);
+        const thermal::TimeLinePoint &from = of.points[i - 1], &to = of.points[i];
+        return from.bulk.race[1] +
+               (to.bulk.race[1] - from.bulk.race[1]) * (300.0 - from.time) / (to.time - from.time);
       }
     return 0.0;
   };
