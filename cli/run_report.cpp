@@ -50,6 +50,22 @@ std::string status_name(facade::RunStatus status) {
                                                     : "failed";
 }
 
+/// Life of a run with its samples and spread; empty without one.
+std::string run_life_text(const facade::RunOutcome& outcome) {
+  const auto find = [&](std::string_view id) {
+    for (const auto& [of, value] : outcome.summary)
+      if (of.id == id) return value;
+    return std::nan("");
+  };
+  const double life = find("run_life_hours"), spread = find("run_life_spread");
+  if (std::isnan(life)) return {};
+  return fmt::format("life of the run {} from {:.0f} steps{}\n",
+                     std::isinf(life) ? "infinite" : fmt::format("{:.4g} h", life),
+                     find("run_life_samples"),
+                     std::isnan(spread) ? ", spread not computed (short run)"
+                                        : fmt::format(", standard error {:.2g} %", 100.0 * spread));
+}
+
 }  // namespace
 
 std::string quoted(const std::string& word) {
@@ -88,6 +104,7 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
   if (outcome.energy_scale > 0.0)
     text += fmt::format("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
                         outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);
+  text += run_life_text(outcome);
   for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
   text += picture_lines(outcome);
   if (outcome.results.empty() && !continuation.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/errors.hpp"
+#include "base/input_limits.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,6 @@
 /// JSON that somebody else wrote: the one reader of it. Deep nesting is refused, because walking,
 /// printing and comparing such a value is recursive and would end in the stack.
 namespace adore {
-
-inline constexpr int kDeepestJson = 64;  ///< RUN.json and reference cases need about ten
 
 namespace detail {
 /// "is a deck, not JSON; ...", or "is not valid JSON: ..." in a clause of bounded length.
@@ -24,9 +23,9 @@ Json parse_json(std::string_view text, std::string_view name) {
   const std::string start = name.empty() ? std::string() : std::string(name) + " ";
   const typename Json::parser_callback_t shallow = [&](int depth, auto event, Json&) {
     using Event = typename Json::parse_event_t;
-    if (depth >= kDeepestJson && (event == Event::object_start || event == Event::array_start))
+    if (depth >= kMaxNesting && (event == Event::object_start || event == Event::array_start))
       throw InputError(start + "is not valid JSON for this program: it is nested more than " +
-                       std::to_string(kDeepestJson) + " levels deep");
+                       std::to_string(kMaxNesting) + " levels deep");
     return true;
   };
   try {

@@ -134,6 +134,12 @@ class SceneEffect {
                      std::span<double> y) {
     (void)before, (void)now, (void)y;
   }
+  /// Speed that steps must resolve now [m/s]: the rolling speed at which the film of a contact
+  /// breaks down, of contacts that slide and roll more slowly than `near` [m/s]; the smallest.
+  /// Infinite: none. Of the state evaluated last.
+  [[nodiscard]] virtual double speed_to_resolve(const Evaluation& e, double near) const {
+    return (void)e, (void)near, std::numeric_limits<double>::infinity();
+  }
   /// Largest dQ/dδ of its contacts at a load of 1e-3 `force` [N/m]; 0: it has none.
   [[nodiscard]] virtual double stiffness(double force) const { return (void)force, 0.0; }
 

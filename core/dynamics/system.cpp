@@ -142,6 +142,12 @@ std::span<const double> System::contact_loads(std::size_t race) const noexcept {
 void System::look(scene::Look& out) const {
   for (const auto& effect : impl_->parts.effects) effect->look(impl_->e, out);
 }
+double System::speed_to_resolve(double near) const {
+  double speed = std::numeric_limits<double>::infinity();
+  for (const auto& effect : impl_->parts.effects)
+    speed = std::min(speed, effect->speed_to_resolve(impl_->e, near));
+  return speed;
+}
 const RaceLoad& System::balanced_race() const noexcept { return impl_->e.balance; }
 CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }

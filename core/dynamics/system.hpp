@@ -102,6 +102,10 @@ class System {
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
   /// Forces and heats of the evaluation that was made last (scene/look.hpp).
   void look(scene::Look& out) const;
+  /// Rolling speed at which the film breaks down in contacts that slide and are about to stop
+  /// rolling (effects/races.hpp), smallest; of the evaluation that was made last. Infinite: no such
+  /// contact. @param near rolling speed below which a contact counts [m/s]
+  [[nodiscard]] double speed_to_resolve(double near) const;
   /// Of an inner race in force balance, at the evaluation that was made last; zero: there is none.
   [[nodiscard]] const RaceLoad& balanced_race() const noexcept;
   [[nodiscard]] CostLedger& cost() noexcept;

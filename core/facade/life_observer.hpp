@@ -1,15 +1,17 @@
 #pragma once
 
-#include "life/bearing_life.hpp"
+#include "life/load_damage.hpp"
 #include "listing/print_life.hpp"
 
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
-/// Fatigue life along a dynamic run: looks at snapshots at output times, never at the right-hand
-/// side.
+/// Fatigue life along a dynamic run. Life of the run: from the contact loads of every integration
+/// step (life/load_damage.hpp), independent of all output intervals. Life of an instant, which SOL7
+/// stores: from the snapshots that kLifeFreq selects. Never called by the right-hand side.
 namespace adore::facade {
 
 class LifeObserver {
@@ -18,8 +20,18 @@ class LifeObserver {
   LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
                const std::array<std::optional<double>, 2>& film_parameter = {});
 
-  /// The life at this instant's loads, and its damage since the instant before (linear between
-  /// them).
+  /// The equilibrium whose contacts tabulate damage over load; before the first step.
+  void set_reference(const life::BearingContacts& contacts);
+  /// Normal loads at the end of an integration step [N]. @pre set_reference
+  void follow_step(double time, std::span<const double> outer, std::span<const double> inner) {
+    run_->step(time, outer, inner);
+  }
+  /// Must the full life model be evaluated now?
+  [[nodiscard]] bool evaluation_due() const noexcept { return run_->due(); }
+  /// Evaluates it at the start of the run, or after the step that was followed last.
+  void evaluate(const scene::Snapshot& snapshot);
+
+  /// The life at this instant's loads, for SOL7.
   void observe(const scene::Snapshot& snapshot);
   /// The bearing has another geometry now (thermal steps).
   void follow_bearing();
@@ -35,13 +47,12 @@ class LifeObserver {
   void restore(const std::map<std::string, double>& state);
 
  private:
+  [[nodiscard]] life::LifeState state_at(const scene::Snapshot& snapshot);
+
   const bearing::Bearing& bearing_;
   life::LifeCalculator calculator_;
   std::array<std::optional<double>, 2> film_parameter_;
-  life::DamageSum damage_;
-  life::DamageRate rate_;  ///< at the last instant
-  double time_ = 0.0;      ///< of it [s]
-  bool started_ = false;   ///< there was one inside the window
+  std::optional<life::DamageOfSteps> run_;
   double hours_ = 0.0;
   long step_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "facade/race_watch.hpp"
 
 #include "base/errors.hpp"
+#include "results/mean_load.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +14,9 @@ void RaceWatch::begin(double t) noexcept {
   steps_ = 0;
 }
 
-void RaceWatch::look(double t, const dynamics::RaceLoad& load) {
-  const double asked = load.asked.norm();
-  if (!(asked > 0.0)) {
+void RaceWatch::look(double t, const dynamics::RaceLoad& load, double contact) {
+  const double asked = std::max(load.asked.norm(), results::kLoadFloor * contact);
+  if (!(load.asked.norm() > 0.0)) {
     begun_ = false;  // a window is of one time without a gap
     return;
   }

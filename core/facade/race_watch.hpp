@@ -33,8 +33,10 @@ class RaceWatch {
       : window_(kWindow * time_scale), longest_(std::min(longest, time_scale)) {}
   /// After every step of the integration, counted as one (nStps) or not; nothing is asked where no
   /// race is in balance.
+  /// @param contact largest contact load now [N]: kMost is of the asked load or, if larger, of
+  /// results::kLoadFloor of this one (a small load on preloaded contacts)
   /// @throws SolverError
-  void look(double t, const dynamics::RaceLoad& load);
+  void look(double t, const dynamics::RaceLoad& load, double contact = 0.0);
 
  private:
   void begin(double t) noexcept;

@@ -26,7 +26,10 @@ constexpr const char* kLived = "last step of the life models";
 constexpr const char* kHeld = "counter of changes of held elements";
 constexpr std::pair<const char*, double Resume::*> kErrors[] = {
     {"error estimates of the steps, sum", &Resume::error_sum},
-    {"error estimates of the steps, largest", &Resume::error_largest}};
+    {"error estimates of the steps, largest", &Resume::error_largest},
+    {"tolerance for films", &Resume::tolerance},
+    {"time under a tolerance for films", &Resume::tight_time},
+    {"tightest tolerance for films", &Resume::tightest}};
 constexpr std::pair<const char*, long integrators::Counters::*> kCounters[] = {
     {"counter of steps", &integrators::Counters::steps},
     {"counter of rejected", &integrators::Counters::rejected},

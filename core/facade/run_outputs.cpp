@@ -145,6 +145,9 @@ struct RunOutputs::Impl {
         files(p, std::move(f)) {
     // Plots compare it with the interval of the stored steps.
     if (p.control.dynamic) dynamics::find_fastest(plan, p.bearing, p.start);
+    if (p.control.dynamic)
+      life.set_reference(p.rollers ? life::life_contacts(*p.rollers, p.bearing)
+                                   : life::life_contacts(p.start, p.bearing));
   }
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
@@ -178,7 +181,10 @@ struct RunOutputs::Impl {
 void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
   constexpr double kTolerated = 0.05;
   const std::array<double, 2> mean = mean_race_heat(last, averages.averages());
-  const double heat = std::max(error.heat_of_finer, mean[0] + mean[1]);
+  // Heat that is less than the rounding of the stored energy is not judged.
+  const double stored = last.energy.sum(scene::LedgerKind::Stored);
+  const double least = last.time > 0.0 ? results::kHeatFloor * std::abs(stored) / last.time : 0.0;
+  const double heat = std::max({error.heat_of_finer, mean[0] + mean[1], least});
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
   if (std::abs(off) <= kTolerated) return;
   remark(fmt::format("the heat of the races is {:.2g} % off by the nodes of the contact integrals "
@@ -499,6 +505,13 @@ void RunOutputs::follow_step(const dynamics::System& system, double time, bool s
     if (!stored) s.band.look(s.look);
   }
   s.averages.add_loads(time, system.contact_loads(0), system.contact_loads(1));
+  s.life.follow_step(time, system.contact_loads(0), system.contact_loads(1));
+}
+
+bool RunOutputs::life_due() const { return impl_->life.evaluation_due(); }
+
+void RunOutputs::evaluate_life(dynamics::System& system, const RunPoint& point) {
+  impl_->life.evaluate(impl_->snapshot(system, point));
 }
 
 void RunOutputs::follow_jump(const dynamics::System& system, bool stored) {
@@ -599,9 +612,14 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
   const listing::RunLife run_life = s.life.run_life();
-  if (run_life.damage.seconds() > 0.0)
+  if (run_life.damage.seconds() > 0.0) {
     s.key_results.push_back(
         results::key_result("run_life_hours", run_life.damage.life_hours(run_life.slopes)));
+    s.key_results.push_back(
+        results::key_result("run_life_samples", static_cast<double>(run_life.steps)));
+    if (!std::isnan(run_life.relative_error))
+      s.key_results.push_back(results::key_result("run_life_spread", run_life.relative_error));
+  }
   run.summary = s.key_results;
   run.life["run"] = listing::run_life_json(run_life);
   run.thermal_network = s.network;

@@ -25,6 +25,9 @@ struct Resume {
   long held_changes = 0;           ///< steps after which elements were held or released (qFac)
   /// Error estimates of the steps (StepInfo::error, in tolerances), added up, and the largest.
   double error_sum = 0.0, error_largest = 0.0;
+  /// Tolerance in force where films need a tighter one than the deck's (film_tolerance.hpp), time
+  /// under such a one [s] and the tightest so far; 0: none.
+  double tolerance = 0.0, tight_time = 0.0, tightest = 0.0;
 };
 
 /// One instant of the run.
@@ -95,6 +98,10 @@ class RunOutputs {
   /// integration step, which ended at that time [s].
   /// @param stored RESULTS.h5 will have this state: it is looked at as it is stored
   void follow_step(const dynamics::System& system, double time, bool stored);
+  /// Must the life of the run see this step as a snapshot? Depends on no output interval.
+  [[nodiscard]] bool life_due() const;
+  /// The start of a run, or a counted step that was followed and whose life_due().
+  void evaluate_life(dynamics::System& system, const RunPoint& point);
   /// After a counted step that was followed, its state or its bearing has jumped (elements held or
   /// released, a thermal step): extremes between stored steps know both sides.
   void follow_jump(const dynamics::System& system, bool stored);

@@ -24,6 +24,12 @@ constexpr double kLeastOfLongest = 0.1;
 const double kLimit = std::log(kGrowthPerTurn);
 const double kStride = std::pow(10.0, 1.0 / kPointsPerDecade);
 
+/// kCountedPeriods of a frequency [rad/s -> s].
+double counted_time(double highest) {
+  return highest > 0.0 ? kCountedPeriods * 2.0 * std::numbers::pi / highest
+                       : std::numeric_limits<double>::infinity();
+}
+
 /// Orders that a method chooses from; 1 for a method of one order.
 int orders_of(const std::string& method) {
   if (method == "cvode-adams") return 12;
@@ -97,7 +103,10 @@ struct Growth {
 class Judge {
  public:
   Judge(const StepRequest& request, const Curves& curves, int order)
-      : request_(request), curves_(curves), order_(order) {}
+      : request_(request),
+        curves_(curves),
+        order_(order),
+        time_(std::min(request.turn, counted_time(highest_frequency(request)))) {}
 
   static double highest_frequency(const StepRequest& request) {
     double highest = 0.0;
@@ -110,7 +119,7 @@ class Judge {
     for (std::size_t b = 0; b < request_.bands.size(); ++b) {
       const VibrationBand& band = request_.bands[b];
       const auto peak = curves_[b].largest(order_, h * band.lowest, h * band.highest);
-      const double per_turn = peak.value * request_.turn / h;
+      const double per_turn = peak.value * time_ / h;
       if (per_turn > out.per_turn)
         out = {per_turn, std::clamp(peak.phase / h, band.lowest, band.highest), b};
     }
@@ -150,6 +159,7 @@ class Judge {
   const StepRequest& request_;
   const Curves& curves_;
   int order_ = 1;
+  double time_;  ///< over which growth is counted [s]
 };
 
 void set_growth(StepLimits& out, const StepRequest& request, const Judge& asked,
@@ -223,6 +233,13 @@ StepLimits stable_steps(const StepRequest& request) {
 
 namespace {
 
+/// "per turn", or of a slow bearing the periods over which growth is counted.
+std::string counted_over(const StepRequest& request) {
+  return request.turn <= counted_time(Judge::highest_frequency(request))
+             ? "per turn"
+             : fmt::format("in {:.0f} periods", kCountedPeriods);
+}
+
 std::string growth_text(double factor) {
   if (factor > 1e6) return "more than a millionfold";
   return fmt::format("{:.3g}-fold", factor);
@@ -248,21 +265,21 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
   if (limits.action == StepAction::Kept)
     return fmt::format(
         "{} keeps contact vibrations bounded with {}: the worst, {}, is multiplied "
-        "by {:.4g} per turn",
-        request.method, asked, hertz, limits.growth);
-  const std::string why =
-      fmt::format("{} with {}, as the deck asks, lets the contact vibration of {} grow {} per turn",
-                  request.method, asked, hertz, growth_text(limits.growth_asked));
+        "by {:.4g} {}",
+        request.method, asked, hertz, limits.growth, counted_over(request));
+  const std::string why = fmt::format(
+      "{} with {}, as the deck asks, lets the contact vibration of {} grow {} {}", request.method,
+      asked, hertz, growth_text(limits.growth_asked), counted_over(request));
   const std::string now = steps_text(limits.minimum, limits.maximum, time_scale);
   switch (limits.action) {
     case StepAction::Shortened:
       return fmt::format("{}; it runs with {}, which allow {:.4g}", why, now, limits.growth);
     case StepAction::Lengthened:
       return fmt::format(
-          "{}; it runs with {}{}, in the band where it damps them ({:.4g} per turn)", why, now,
+          "{}; it runs with {}{}, in the band where it damps them ({:.4g} {})", why, now,
           limits.minimum < limits.maximum ? fmt::format(" and not below {:.4g} s", limits.minimum)
                                           : "",
-          limits.growth);
+          limits.growth, counted_over(request));
     case StepAction::OrderHeld:
       return fmt::format("{}; it runs with orders up to {} and {}, which allow {:.4g}", why,
                          limits.highest_order, now, limits.growth);

@@ -22,7 +22,7 @@ struct VibrationBand {
 struct StepRequest {
   std::string method;                   ///< name of the integrator
   double minimum = 0.0, maximum = 0.0;  ///< what the deck allows [s]; equal: constant step
-  double turn = 0.0;                    ///< time over which growth is counted [s]
+  double turn = 0.0;  ///< time over which growth is counted, if kCountedPeriods are longer [s]
   std::vector<VibrationBand> bands;
 };
 
@@ -32,14 +32,20 @@ struct StepLimits {
   StepAction action = StepAction::Kept;
   double minimum = 0.0, maximum = 0.0;  ///< in force [s]
   int highest_order = 0;                ///< of a method that changes its order; 0: its own limit
-  double growth_asked = 1.0;  ///< per turn, of the vibration that grows most with the deck's limits
-  double growth = 1.0;        ///< and with those in force
-  double frequency = 0.0;     ///< of the vibration that grows most with the deck's limits [rad/s]
-  std::string vibration;      ///< name of its band
+  double growth_asked =
+      1.0;  ///< over the counted time, of the vibration that grows most with the deck's limits
+  double growth = 1.0;     ///< and with those in force
+  double frequency = 0.0;  ///< of the vibration that grows most with the deck's limits [rad/s]
+  std::string vibration;   ///< name of its band
 };
 
 /// No vibration may grow by more than this factor per turn.
 inline constexpr double kGrowthPerTurn = 1.01;
+/// Growth is counted over a turn, but over no more than so many periods of the highest frequency: a
+/// turn has no upper bound (1e-4 rpm: 7 days, 2e9 periods), and what grows by 1 % in 1e5 periods
+/// needs 3e8 periods from rounding (1e-16) to 1 % of a contact load, longer than any run. Below it
+/// rounding of the amplification (1e-16 per step) stays below 1e-3 of the limit.
+inline constexpr double kCountedPeriods = 1e5;
 /// A method that needs steps shorter than this over the highest frequency (600 a period) is
 /// refused.
 inline constexpr double kLeastPhase = 0.01;

@@ -38,6 +38,7 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       stop_(std::move(stop)),
       watch_(parts.prepared.control, parts.system->scales().time),
       race_watch_(parts.system->scales().time, control.maximum),
+      film_tolerance_(control.tolerance, parts.system->scales()),
       step_(start.step),
       substeps_(start.resume.substeps),
       h_(start.step_size),
@@ -45,8 +46,12 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       held_changes_(start.resume.held_changes),
       error_sum_(start.resume.error_sum),
       error_largest_(start.resume.error_largest),
+      tight_time_(start.resume.tight_time),
+      tightest_(start.resume.tightest),
       stepper_cost_(parts.system->cost().add_entry("stepper")),
-      output_cost_(parts.system->cost().add_entry("output")) {}
+      output_cost_(parts.system->cost().add_entry("output")) {
+  if (start.resume.tolerance > 0.0) control_.tolerance = start.resume.tolerance;
+}
 
 template <class Action>
 void TimeRun::output(Action&& action) {
@@ -59,6 +64,10 @@ void TimeRun::output(Action&& action) {
 
 Resume TimeRun::resume(bool failed) const {
   Resume so_far{0, {}, counters_, held_changes_, error_sum_, error_largest_};
+  const double deck = parts_.prepared.control.tolerance;
+  so_far.tolerance = control_.tolerance != deck ? control_.tolerance : 0.0;
+  so_far.tight_time = tight_time_;
+  so_far.tightest = tightest_;
   add_counters(so_far.counters, parts_.stepper.counters());
   if (failed) return so_far;  // what the stepper remembers may be meaningless
   so_far.substeps = substeps_;
@@ -68,6 +77,25 @@ Resume TimeRun::resume(bool failed) const {
 
 void TimeRun::checkpoint() {
   output([&] { parts_.outputs.checkpoint(system(), point(), resume(false)); });
+}
+
+void TimeRun::watch_race() {
+  const dynamics::RaceLoad& load = system().balanced_race();
+  double contact = 0.0;
+  if (load.asked.squaredNorm() > 0.0)
+    for (const std::size_t race : {0U, 1U})
+      for (const double one : system().contact_loads(race)) contact = std::max(contact, one);
+  race_watch_.look(parts_.stepper.time(), load, contact);
+}
+
+void TimeRun::adapt_tolerance() {
+  if (step_ % FilmTolerance::kEvery != 0 || control_.minimum == control_.maximum) return;
+  const double wanted = film_tolerance_.wanted(system(), control_.tolerance);
+  if (wanted == control_.tolerance) return;
+  control_.tolerance = wanted;
+  if (wanted < parts_.prepared.control.tolerance)
+    tightest_ = tightest_ > 0.0 ? std::min(tightest_, wanted) : wanted;
+  start_anew(std::vector<double>(parts_.stepper.state().begin(), parts_.stepper.state().end()));
 }
 
 void TimeRun::start_anew(std::span<const double> y) {
@@ -131,7 +159,10 @@ void TimeRun::begin(bool remembers) {
   }
   started_ = true;
   if (start_.continued) return;
-  output([&] { parts_.outputs.store(system(), {0, start_.time, 0.0, start_.y}, true); });
+  output([&] {
+    parts_.outputs.evaluate_life(system(), {0, start_.time, 0.0, start_.y});
+    parts_.outputs.store(system(), {0, start_.time, 0.0, start_.y}, true);
+  });
   checkpoint();
 }
 
@@ -141,12 +172,14 @@ bool TimeRun::counted_step() {
     if (stop_.stop_requested()) return false;
     const integrators::StepInfo made = parts_.stepper.step(span_.end);
     h_ = made.h;
-    error_sum_ += made.error;
-    error_largest_ = std::max(error_largest_, made.error);
+    const double error = made.error * control_.tolerance / parts_.prepared.control.tolerance;
+    error_sum_ += error;
+    error_largest_ = std::max(error_largest_, error);
+    if (control_.tolerance < parts_.prepared.control.tolerance) tight_time_ += made.h;
     ++substeps_;
     if (substeps_ == whole) break;
     parts_.outputs.follow_step(system(), parts_.stepper.time(), false);
-    race_watch_.look(parts_.stepper.time(), system().balanced_race());
+    watch_race();
     if (parts_.outputs.checkpoint_due()) checkpoint();
     parts_.meter.update(parts_.stepper.time(), step_);
   }
@@ -164,7 +197,8 @@ void TimeRun::after_counted_step() {
   const bool last = t >= span_.end || step_ >= last_;
   const bool stored = outputs.saves(step_, last);
   outputs.follow_step(system(), t, stored);
-  race_watch_.look(t, system().balanced_race());
+  watch_race();
+  adapt_tolerance();
   bool jumped = parts_.prepared.plan.has(scene::Effect::LightLoadBalance) && update_held();
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) {
     output([&] { thermal_step(); });
@@ -175,6 +209,7 @@ void TimeRun::after_counted_step() {
     system().check_state(now.time, now.y.data());
     outputs.follow_jump(system(), stored);
   }
+  if (outputs.life_due()) output([&] { outputs.evaluate_life(system(), now); });
   if (outputs.wants(step_)) output([&] { outputs.store(system(), now, last); });
   outputs.follow(now);
   if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });
@@ -222,6 +257,9 @@ void TimeRun::close(RunEnd& end) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(missed.text);
   }
+  if (tight_time_ > 0.0 && end.point.time > 0.0)
+    parts_.outputs.remark(film_tolerance_text(parts_.prepared.control.tolerance, tightest_,
+                                              tight_time_ / end.point.time));
   if (const std::string text = parts_.outputs.load_warning(); !text.empty())
     add_remark(parts_.prepared, Severity::Warning, text);
 }

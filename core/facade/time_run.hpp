@@ -1,5 +1,6 @@
 #pragma once
 
+#include "facade/film_tolerance.hpp"
 #include "facade/progress_meter.hpp"
 #include "facade/race_watch.hpp"
 #include "facade/step_watch.hpp"
@@ -58,6 +59,9 @@ class TimeRun {
   [[nodiscard]] bool counted_step();
   void after_counted_step();
   void checkpoint();
+  void watch_race();
+  /// Another tolerance while films break down (film_tolerance.hpp).
+  void adapt_tolerance();
   /// Light-load balance: after a finished step elements may be held or released; the stepper then
   /// starts anew from the changed state with its last step size. @returns whether any was
   bool update_held();
@@ -80,6 +84,7 @@ class TimeRun {
   std::stop_token stop_;
   StepWatch watch_;
   RaceWatch race_watch_;
+  FilmTolerance film_tolerance_;
   bool started_ = false;  ///< the stepper took the start state
   RunStatus status_ = RunStatus::Done;
   std::string message_;
@@ -90,8 +95,9 @@ class TimeRun {
   /// Of the run before this process, and of the stepper before its last start.
   integrators::Counters counters_;
   long held_changes_;
-  bool films_doubted_ = false;  ///< by the last thermal step
-  double error_sum_, error_largest_;
+  bool films_doubted_ = false;        ///< by the last thermal step
+  double error_sum_, error_largest_;  ///< in tolerances of the deck
+  double tight_time_, tightest_;      ///< Resume
 
   int stepper_cost_, output_cost_;  ///< entries of the ledger
   double loop_begin_ = 0.0;         ///< [s] of the processor, as all of the ledger

@@ -39,6 +39,12 @@ void DamageSum::add_between(double seconds, const DamageRate& before, const Dama
   revolutions_ += 0.5 * seconds * (before.turns + after.turns);
 }
 
+void DamageSum::add(const DamageParts& damage, double seconds, double revolutions) {
+  for (std::size_t i = 0; i < kDamageParts; ++i) damage_[i] += damage[i];
+  seconds_ += seconds;
+  revolutions_ += revolutions;
+}
+
 double DamageSum::repeats(const DamageParts& slopes) const {
   DamageParts lives{};
   for (std::size_t i = 0; i < kDamageParts; ++i)

@@ -26,6 +26,8 @@ class DamageSum {
   /// Conditions whose damage rate changes linearly between two instants.
   void add_between(double seconds, const DamageRate& before, const DamageRate& after);
 
+  void add(const DamageParts& damage, double seconds, double revolutions);
+
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   [[nodiscard]] double revolutions() const noexcept { return revolutions_; }
   [[nodiscard]] const DamageParts& damage() const noexcept { return damage_; }

@@ -159,7 +159,13 @@ Json run_life_json(const RunLife& run) {
            {"origin", life_origin(run.model, run.modification)},
            {"skipped [rev]", run.skipped_turns},
            {"window [s]", run.damage.seconds()},
-           {"window [rev]", run.damage.revolutions()}};
+           {"window [rev]", run.damage.revolutions()},
+           {"samples (integration steps)", run.steps},
+           {"evaluations of the full model", run.evaluations},
+           {"mean change between evaluations", run.change},
+           {"batches", run.batches},
+           {"revolutions per batch", run.revolutions_per_batch},
+           {"relative standard error", number(run.relative_error)}};
   for (std::size_t i = 0; i < 3; ++i)
     out[std::string("damage, ") + kParts[i]] = run.damage.damage()[i];
   const bool empty = !(run.damage.seconds() > 0.0);

@@ -351,10 +351,22 @@ void print_run_life(Report& report, const RunLife& run) {
     report.text("The window is empty: no life of the run.");
     return;
   }
+  report.item("Samples: integration steps, each with its contact loads",
+              fmt::format("{}", run.steps));
+  report.item("Evaluations of the full life model", fmt::format("{}", run.evaluations));
+  report.item("Mean change of damage at equal loads between two of them", run.change, unit::kPure);
   report.item("Life, the window repeated, 90 % survival",
               life_text(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
   report.item("Life, the window repeated, 90 % survival",
               life_text(run.damage.life_hours(run.slopes)) + " hr");
+  if (std::isnan(run.relative_error))
+    report.text(fmt::format(
+        "Spread: not computed. {} batches of {:.3g} revolutions are too few; extend the run.",
+        run.batches, run.revolutions_per_batch));
+  else
+    report.item(fmt::format("Spread: standard error of {} batches of {:.3g} revolutions, relative",
+                            run.batches, run.revolutions_per_batch),
+                run.relative_error, unit::kPure);
 }
 
 }  // namespace adore::listing

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <limits>
 #include <string>
 
 /// Fatigue life in PRINT.txt and RUN.json. Every parameter carries the word for its origin, so that
@@ -18,6 +19,13 @@ namespace adore::listing {
 /// Life accumulated over a dynamic run.
 struct RunLife {
   life::DamageSum damage;
+  long steps = 0;        ///< integration steps whose loads are in it
+  long evaluations = 0;  ///< of the full life model
+  double change = 0.0;   ///< DamageOfSteps::mean_change()
+  std::size_t batches = 0;
+  double revolutions_per_batch = 0.0;
+  /// Standard error of the life over the life; NaN: too few batches.
+  double relative_error = std::numeric_limits<double>::quiet_NaN();
   double skipped_turns = 0.0;  ///< of the shaft, before the window
   bearing::LifeModel model{};  ///< whose lives were added up
   bearing::LifeModification modification{};

@@ -568,6 +568,8 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     if (scale > 0.0)
       report.item("residual over the energy that moved", run.energy->residual() / scale,
                   unit::kPure);
+    if (const double heat = results::heat_scale(*run.energy); heat > 0.0)
+      report.item("residual over the heat", run.energy->residual() / heat, unit::kPure);
     if (run.elastic && *run.elastic > 0.0)
       report.item("residual over the elastic energy of the quasi-static solution",
                   run.energy->residual() / *run.elastic, unit::kPure);

@@ -46,6 +46,10 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
   }
   out.over_moved = shares.over_moved;
   out.over_elastic = shares.over_elastic;
+  const double heat = heat_scale(energy), at_end = std::abs(energy.residual());
+  if (heat > 0.0) out.over_heat = at_end / heat;
+  const bool falsifies_heat = !(out.over_heat <= kHeatWarning);
+  if (falsifies_heat) out.trust = std::max(out.trust, Trust::Warned);
   if (out.trust == Trust::Full) return out;
   const bool none = out.trust == Trust::None;
   const auto limit = [none](Trust trust, double value) {
@@ -59,6 +63,11 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
     out.text +=
         fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
                     out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
+  if (falsifies_heat)
+    out.text += fmt::format(
+        ". At the end the energy without account is {:.2g} % of the {:.3g} J of heat, so heat and "
+        "power loss are uncertain by that much",
+        100.0 * out.over_heat, heat);
   out.text += ". ";
   constexpr double kNothingElse = 0.5;  // of what moved, error of the steps
   if (none && shares.by_elastic() != Trust::None && out.over_moved > kNothingElse) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace adore::results {
@@ -43,7 +44,7 @@ double MeanLoad::departure() const {
   double size = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
     if (given[k]) size = std::hypot(size, asked[static_cast<Eigen::Index>(k)]);
-  return size > 0.0 ? off(*this) / size : 0.0;
+  return size > 0.0 ? off(*this) / std::max(size, kLoadFloor * contact) : 0.0;
 }
 
 MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
@@ -51,6 +52,7 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
   MeanLoad out;
   out.time = averages.time;
   out.mean = averages.load;
+  out.contact = averages.largest_load;
   out.balanced = plan.has(scene::Effect::RaceBalance);
   for (const auto& vibration : plan.race_motions.vibration)
     out.shaken = out.shaken || vibration.has_value();

@@ -18,6 +18,10 @@ namespace adore::results {
 /// Above this departure the run says so; a race in balance (mode 2) is meant to carry its load at
 /// every instant.
 inline constexpr double kLoadWarning = 0.05, kBalanceWarning = 0.01;
+/// Preload, centrifugal force or weight load contacts by much more than a small external load does.
+/// What the contacts balance to 1e-3 of their own load is no departure (limit 5 % of 1 %: 5e-4 of
+/// the largest contact load).
+inline constexpr double kLoadFloor = 0.01;
 
 struct MeanLoad {
   double time = 0.0;            ///< span of the mean [s]
@@ -27,7 +31,9 @@ struct MeanLoad {
   bool shaken = false;          ///< a race vibrates (record 9.3B)
   bool balanced = false;        ///< mode 2: that race has no inertia
   scene::Vec3 asked = scene::Vec3::Zero(), mean = scene::Vec3::Zero();  ///< x, y, z [N]
-  /// |mean - asked| / |asked| over the directions with a given load; 0 when none is asked.
+  double contact = 0.0;  ///< largest contact load, mean over time [N]
+  /// |mean - asked| over |asked| or, if larger, kLoadFloor of the largest contact load, over the
+  /// directions with a given load; 0 when none is asked.
   [[nodiscard]] double departure() const;
 };
 

@@ -100,9 +100,17 @@ double energy_scale(const scene::EnergyLedger& energy) {
   using scene::LedgerKind;
   const double moved =
       std::max(std::abs(energy.sum(LedgerKind::Work)), energy.sum(LedgerKind::Heat));
-  return moved > 0.0 ? moved
-                     : std::max(std::abs(energy.sum(LedgerKind::Start)),
-                                std::abs(energy.sum(LedgerKind::Stored)));
+  const double stored =
+      std::max(std::abs(energy.sum(LedgerKind::Start)), std::abs(energy.sum(LedgerKind::Stored)));
+  return moved > 0.0 ? std::max(moved, kEnergyFloor * stored) : stored;
+}
+
+double heat_scale(const scene::EnergyLedger& energy) {
+  using scene::LedgerKind;
+  const double heat = energy.sum(LedgerKind::Heat);
+  const double stored =
+      std::max(std::abs(energy.sum(LedgerKind::Start)), std::abs(energy.sum(LedgerKind::Stored)));
+  return heat > 0.0 ? std::max(heat, kHeatFloor * stored) : 0.0;
 }
 
 Json run_json(const RunSummary& run) {
@@ -153,6 +161,8 @@ Json run_json(const RunSummary& run) {
     for (const auto& [name, value] : energy_items(*run.energy)) items[name + " [J]"] = value;
     const double scale = energy_scale(*run.energy);
     items["residual over energy moved"] = scale > 0.0 ? run.energy->residual() / scale : 0.0;
+    if (const double heat = heat_scale(*run.energy); heat > 0.0)
+      items["residual over heat"] = run.energy->residual() / heat;
     if (run.elastic && *run.elastic > 0.0)
       items["residual over elastic energy of the quasi-static solution"] =
           run.energy->residual() / *run.elastic;

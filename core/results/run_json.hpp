@@ -94,8 +94,22 @@ struct RunMark {
 [[nodiscard]] std::vector<std::pair<std::string, double>> momentum_items(
     const scene::MomentumLedger& momentum);
 
-/// Size of the energies that moved, to judge the residual by: heat and work, or else the stored
-/// energy [J].
+/// Size of the energies that moved, to judge the residual by: work or heat, whichever is larger,
+/// but not less than kEnergyFloor of the energy that is stored; without work and heat the stored
+/// energy [J]. 0 only when nothing is loaded and nothing moves.
 [[nodiscard]] double energy_scale(const scene::EnergyLedger& energy);
+
+/// A bearing at rest, or one that creeps, moves no energy: then a residual is measured by what is
+/// stored. With kMovedWarning and kMovedLimit (energy_judgement.hpp) the floor warns above 1e-10 of
+/// the stored energy and refuses above 1e-8. Rounding of the sums (1e-16 per step, random) stays
+/// below 1e-12 for 1e8 steps; contact loads depend on an energy error of 1e-8 by less than 1e-4
+/// even where all of it is a contact vibration (amplitude ~ its square root).
+inline constexpr double kEnergyFloor = 1e-6;
+
+/// Heat that a residual can falsify [J], not less than kHeatFloor of the stored energy; 0 in a run
+/// without heat. With 5 % of it the floor is 5e-11 of the stored energy: what 1e6 steps of rounding
+/// (1e-13) do not reach.
+[[nodiscard]] double heat_scale(const scene::EnergyLedger& energy);
+inline constexpr double kHeatFloor = 1e-9;
 
 }  // namespace adore::results

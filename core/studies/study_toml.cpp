@@ -1,11 +1,13 @@
 #include "studies/study_toml.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_limits.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 // The library is header-only; nobody else includes it.
@@ -20,9 +22,15 @@ using Json = nlohmann::ordered_json;
 
 class Reader {
  public:
-  explicit Reader(StudyText& out) : out_(out) {}
+  Reader(StudyText& out, const std::string& name) : out_(out), name_(name) {}
 
+  /// @param where path of keys; each value keeps its own, so a long one costs its length per value
   Json value(const toml::node& node, const std::string& where) {
+    if (where.size() > kMaxKeyPathBytes)
+      throw InputError(
+          fmt::format("{}, line {}: the names of nested keys have more than {} bytes. "
+                      "Use shorter names.",
+                      name_, node.source().begin.line, kMaxKeyPathBytes));
     if (!where.empty()) out_.lines.emplace(where, static_cast<int>(node.source().begin.line));
     if (const toml::table* table = node.as_table()) return object(*table, where);
     if (const toml::array* array = node.as_array()) {
@@ -60,6 +68,7 @@ class Reader {
 
  private:
   StudyText& out_;
+  const std::string& name_;
 };
 
 /// Lines of comments become the remark of the key of the first level that follows them.
@@ -102,7 +111,114 @@ void keep_comments(const std::string& text, StudyText& out) {
   out.json = std::move(with);
 }
 
+/// Upper bound of the nesting of a TOML text, found without recursion: the library limits lists and
+/// inline tables, but not the parts of dotted keys and headers, and recurses over both.
+class NestingScan {
+ public:
+  explicit NestingScan(std::string_view text) : text_(text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  }
+
+  /// First line that is nested deeper than kMaxNesting; 0: none.
+  int first_line_too_deep() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"' || c == '\'') {
+        skip_string(c);
+        continue;
+      }
+      if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+        continue;
+      }
+      ++at_;
+      step(c);
+      if (depth_ > kMaxNesting) return line_;
+    }
+    return 0;
+  }
+
+ private:
+  void step(char c) {
+    switch (c) {
+      case '\n':
+        ++line_;
+        line_start_ = true;
+        in_header_ = false;
+        depth_ = base();
+        return;
+      case '[':
+      case '{':
+        if (open_.empty() && line_start_) {  // [header]: its parts count from the top
+          in_header_ = true;
+          section_ = depth_ = 1;
+        } else if (!in_header_) {
+          open_.push_back(++depth_);
+        }
+        break;
+      case ']':
+      case '}':
+        if (!open_.empty()) open_.pop_back();
+        break;
+      case ',':
+        depth_ = base();
+        break;
+      case '.':  // a number has at most one
+        ++depth_;
+        if (in_header_) section_ = depth_;
+        break;
+      case ' ':
+      case '\t':
+      case '\r':
+        return;
+      default:
+        break;
+    }
+    line_start_ = false;
+  }
+
+  [[nodiscard]] int base() const { return open_.empty() ? section_ : open_.back(); }
+
+  void skip_string(char quote) {
+    line_start_ = false;
+    const std::string_view rest = text_.substr(at_);
+    const bool long_one = rest.size() >= 3 && rest[1] == quote && rest[2] == quote;
+    at_ += long_one ? 3 : 1;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '\n') {
+        if (!long_one) return;  // not TOML: the library says so
+        ++line_;
+      } else if (c == '\\' && quote == '"') {
+        if (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
+      } else if (c == quote) {
+        if (!long_one) {
+          ++at_;
+          return;
+        }
+        std::size_t end = at_;
+        while (end < text_.size() && text_[end] == quote) ++end;
+        if (end - at_ >= 3) {  // up to two quotes may belong to the text
+          at_ = std::min(end, at_ + 5);
+          return;
+        }
+        at_ = end - 1;
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1, depth_ = 0, section_ = 0;
+  bool line_start_ = true, in_header_ = false;
+  std::vector<int> open_;  ///< depth inside each open bracket
+};
+
 toml::table parse(const std::string& text, const std::string& name) {
+  if (const int line = NestingScan(text).first_line_too_deep(); line > 0)
+    throw InputError(fmt::format(
+        "{}, line {}: keys and lists are nested more than {} levels deep. Use fewer levels.", name,
+        line, kMaxNesting));
   toml::parse_result result = toml::parse(text, name);
   if (!result) {
     const auto& error = result.error();
@@ -144,7 +260,8 @@ class Places {
       }
     } else {
       StudyText nowhere;
-      out.value = Reader(nowhere).value(node, "");
+      const std::string nameless;
+      out.value = Reader(nowhere, nameless).value(node, "");
     }
     return out;
   }
@@ -176,7 +293,7 @@ TomlPlace toml_places(const std::string& text, const std::string& name) {
 StudyText parse_toml(const std::string& text, const std::string& name) {
   const toml::table table = parse(text, name);
   StudyText out;
-  Reader reader(out);
+  Reader reader(out, name);
   out.json = reader.object(table, "");
   keep_comments(text, out);
   return out;

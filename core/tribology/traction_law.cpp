@@ -39,6 +39,15 @@ bool TractionLaw::has_film() const noexcept {
   return visit([](const auto& law) { return kHasFilm<std::decay_t<decltype(law)>>; });
 }
 
+double TractionLaw::critical_film() const noexcept {
+  return visit([](const auto& law) {
+    if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
+      return law.film.critical;
+    else
+      return 0.0;
+  });
+}
+
 FilmHere<double> TractionLaw::film(const ContactPoint<double>& contact) const {
   return visit([&](const auto& law) -> FilmHere<double> {
     if constexpr (kHasFilm<std::decay_t<decltype(law)>>)

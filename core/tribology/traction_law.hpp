@@ -67,6 +67,8 @@ class TractionLaw {
   [[nodiscard]] double kink() const noexcept;
   [[nodiscard]] bool has_film() const noexcept;
   [[nodiscard]] bool is_of_user() const noexcept;
+  /// Thickness below which the contact is metallic [m]; 0 without a film.
+  [[nodiscard]] double critical_film() const noexcept;
   /// The film of a contact; 0 without.
   [[nodiscard]] FilmHere<double> film(const ContactPoint<double>& contact) const;
 

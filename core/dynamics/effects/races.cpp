@@ -13,11 +13,13 @@
 #include "scene/user_laws.hpp"
 #include "tribology/contact_flash.hpp"
 #include "tribology/film_law.hpp"
+#include "tribology/largest_slip.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace adore::dynamics {
@@ -462,6 +464,46 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
+}
+
+double Races::speed_to_resolve(const Evaluation& e, double near) const {
+  constexpr double kSpeedExponent = 0.67;  // of film thickness over rolling speed [hamrock1977]
+  constexpr double kThinnest = 1e-9;       // no film is thinner than some molecules [m]
+  constexpr double kSlides = 0.1;          // slip over `near`: the contact slides
+  double out = std::numeric_limits<double>::infinity();
+  if (!in_contact_) return out;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const bool traction = rollers_ ? (*rollers_)[j].traction : contacts_[j].traction;
+    const tribology::TractionLaw& law = rollers_ ? (*rollers_)[j].law : contacts_[j].law;
+    if (!traction || !law.has_film()) continue;
+    const double critical = std::max(law.critical_film(), kThinnest);
+    const auto consider = [&](double speed, double slip, double film) {
+      if (speed < near && slip > kSlides * near && film > 0.0)
+        out = std::min(out, speed * std::pow(critical / film, 1.0 / kSpeedExponent));
+    };
+    if (rollers_) {
+      for (const RaceContactSnapshot& contact : roller_race_report((*rollers_)[j], e))
+        if (contact.load > 0.0)
+          consider(contact.rolling_speed, contact.max_slip, contact.least_film);
+      continue;
+    }
+    const ElementViews elements = kept_.elements(e);
+    for (std::size_t i = 0; i < elements.n; ++i) {
+      if (!(e.load[j][i] > 0.0)) continue;
+      const RaceContactModel& model = contacts_[j].of(i);
+      const RaceContactState at = race_contact_state(model, elements, i, kept_.race(j));
+      const double speed = std::max(std::abs(at.motion.entrainment), 1e-3 * near);
+      if (!(speed < near) || !(at.approach > 0.0)) continue;
+      const tribology::EllipseGeometry& ellipse = at.ellipse;
+      const double pressure = 1.5 * ellipse.Q / (std::numbers::pi * ellipse.a * ellipse.b);
+      const double slip = tribology::middle_slip(ellipse, at.motion);
+      consider(
+          speed, slip,
+          law.film({ellipse.Q, pressure, ellipse.a, ellipse.b, speed, slip, at.motion.curvature})
+              .thinnest);
+    }
+  }
+  return out;
 }
 
 void Races::look_at_slips(const Evaluation& e, std::size_t j) const noexcept {

@@ -23,6 +23,11 @@ class Races final : public SceneEffect {
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
   void look(const Evaluation& e, Look& out) const override;
+  /// A contact whose rolling speed u passes zero while it slides loses its film (h ~ u^0.67) where
+  /// |u| is below some u_c. Its friction rises there from that of the film to that of metal (0.002
+  /// to 0.06 in 240 K cold oil), and can hold the element at that speed for a long time. u_c is
+  /// found from the film now and that exponent.
+  [[nodiscard]] double speed_to_resolve(const Evaluation& e, double near) const override;
   [[nodiscard]] std::string stated() const override { return stated_; }
   void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const override;
   [[nodiscard]] bool has_stiff_part() const noexcept override { return normal_.has_value(); }

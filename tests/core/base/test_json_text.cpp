@@ -32,8 +32,8 @@ std::string nested(int levels) {
 }  // namespace
 
 TEST_CASE("JSON is read to 64 levels and no deeper, as array and as object", "[unit][json]") {
-  CHECK(refusal(nested(kDeepestJson)) == "no error");
-  CHECK_THAT(refusal(nested(kDeepestJson + 1)),
+  CHECK(refusal(nested(kMaxNesting)) == "no error");
+  CHECK_THAT(refusal(nested(kMaxNesting + 1)),
              Contains("IN.json is not valid JSON") && Contains("more than 64 levels"));
   CHECK_THAT(refusal(nested(50000)), Contains("64 levels"));
   CHECK_THAT(refusal(std::string(200000, '[')), Contains("64 levels"));

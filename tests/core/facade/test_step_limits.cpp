@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace adore;
@@ -190,4 +191,19 @@ TEST_CASE("A method that cannot hold a constant step is never given one", "[unit
         CHECK(limits.growth <= kGrowthPerTurn * (1.0 + 1e-9));
       }
   }
+}
+
+TEST_CASE(
+    "Growth of a slow bearing is counted over 1e5 periods: no step limit goes to zero with speed",
+    "[physics][facade]") {
+  StepRequest request = request_of("rkf5", 1e-3, 0.5);
+  request.turn = kCountedPeriods * 2.0 * std::numbers::pi / kOmega;
+  const StepLimits slow = stable_steps(request);
+  request.turn *= 1e6;
+  const StepLimits slower = stable_steps(request);
+  CHECK(slower.action == slow.action);
+  CHECK(slower.maximum == slow.maximum);
+  CHECK(slower.maximum > 0.1 / kOmega);
+  CHECK(step_limits_text(request, slower, 1.0 / kOmega).find("in 100000 periods") !=
+        std::string::npos);
 }

@@ -1,4 +1,5 @@
 #include "results/energy_judgement.hpp"
+#include "results/run_json.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -53,6 +54,50 @@ TEST_CASE("Where nothing moves but the error of the steps, no shorter step is as
   // One that shakes, and one that moves.
   CHECK_THAT(judge_energy(at_rest, 1e-6).text, Catch::Contains("--tol"));
   CHECK_THAT(judge_energy(run_of(0.3), 1e6).text, Catch::Contains("--tol"));
+}
+
+TEST_CASE(
+    "Energy residual: a bearing that creeps is judged by its stored energy, not by what moved",
+    "[unit][results]") {
+  using adore::scene::LedgerKind;
+  static const adore::scene::LedgerTerm start{LedgerKind::Start, "start", "", {"start", ""}, ""};
+  static const adore::scene::LedgerTerm elastic{LedgerKind::Stored, "e", "", {"elastic", ""}, ""};
+  static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
+  static const adore::scene::LedgerTerm heat{LedgerKind::Heat, "heat", "", {"contacts", ""}, ""};
+  const auto creeps = [&](double residual) {
+    adore::scene::EnergyLedger out;
+    out.add(start, 0.0355);
+    out.add(elastic, 0.0355);
+    out.add(work, 5e-17 + residual);
+    out.add(heat, 5e-17);
+    return out;
+  };
+  CHECK(judge_energy(creeps(1e-17), 0.0355).trust == Trust::Full);  // rounding
+  CHECK(judge_energy(creeps(4.0 * kEnergyFloor * kMovedWarning * 0.0355), 0.0355).trust ==
+        Trust::Warned);
+  CHECK(judge_energy(creeps(2.0 * kEnergyFloor * kMovedLimit * 0.0355), 0.0355).trust ==
+        Trust::None);
+  CHECK(energy_scale(creeps(0.0)) > 0.0);
+}
+
+TEST_CASE("Energy residual: warning above 5 % of the heat, however much energy moved",
+          "[unit][results]") {
+  using adore::scene::LedgerKind;
+  static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
+  static const adore::scene::LedgerTerm now{LedgerKind::Stored, "k", "", {"kinetic", ""}, ""};
+  static const adore::scene::LedgerTerm heat{LedgerKind::Heat, "heat", "", {"contacts", ""}, ""};
+  const auto accelerated = [&](double residual) {
+    adore::scene::EnergyLedger out;
+    out.add(now, 1.0);
+    out.add(heat, 1e-4);
+    out.add(work, 1.0001 + residual);
+    return out;
+  };
+  CHECK(judge_energy(accelerated(4e-6), 1e6).trust == Trust::Full);
+  const EnergyJudgement judged = judge_energy(accelerated(6e-6), 1e6);
+  CHECK(judged.trust == Trust::Warned);
+  CHECK(judged.over_heat == Approx(0.06).epsilon(1e-6));
+  CHECK_THAT(judged.text, Catch::Contains("6 % of the 0.0001 J of heat"));
 }
 
 TEST_CASE("A residual that comes and goes is warned of", "[unit][results]") {

@@ -96,6 +96,19 @@ TEST_CASE("A load other than the asked one is told with its remedy, displaced di
   CHECK(mean_load(averages.averages(), bearing).departure() == 0.0);
 }
 
+TEST_CASE("Load departure: of a small load on preloaded contacts it is measured by the contacts",
+          "[unit][results]") {
+  MeanLoad load;
+  load.given = {true, true, true};
+  load.asked = {1e-9, 0.0, 0.0};
+  load.mean = {0.1, 0.0, 0.0};
+  load.contact = 1000.0;
+  CHECK(load.departure() == Approx(0.01));
+  load.asked = {100.0, 0.0, 0.0};
+  load.mean = {90.0, 0.0, 0.0};
+  CHECK(load.departure() == Approx(0.1));
+}
+
 TEST_CASE("A load across the asked one is told, and no other load is proposed against it",
           "[unit][results]") {
   MeanLoad load;

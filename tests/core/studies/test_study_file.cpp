@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <string>
+#include <vector>
 
 using namespace adore;
 using namespace adore::studies;
@@ -268,4 +269,48 @@ TEST_CASE("the key that a sentence is about is found in it", "[unit][studies]") 
   CHECK(key_of_sentence("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
   CHECK(key_of_sentence("a.json: a what-if study compares cases; leave", "a.json").empty());
   CHECK(key_of_sentence("there is no deck DATA.txt", "a.json").empty());
+}
+
+TEST_CASE("TOML text nested deeper than the limit → error with its line, no stack overflow",
+          "[unit][studies]") {
+  const auto parts = [](int count, const std::string& part, const std::string& between = ".") {
+    std::string out = part;
+    for (int i = 1; i < count; ++i) out += between + part;
+    return out;
+  };
+  const auto outcome = [](const std::string& text) -> std::string {
+    try {
+      (void)read_study_text(text, "a.toml");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "read";
+  };
+  const int deep = 12000;  // parts of a header that once ended the stack
+  const std::vector<std::string> rejected = {
+      "# comment\n[" + parts(deep, "a") + "]\nb = 1\n",
+      "[[" + parts(deep, "a") + "]]\nb = 1\n",
+      parts(deep, "a", " . ") + " = 1\n",
+      parts(deep, "\"a.b\"") + " = 1\n",
+      parts(deep, "'a'") + " = 1\n",
+      "k = {" + parts(deep, "a") + " = 1}\n",
+      "k = [[1], {x = {" + parts(deep, "a") + " = 1}}]\n",
+      "[" + parts(40, "a") + "]\n" + parts(40, "b") + " = 1\n",
+      "\xEF\xBB\xBF[" + parts(40, "a") + "]\n" + parts(40, "b") + " = 1\n",
+      "t = \"\"\"\"\"x\"\"\"\"\"\n" + parts(deep, "a") + " = 1\n",
+      "t = '''[''\n#'''\n" + parts(deep, "a") + " = 1\n",
+      "t = \"\\\\\"\n" + parts(deep, "a") + " = 1\n",
+      "t = " + std::string(deep, '[') + std::string(deep, ']') + "\n",
+  };
+  for (const std::string& text : rejected) {
+    INFO(text.substr(0, 60));
+    CHECK_THAT(outcome(text), Contains("nested more than 64 levels") && Contains("a.toml, line "));
+  }
+  CHECK_THAT(outcome(rejected.front()), Contains("line 2"));
+  CHECK(outcome("[" + parts(64, "a") + "]\n") == "read");
+  // Dots in numbers, texts and comments are no levels, nor are keys of other lines.
+  CHECK(outcome("# " + parts(200, "a") + "\nt = \"" + parts(200, "a") + "\"\nl = [" +
+                parts(200, "1.5", ", ") + "]\nm = \"\"\"" + parts(200, "a\n") +
+                "\"\"\"\nx.y = 1\n") == "read");
+  CHECK_THAT(outcome(std::string(2000, 'a') + " = 1\n"), Contains("more than 1000 bytes"));
 }
