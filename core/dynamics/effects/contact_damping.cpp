@@ -31,6 +31,14 @@ contact::DampingLaw<> law_of(const ScenePlan& plan, const bearing::Bearing& bear
   return law;
 }
 
+/// The pressure of the squeeze acts through the elasticity of the contact: spring and dashpot in
+/// series at the natural frequency ω = √(2 k/m) of the element, c/(1 + (c ω/k)²) [derived,
+/// Maxwell]. The loss factor of a film is 1/2 at most; very thick oil moves as the bodies do.
+double through_elasticity(double c, double k, double mass) {
+  const double over = c * std::sqrt(2.0 / (k * mass));
+  return c / (1.0 + over * over);
+}
+
 /// c/√k of the film of the most loaded contact of race j, of slices c/√(k L); 0: no oil, no load.
 double film_squeeze(const bearing::Bearing& bearing, const statics::StaticSolution& start,
                     std::size_t j) {
@@ -41,6 +49,7 @@ double film_squeeze(const bearing::Bearing& bearing, const statics::StaticSoluti
   const statics::StaticBall& at = start.balls[most];
   if (!(at.Q[j] > 0.0) || most >= start.films->race[j].size()) return 0.0;
   const bearing::RollerGeometry* rollers = bearing.rollers();
+  const double mass = bearing.element_inertia.mass;
   contact::SqueezedFilm film;
   film.line = rollers != nullptr;
   film.E_star = bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
@@ -53,12 +62,14 @@ double film_squeeze(const bearing::Bearing& bearing, const statics::StaticSoluti
     film.peak_pressure = std::sqrt(line * film.E_star * curvature / std::numbers::pi);
     film.half_width = 2.0 * line / (std::numbers::pi * film.peak_pressure);
     film.stiffness = 10.0 / 9.0 * at.Q[j] / at.delta[j];
-    return contact::squeeze_damping(film) / std::sqrt(film.stiffness * length);
+    return through_elasticity(contact::squeeze_damping(film), film.stiffness, mass) /
+           std::sqrt(film.stiffness * length);
   }
   film.peak_pressure = at.p_max[j];
   film.half_width = at.b[j];
   film.stiffness = 1.5 * at.Q[j] / at.delta[j];
-  return contact::squeeze_damping(film) / std::sqrt(film.stiffness);
+  return through_elasticity(contact::squeeze_damping(film), film.stiffness, mass) /
+         std::sqrt(film.stiffness);
 }
 
 }  // namespace
