@@ -29,7 +29,10 @@ constexpr Item kItems[] = {
     {"energy.cage_drag", &MotionFriction::drag},
     {"energy.element_heat", &MotionFriction::other},
     {"energy.contact_damping", &MotionFriction::other},
-    {"energy.damping_beside", &MotionFriction::other},
+    {"energy.flange_damping", &MotionFriction::other},
+    {"energy.pocket_damping", &MotionFriction::other},
+    {"energy.land_damping", &MotionFriction::other},
+    {"energy.element_damping", &MotionFriction::other},
 };
 
 /// Of a step, all races.

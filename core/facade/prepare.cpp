@@ -266,6 +266,21 @@ void say_certainty(Prepared& out) {
   }
 }
 
+/// What contact damping leaves out, where it was asked for or switched off.
+void say_damping(Prepared& out) {
+  const auto given = out.input.option_values.find("contactDamping");
+  if (!out.plan.has(scene::Effect::ContactDamping))
+    add_remark(out, Severity::Note,
+               "contact damping is off: contact vibrations do not decay, so that largest loads, "
+               "life and spectra are not those of a real bearing. Use contactDamping = material "
+               "for them");
+  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
+    add_remark(out, Severity::Note,
+               fmt::format("contactDamping = {} plays no part at the races, because the mode of "
+                           "record 2.1 holds all elements in balance there",
+                           given->second));
+}
+
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
@@ -339,6 +354,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
+  if (out.control.dynamic) say_damping(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
   for (const statics::StiffnessRow& row : out.stiffness) {

@@ -39,13 +39,8 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held,
-                                                           bool rollers, bool damped) {
+                                                           bool rollers) {
   auto stepper = integrators::make_stepper(control.integrator);
-  if (stepper->name() == "arkode-imex" && damped)
-    throw InputError(
-        "arkode-imex takes the elastic part of the normal contacts implicitly, and run option "
-        "contactDamping adds a part that it does not split off; use arkode-dirk (intMet 32) or "
-        "arkode-erk (intMet 31), or leave the option out");
   if (stepper->name() == "arkode-imex" && rollers)
     throw InputError(
         "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
@@ -133,7 +128,7 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
     return make_checked_stepper(
         prepared.control, *ode,
         prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
-        prepared.plan.rollers, prepared.plan.has(scene::Effect::ContactDamping));
+        prepared.plan.rollers);
   });
   time_scale = system->scales().time;
   span = run_span(request, prepared, time_scale);

@@ -79,13 +79,13 @@ thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) cons
     const double by_race = item.race == 0 ? 1.0 : 0.0;
     if (id == "heat" || id == "rolling_heat" || id == "contact_damping")
       halves(out.race, by_race);
-    else if ((id == "land_heat" || id == "land_film_heat") && width > 0.0)
+    else if ((id == "land_heat" || id == "land_film_heat" || id == "land_damping") && width > 0.0)
       halves(out.land, guided[0] / width);
-    else if (id == "flange_heat")
+    else if (id == "flange_heat" || id == "flange_damping")
       halves(out.flange, item.term->per_race() ? by_race : 0.5);
     else if (id == "element_drag" || id == "cage_drag")
       out.churning += item.value;
-    else  // of pockets, of elements with each other, of damping beside the races: to the coolant
+    else  // of pockets, of elements with each other: to the coolant
       out.element_cage += item.value;
   }
   return out;

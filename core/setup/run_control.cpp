@@ -328,16 +328,20 @@ const std::vector<Option>& options() {
            o.system.moving_angle = v == "moving";
            return true;
          }},
-        {{"contactDamping", "0",
-          "material damping of contacts after Hunt and Crossley, on races, in pockets, at guide "
-          "lands and flanges: alpha in s/m, 0 (elastic) to 100; an element that hits a race at a "
-          "small speed v leaves it at (1 - alpha v) v. Dry steel has 0.08 to 0.32. Neighbours in "
-          "a bearing without cage, lands with shape errors and contacts whose force is a "
-          "routine's stay elastic"},
+        {{"contactDamping", "material",
+          "energy loss of all normal contacts: material (loss factors and impact losses of the "
+          "materials, squeeze of the oil film), 0 (elastic, for conservation studies: contact "
+          "vibrations do not decay), or the impact loss alpha of all pairs in s/m, above 0 to 100, "
+          "in place of that of the materials; an element that hits a race at a small speed v "
+          "leaves it at about (1 - alpha v) v. Dry steel has 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
+           o.system.contact_damping = 0.0;
+           std::erase(o.effects_off, kContactDamping);
+           if (v == "material") return true;
            double value = 0.0;
            if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;
            o.system.contact_damping = value;
+           if (value == 0.0) o.effects_off.emplace_back(kContactDamping);
            return true;
          }},
         {{"filmStress", "surface",
@@ -430,7 +434,10 @@ const std::vector<Option>& options() {
           "effects that the run leaves out, by their names in `adore plan`, with commas between: "
           "gravity,momentum ledger"},
          [](RunOptions& o, std::string_view v) {
+           const bool elastic = std::count(o.effects_off.begin(), o.effects_off.end(),
+                                           kContactDamping) > 0;  // by contactDamping = 0
            o.effects_off = names_of(v);
+           if (elastic) o.effects_off.emplace_back(kContactDamping);
            return true;
          }},
         {{"userProcess", "0",
@@ -481,6 +488,7 @@ std::vector<std::string> option_choices(std::string_view name) {
     for (const auto& [suffix, suffix_code] : kLifeModifications)
       for (const auto& [model, model_code] : kLifeModels)
         out.push_back(std::string(model) + std::string(suffix));
+  if (name == "contactDamping") return {"material"};  // or a number
   if (name == "hertzConstants") return {"moving", "frozen"};
   if (name == "rollerContact") return {"sliced", "point"};
   for (const char* on_or_off : {"resultsH5", "centrifugalGrowth", "userProcess"})

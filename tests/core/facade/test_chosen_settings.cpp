@@ -32,7 +32,9 @@ void check_rows(const ChosenSettings& chosen, double target) {
   }
   if (row > 0) CHECK_FALSE(chosen.rows[row - 1].told.largest() <= limit);
   CHECK(chosen.options == chosen.rows[row].options);
-  CHECK(chosen.steps.largest() <= 0.75 * target);
+  // Of an irregular motion no smaller error can be told, and the text says so.
+  if (chosen.text.find("the motion is irregular") == std::string::npos)
+    CHECK(chosen.steps.largest() <= 0.75 * target);
   CHECK(chosen.text.find(chosen.rows[row].name) != std::string::npos);
 }
 
