@@ -56,7 +56,7 @@ struct Prepared {
   std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
   /// Laws outside their range of validity in the quasi-static solution.
   std::vector<validity::Finding> left_ranges;
-  std::optional<thermal::TimeLine> time_line;         ///< and thermalTransient = on
+  std::optional<thermal::TimeLine> time_line;  ///< and thermalTransient = on
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {

@@ -55,16 +55,16 @@ struct RunControl {
 struct RunOptions {
   scene::SystemOptions system;
   statics::RollerOptions rollers;
-  double checkpoint_seconds = 10.0;      ///< wall time between checkpoints of FINAL and MASTER
-  bool results_h5 = true;                ///< write RESULTS.h5
-  std::uint64_t seed = kDefaultSeed;     ///< of random imperfections (kReGeoImp 1)
-  bool direct_strips = false;            ///< visco-elastic films without a surface
-  bool single_films = true;              ///< films by floats where that is enough
-  bool recommended_law = false;          ///< traction by the recommended law of the oil
-  bool stress_limit = true;              ///< films have their limiting shear stress
-  std::optional<double> user_limit;      ///< limiting stress over pressure of the user's lubricant
-  double user_softening = 0.003;         ///< its fall with temperature [1/K]
-  bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
+  double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
+  bool results_h5 = true;             ///< write RESULTS.h5
+  std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)
+  bool direct_strips = false;         ///< visco-elastic films without a surface
+  bool single_films = true;           ///< films by floats where that is enough
+  bool recommended_law = false;       ///< traction by the recommended law of the oil
+  bool stress_limit = true;           ///< films have their limiting shear stress
+  std::optional<double> user_limit;   ///< limiting stress over pressure of the user's lubricant
+  double user_softening = 0.003;      ///< its fall with temperature [1/K]
+  bool centrifugal_growth = true;     ///< speeds widen the rings (bearing::Mounting)
   bearing::ThermalModel thermal_model = bearing::ThermalModel::Network;
   bearing::Surroundings surroundings;    ///< of the thermal network
   bool thermal_base = true;              ///< the place of kBaseTemp is held at baseTemp
