@@ -72,6 +72,7 @@ struct RollerSliceRows {
 struct RollerReportInput {
   const contact::RaceSlices* slices;
   const contact::RollerPose* roller;
+  const contact::RaceSlope* slope;  ///< of a race with errors; null: none
   RollerSliceRows rows;
 };
 

@@ -224,7 +224,11 @@ inline void report_slices(const RollerReportInput& in) {
   contact::RaceSlices some = *in.slices;
   some.count = Lanes::kSize;
   for (std::size_t k = 0; k < in.slices->count; k += Lanes::kSize) {
-    (void)contact::roller_race_sums<V>(some, *in.roller, ReportedSlices{in.rows, k});
+    const ReportedSlices report{in.rows, k};
+    if (in.slope != nullptr)
+      (void)contact::roller_race_sums<V>(some, *in.roller, report, *in.slope);
+    else
+      (void)contact::roller_race_sums<V>(some, *in.roller, report);
     some.s += Lanes::kSize;
     some.radius += Lanes::kSize;
     some.width += Lanes::kSize;

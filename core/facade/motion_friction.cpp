@@ -28,10 +28,10 @@ constexpr Item kItems[] = {
     {"energy.element_drag", &MotionFriction::drag},
     {"energy.cage_drag", &MotionFriction::drag},
     {"energy.element_heat", &MotionFriction::other},
-    {"energy.contact_damping", &MotionFriction::other},
-    {"energy.flange_damping", &MotionFriction::other},
-    {"energy.pocket_damping", &MotionFriction::other},
-    {"energy.land_damping", &MotionFriction::other},
+    {"energy.contact_damping", &MotionFriction::races},
+    {"energy.flange_damping", &MotionFriction::ribs},
+    {"energy.pocket_damping", &MotionFriction::cage},
+    {"energy.land_damping", &MotionFriction::cage},
     {"energy.element_damping", &MotionFriction::other},
 };
 

@@ -373,9 +373,11 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"lubStressLimit", "none",
-          "limiting shear stress over pressure of the user's lubricant (kTrac 9) at 40 °C, above 0 "
+          "limiting shear stress over pressure of the user's lubricant (kTrac 9) at 40 °C, 0.001 "
           "to 1, or none (0.07 is assumed)"},
-         [](RunOptions& o, std::string_view v) { return parse_optional(v, o.user_limit, 1.0); }},
+         [](RunOptions& o, std::string_view v) {
+           return parse_optional(v, o.user_limit, 1.0) && o.user_limit.value_or(1.0) >= 1e-3;
+         }},
         {{"lubStressSoftening", fmt::format("{:g}", defaults.user_softening),
           "relative decrease of that limit per kelvin, 0 to 0.1 [1/K]"},
          [](RunOptions& o, std::string_view v) {

@@ -1,5 +1,6 @@
 #include "thermal/time_line.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
       return out;
     }
   }
-  out.end = fmt::format("not settled after {} steps, {:.4g} s", kMostPoints, time);
+  out.end = fmt::format("not settled after {}, {:.4g} s", counted(kMostPoints, "step"), time);
   return out;
 }
 

@@ -19,6 +19,9 @@ using Json = nlohmann::json;
 constexpr double kSofteningReference = 313.15, kBetaReference = 313.0;
 /// ln(μ/μ0) of Barus' law in visco-elastic films goes no further: e^27.6 is 1e12.
 constexpr double kLogBarusCap = 27.6;
+/// Least Λ: the eighth power of laws/limited.hpp leaves the range of floats below 2e-4. Oils have
+/// 0.03 and more. Only a user's lubricant with a large softening gets there.
+constexpr double kLeastLimit = 1e-3;
 
 double number(const Json& block, const char* key) {
   return block.at(key).at("value").get<double>();
@@ -189,7 +192,8 @@ double Lubricant::pressed_beta(double pressure, double T) const {
 }
 
 double Lubricant::limiting_ratio(double T) const {
-  if (model != LubricantModel::ViscoElastic) return limit.at(T);
+  if (model != LubricantModel::ViscoElastic)
+    return limit.ratio > 0.0 ? std::max(limit.at(T), kLeastLimit) : 0.0;
   return sinh_law ? 0.0 : stress_p * std::exp(-softening * (T - kSofteningReference));
 }
 

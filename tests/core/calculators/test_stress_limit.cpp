@@ -92,12 +92,22 @@ TEST_CASE(
     const auto [low, high] = published(code);
     double last = HUGE_VAL;
     for (const double celsius : {0.0, 40.0, 80.0, 120.0, 160.0, 200.0}) {
-      double most = 0.0;
-      for (const double pressure : {0.5e9, 0.75e9, 1.0e9, 1.5e9, 2.0e9, 2.5e9, 3.0e9})
+      LubricantContact free = of(code);
+      free.stress_limit = false;
+      double most = 0.0, without = 0.0;
+      for (const double pressure : {0.5e9, 0.75e9, 1.0e9, 1.5e9, 2.0e9, 2.5e9, 3.0e9}) {
         most = std::max(most, largest(coefficients(of(code), celsius, pressure)));
-      CAPTURE(code, celsius, most);
-      // The shear-thinning film of kTrac 11 is too thin at 200 °C to reach its limit.
-      CHECK(most >= (code == 11 && celsius > 160.0 ? 0.02 : low));
+        without = std::max(without, largest(coefficients(free, celsius, pressure)));
+      }
+      CAPTURE(code, celsius, most, without);
+      // The laws of kTrac 11 and 20 do not reach the range in hot oil, with no limit either
+      // (0.029 at 160 °C and 0.019 at 200 °C; 0.025 at 200 °C): nor may the limit take from them.
+      if ((code == 11 && celsius > 120.0) || (code == 20 && celsius > 160.0)) {
+        CHECK(without < low);
+        CHECK(most >= 0.97 * without);
+      } else {
+        CHECK(most >= low);
+      }
       CHECK(most <= high);
       CHECK(most < last);
       last = most;
@@ -134,8 +144,9 @@ TEST_CASE("recommended law: kTrac 4, 10, 11, 12 → within a factor of 2 above 1
   CHECK(widest_by_code > 5.0);  // what the recommended law is for
 }
 
-TEST_CASE("stress limit: below 1 GPa → at most 2 % less where the classic law is below half of it",
-          "[physics][lubricants]") {
+TEST_CASE(
+    "stress limit: below 1 GPa → at most 2 % less where the classic law is below a third of it",
+    "[physics][lubricants]") {
   int compared = 0, of_tested_oils = 0;
   for (const int code : tribology::lubricant_codes()) {
     const tribology::Lubricant& oil = tribology::lubricant(code);
@@ -145,13 +156,15 @@ TEST_CASE("stress limit: below 1 GPa → at most 2 % less where the classic law 
         free.stress_limit = false;
         const std::vector<double> limited = coefficients(of(code), celsius, pressure),
                                   classic = coefficients(free, celsius, pressure);
+        // Coefficients are means over the contact. Where that is 0.44 of the limit the middle can
+        // reach it (kTrac 6: 7 % less, which takes 0.98 of the limit somewhere); hence a third.
         // kTrac 1, 3, 4 and 5: constants of disc tests; any slip at bearing temperatures.
         const bool tested = (code == 1 || code == 3 || code == 4 || code == 5) && celsius >= 40.0 &&
                             celsius <= 120.0;
         for (std::size_t i = 0; i < limited.size(); ++i) {
           CAPTURE(code, celsius, pressure, kSlipRatio[i], limited[i], classic[i]);
           CHECK(limited[i] <= classic[i] * (1.0 + 1e-12));
-          if (!tested && classic[i] > 0.5 * oil.limiting_ratio(celsius + 273.15)) continue;
+          if (!tested && 3.0 * classic[i] > oil.limiting_ratio(celsius + 273.15)) continue;
           CHECK(limited[i] >= 0.98 * classic[i]);
           ++compared;
           of_tested_oils += tested ? 1 : 0;

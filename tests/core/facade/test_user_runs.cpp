@@ -14,8 +14,14 @@ using namespace adore::user_runs;
 TEST_CASE("a routine that restates the built-in traction gives the same motion",
           "[user][physics]") {
   const std::string until = "2e-4s";
-  const Ran built_in = ran_with(request_of("built-in", deck_with({}, ""), until));
-  auto request = request_of("adrx7-c", deck_with({{"kTrac", "-1"}}, own_curve()), until);
+  // Elastic: with damped contacts the last bit grows to 1e-15 m and 1.3e-10 m/s of single balls.
+  const auto elastic = [&](const char* name, const std::string& deck) {
+    auto out = request_of(name, deck, until);
+    out.options.emplace_back("contactDamping", "0");
+    return out;
+  };
+  const Ran built_in = ran_with(elastic("built-in", deck_with({}, "")));
+  auto request = elastic("adrx7-c", deck_with({{"kTrac", "-1"}}, own_curve()));
   request.user = library("adrx7");
   const Ran in_c = ran_with(request);
   REQUIRE(in_c.outcome.status == facade::RunStatus::Done);
@@ -24,7 +30,7 @@ TEST_CASE("a routine that restates the built-in traction gives the same motion",
   // kernel and not in the other.
   check_same_to_rounding(built_in, in_c);
 
-  auto formula = request_of("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()), until);
+  auto formula = elastic("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()));
   formula.user = json_file("adrx7", R"~({"version": "f1", "adrx7": {"read": ["A", "B", "C", "D"],
       "element_race": {"formula": "(A+B*u)*exp(-C*u)+D", "slip_scale": "1/C"}}})~");
   check_same_to_rounding(built_in, ran_with(formula));
