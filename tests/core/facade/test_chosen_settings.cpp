@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 /// Settings chosen for an error: steps, and nodes or slices of the contacts.
 using namespace adore;
@@ -17,7 +16,8 @@ namespace {
 DeckRequest example(const char* name) {
   DeckRequest request;
   request.text = std::string(deck::template_text(name));
-  if (const char* d = std::getenv("XDAMP")) request.options = {{"contactDamping", d}};
+  // The example of balls is irregular with damped contacts: no error of 15 % can be told of it.
+  request.options = {{"contactDamping", "0"}};
   return request;
 }
 
