@@ -327,7 +327,8 @@ TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode
           "[physics][facade][constrained][slow]") {
   // Over the first turn loads that differ by 1e-4 leave the cage its one way to settle, and spread
   // by 0.5 %; cages that start elsewhere spread by 6 %, 18.7 to 22.2 mJ over two turns.
-  check_with_spread("tapered", {}, 2, kCages);
+  // Elastic contacts: damped ones spread less than the cage heat of mode 1 differs (9 %).
+  check_with_spread("tapered", {}, 2, kCages, {{"contactDamping", "0"}});
 }
 
 TEST_CASE("mode 1 of the spherical-tapered example has the heat and the cage speed of mode 0",
