@@ -11,8 +11,8 @@ struct ContactLosses {
   double impact_loss = 0.0;  ///< α: an impact at a small speed v returns at (1 - α v) v [s/m]
 };
 
-/// Of one material. One that the deck or a routine gives has no losses of its own: those of AISI
-/// 52100 steel from E = 50 GPa on, of polyamide below [choice].
+/// Losses of one material. A material that the deck or a routine gives has no losses of its own:
+/// those of AISI 52100 steel from E = 50 GPa on, of polyamide below [choice].
 [[nodiscard]] ContactLosses contact_losses(const Material& material);
 
 /// Means of both, weighted by (1-ν²)/E: the softer body stores and loses most of the energy.

@@ -5,11 +5,11 @@
 
 namespace adore::bearing {
 
-/// Where temperatures come from: the closed network, or the manual's ladder from one base
+/// Source of temperatures: the closed network, or the manual's ladder from one base
 /// temperature (run option thermalModel).
 enum class ThermalModel : unsigned char { Network, Ladder };
 
-/// What the deck cannot say of the surroundings (run options). Empty: the default of
+/// Surroundings that only run options describe. Empty: the default of
 /// thermal/bearing_heat.hpp.
 struct Surroundings {
   std::optional<double> ambient;                     ///< [K]

@@ -21,7 +21,7 @@
 /// force is p_e times half the area. At the rim of an ellipse the value is that of the end of the
 /// minor axis, where the oil enters [choice: the least one around].
 /// Limits: η0 of the inlet at ambient pressure (piezoviscosity adds); h_c much less than the
-/// approach; slow vibrations beside the passage through the inlet. Taken at one load and applied
+/// approach; vibrations slower than the passage through the inlet. Taken at one load and applied
 /// as a material loss (contact/damping_law.hpp) at all others.
 namespace adore::contact {
 

@@ -31,7 +31,7 @@ const Vec kLongestStep = (Vec() << 1e-3, 1e-3, 3e-4, 3e-4, 1e-4).finished();
 /// Pseudo time of the first step, in T.
 constexpr double kFirstTime = 1e3;
 
-/// Where the elements are in the state: rollers, or balls without attitude, whose u is (x, r, ω).
+/// Places of the elements in the state: rollers, or balls without attitude, whose u is (x, r, ω).
 class Elements {
  public:
   Elements(const StateLayout& layout, bool balls) : balls_(balls) {

@@ -12,7 +12,7 @@ namespace adore::dynamics {
 struct HeatByPart {
   double sum = 0.0;          ///< [W]
   std::vector<double> part;  ///< [W]; sized before the first evaluation
-  double damping = 0.0;      ///< of all, what damping takes beside it: an item of its own [W]
+  double damping = 0.0;      ///< heat of contact damping, a separate ledger item [W]
 
   void none() noexcept {
     sum = damping = 0.0;

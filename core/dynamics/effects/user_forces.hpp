@@ -34,7 +34,7 @@ struct DampedContact {
   return {law, stiffness, contact::damped_load(law, load, stiffness, approach, rate)};
 }
 
-/// What a routine changes at a contact.
+/// Changes that a routine makes at a contact.
 struct UserDifference {
   double ratio = 0.0;    ///< (P(F) - P(N))/N
   double force = 0.0;    ///< P(F) - P(N) [N]
