@@ -59,9 +59,9 @@ std::string run_life_text(const facade::RunOutcome& outcome) {
   };
   const double life = find("run_life_hours"), spread = find("run_life_spread");
   if (std::isnan(life)) return {};
-  return fmt::format("life of the run {} from {:.0f} steps{}\n",
+  return fmt::format("life of the run {} from {}{}\n",
                      std::isinf(life) ? "infinite" : fmt::format("{:.4g} h", life),
-                     find("run_life_samples"),
+                     counted(static_cast<long>(find("run_life_samples")), "step"),
                      std::isnan(spread) ? ", spread not computed (short run)"
                                         : fmt::format(", standard error {:.2g} %", 100.0 * spread));
 }

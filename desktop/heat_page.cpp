@@ -20,40 +20,62 @@ using results::StaticTables;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHalf = 0.12;  ///< half the side of a node's square
 
-/// Where the nodes stand: radius upwards, coolant to the right.
+/// Places of the nodes: radius upwards, medium to the right. Nodes of the middle column that the
+/// table does not have leave no gap.
 struct Place {
   const char* column;  ///< of the table
   double x, y;
   double text;  ///< side of the label: -1 left, 1 right
 };
-constexpr Place kPlaces[] = {
-    {"housing outside", 0.0, 6.0, -1.0}, {"outer race at the housing", 0.0, 5.0, -1.0},
-    {"outer raceway", 0.0, 4.0, -1.0},   {"rolling elements", 0.0, 3.0, -1.0},
-    {"inner raceway", 0.0, 2.0, -1.0},   {"inner race at the shaft", 0.0, 1.0, -1.0},
-    {"shaft inside", 0.0, 0.0, -1.0},    {"cage", 2.6, 4.2, -1.0},
-    {"coolant inlet", 5.2, 4.2, 1.0},    {"coolant mean", 5.2, 3.0, 1.0},
-    {"coolant exit", 5.2, 1.8, 1.0}};
+constexpr Place kPlaces[] = {{"ambient", 0.0, 11.0, -1.0},
+                             {"housing outside", 0.0, 10.0, -1.0},
+                             {"housing at the outer race", 0.0, 9.0, -1.0},
+                             {"outer race at the housing", 0.0, 8.0, -1.0},
+                             {"outer raceway", 0.0, 7.0, -1.0},
+                             {"film of the outer race", 0.0, 6.0, -1.0},
+                             {"rolling elements", 0.0, 5.0, -1.0},
+                             {"film of the inner race", 0.0, 4.0, -1.0},
+                             {"inner raceway", 0.0, 3.0, -1.0},
+                             {"inner race at the shaft", 0.0, 2.0, -1.0},
+                             {"shaft at the inner race", 0.0, 1.0, -1.0},
+                             {"shaft inside", 0.0, 0.0, -1.0},
+                             {"film of the pockets", 1.6, 4.6, 1.0},
+                             {"cage", 2.6, 4.2, -1.0},
+                             {"coolant inlet", 5.2, 4.2, 1.0},
+                             {"coolant mean", 5.2, 3.0, 1.0},
+                             {"medium in the bearing", 5.2, 3.0, 1.0},
+                             {"coolant exit", 5.2, 1.8, 1.0}};
 
-struct Link {
-  const char *from, *to;
-  const char* heat;  ///< column; null: nothing is said of it
-};
-constexpr Link kLinks[] = {
-    {"outer raceway", "outer race at the housing", "outer raceway to housing"},
-    {"outer race at the housing", "housing outside", nullptr},
-    {"inner raceway", "inner race at the shaft", "inner raceway to shaft"},
-    {"inner race at the shaft", "shaft inside", nullptr},
-    {"rolling elements", "outer raceway", nullptr},
-    {"rolling elements", "inner raceway", nullptr},
-    {"rolling elements", "coolant mean", "rolling elements to coolant"},
-    {"cage", "coolant mean", "cage to coolant"},
-    {"coolant inlet", "coolant mean", nullptr},
-    {"coolant mean", "coolant exit", nullptr}};
-
-const Place* place_of(const std::string& name) {
+/// The places that the table has, the middle column closed up.
+std::vector<Place> places_in(const StaticTable& network) {
+  std::vector<Place> out;
   for (const Place& place : kPlaces)
+    if (const StaticColumn* column = network.find(place.column);
+        column != nullptr && !column->values.empty())
+      out.push_back(place);
+  double y = 0.0;
+  for (auto place = out.rbegin(); place != out.rend(); ++place)
+    if (place->x == 0.0) place->y = y++;
+  return out;
+}
+
+const Place* place_of(const std::vector<Place>& places, const std::string& name) {
+  for (const Place& place : places)
     if (name == place.column) return &place;
   return nullptr;
+}
+
+/// "A to B" of the heat from one placed node to another.
+std::optional<std::pair<const Place*, const Place*>> link_of(const std::vector<Place>& places,
+                                                             const std::string& column) {
+  for (std::size_t at = column.find(" to "); at != std::string::npos;
+       at = column.find(" to ", at + 1)) {
+    constexpr std::size_t kSeparator = 4;
+    const Place *from = place_of(places, column.substr(0, at)),
+                *to = place_of(places, column.substr(at + kSeparator));
+    if (from != nullptr && to != nullptr) return std::pair{from, to};
+  }
+  return std::nullopt;
 }
 
 std::string shown(const StaticColumn& column, const StaticTables& all, double value) {
@@ -105,10 +127,8 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPage page;
   page.title = "Thermal network";
   page.note =
-      "Schematic: radius upwards, coolant to the right; arrows point where heat flows. Raceways "
-      "have the temperature of the rolling elements; half of the heat of a contact goes into "
-      "either "
-      "body.";
+      "Schematic: radius upwards, coolant or medium to the right. Arrows point along the heat "
+      "flow.";
   page.equal_axes = true;
   page.closed_outline = true;
   page.fitted = true;
@@ -116,9 +136,9 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPanel panel;
   ChartCurve nodes{"nodes", {}, {}}, flows{"heat flow", {}, {}}, links{"connection", {}, {}, true};
   flows.heavy = true;
-  for (const Place& place : kPlaces) {
+  const std::vector<Place> places = places_in(*network);
+  for (const Place& place : places) {
     const StaticColumn* temperature = value(place.column);
-    if (temperature == nullptr) continue;
     const double x = place.x, y = place.y;
     line(nodes, {{x - kHalf, y - kHalf},
                  {x + kHalf, y - kHalf},
@@ -128,20 +148,19 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
     page.labels.push_back({x + place.text * 2.0 * kHalf, y, place.text, 0.0,
                            fmt::format("{} {}", place.column, shown(*temperature, all))});
   }
-  for (const Link& link : kLinks) {
-    if (value(link.from) == nullptr || value(link.to) == nullptr) continue;
-    const Place *a = place_of(link.from), *b = place_of(link.to);
-    const StaticColumn* heat = value(link.heat);
+  for (const StaticColumn& heat : network->columns) {
+    const auto link = link_of(places, heat.name);
+    if (!link || heat.values.empty()) continue;
+    const auto& [a, b] = *link;
     const auto ends = between(*a, *b);
-    if (heat == nullptr || heat->values.front() == 0.0)
+    if (heat.values.front() == 0.0)
       line(links, {ends[0], ends[1]});
-    else if (heat->values.front() > 0.0)
+    else if (heat.values.front() > 0.0)
       arrow(flows, ends[0], ends[1]);
     else
       arrow(flows, ends[1], ends[0]);
-    if (heat != nullptr)
-      page.labels.push_back({0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + 2.0 * kHalf, 1.0,
-                             0.0, shown(*heat, all, std::abs(heat->values.front()))});
+    page.labels.push_back({0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + 2.0 * kHalf, 1.0, 0.0,
+                           shown(heat, all, std::abs(heat.values.front()))});
   }
   double y = -0.8;
   for (const char* made :

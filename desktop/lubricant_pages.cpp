@@ -57,15 +57,16 @@ double largest(const CurveChart& chart) {
 std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact,
                                        LubricantTitle title) {
   const LubricantCurves all = calculators::lubricant_curves(contact);
-  std::vector<ChartPage> pages{page_of(all, title, {&all.traction}),
-                               page_of(all, title, {&all.viscosity}),
-                               page_of(all, title, {&all.film, &all.lambda})};
-  // Laws without a limit reach hundreds: on an even scale nothing else would be seen.
+  std::vector<ChartPage> pages{
+      all.laws.curves.empty() ? page_of(all, title, {&all.traction})
+                              : page_of(all, title, {&all.traction, &all.laws}),
+      page_of(all, title, {&all.viscosity}), page_of(all, title, {&all.film, &all.lambda})};
+  // Without limiting shear stress laws reach hundreds: a linear scale would hide the rest.
   pages[0].panels[0].log = largest(all.traction) > 1.0;
   if (largest(all.traction) > kMeasured)
     add_note(pages[0],
-             "coefficients above 0.12 are extrapolations: no disc machine has measured them, and "
-             "this law has no limit");
+             "no disc machine has measured coefficients above 0.12 (no limiting shear stress)");
+  add_note(pages[0], all.recommended);
   for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
     add_note(pages[page], all.beyond_range);
   constexpr double kNearGlass = 0.99e12;  // tribology/viscosity/glass.hpp

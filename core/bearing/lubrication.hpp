@@ -12,6 +12,10 @@ struct UserLubricant {
   double T0 = 0.0, viscosity = 0.0, alpha = 0.0, beta = 0.0;  ///< K, Pa s, 1/Pa, K
   double conductivity = 0.0, density = 0.0, specific_heat = 0.0;
   double traction_viscosity = 0.0, traction_alpha = 0.0, traction_beta = 0.0;  ///< Pa s, 1/Pa, 1/K
+  /// Limiting stress over pressure at 40 °C and its fall with temperature [1/K]: run options
+  /// lubStressLimit and lubStressSoftening. None: tribology::kUserLimit.
+  std::optional<double> limit_ratio;
+  double limit_softening = 0.003;
 };
 
 /// What a deck with kTrac > 0 says of the lubricant between elements and races.
@@ -24,6 +28,8 @@ struct Lubrication {
   // Run options and tolerance, not the deck.
   bool direct_strips = false;  ///< integrate the stress of every strip, no surface (kTrac 8, 12)
   double tolerance = 1e-6;     ///< of the run, for the error of the surface
+  bool stress_limit = true;    ///< filmStressLimit: films have their limiting shear stress
+  bool recommended = false;    ///< filmLaw: traction by the recommended law of the code's oil
 };
 
 /// What churns in the cavity of the bearing (kChrn, records 10.7A and 10.7B).

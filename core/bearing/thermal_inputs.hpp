@@ -1,6 +1,21 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 namespace adore::bearing {
+
+/// Source of temperatures: the closed network, or the manual's ladder from one base
+/// temperature (run option thermalModel).
+enum class ThermalModel : unsigned char { Network, Ladder };
+
+/// Surroundings that only run options describe. Empty: the default of
+/// thermal/bearing_heat.hpp.
+struct Surroundings {
+  std::optional<double> ambient;                     ///< [K]
+  std::array<std::optional<double>, 2> conductance;  ///< housing, shaft to ambient [W/K]
+  std::optional<double> coolant_inlet;               ///< [K]
+};
 
 /// What a deck with kTherm = 1 says of its thermal analysis (records 3.5, 9.7, 9.8). SI, kelvin.
 struct ThermalInputs {
@@ -14,6 +29,8 @@ struct ThermalInputs {
   double average_time = 0.0, skip_time = 0.0;              ///< of thermal steps [s]
   double density = 0.0, viscosity = 0.0, specific_heat = 0.0,
          conductivity = 0.0;  ///< of a given coolant [kg/m³, Pa s, J/(kg K), W/(m K)]
+  ThermalModel model = ThermalModel::Network;
+  Surroundings surroundings;
 };
 
 }  // namespace adore::bearing

@@ -5,6 +5,7 @@
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/film_law.hpp"
+#include "tribology/law_spread.hpp"
 #include "tribology/lubricant_range.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -68,6 +69,8 @@ bearing::Lubrication lubrication_of(const LubricantContact& contact) {
   out.user = contact.user;
   out.critical_film = contact.critical_film;
   out.meniscus = contact.meniscus;
+  out.stress_limit = contact.stress_limit;
+  out.recommended = contact.recommended;
   return out;
 }
 
@@ -140,10 +143,13 @@ std::optional<Json> traction_case(const Json& the_case) {
   take("roughness", c.roughness);
   take("criticalFilm", c.critical_film);
   take("meniscus", c.meniscus);
+  c.stress_limit = in.value("stressLimit", true);
+  c.recommended = in.value("recommended", false);
   if (in.contains("metal")) c.metal = in.at("metal").get<std::vector<double>>();
   const LubricatedPoint p = lubricated_point(c, in.at("slip").get<std::vector<double>>());
-  const tribology::Lubricant& oil = tribology::lubricant(c.code);
+  const tribology::Lubricant oil = tribology::lubricant_of(lubrication_of(c));
   return Json{{"kappa", p.traction},
+              {"stressLimitRatio", oil.limiting_ratio(c.temperature)},
               {"load", p.load},
               {"halfWidth", p.half_width},
               {"k", p.ratio},
@@ -157,6 +163,38 @@ std::optional<Json> traction_case(const Json& the_case) {
               {"name", oil.name},
               {"provenance", oil.provenance},
               {"range", tribology::beyond_range(tribology::pressure_range(c.code), c.pressure)}};
+}
+
+void add_laws(const LubricantContact& contact, const std::vector<double>& slips,
+              LubricantCurves& out) {
+  const tribology::Oil oil = tribology::oil_of(contact.code);
+  if (oil.codes.size() < 2 || !(contact.speed > 0.0) || !(contact.meniscus > 0.0)) return;
+  const Point point(contact);
+  tribology::SpreadContact at;
+  at.point.load = point.load;
+  at.point.peak_pressure = contact.pressure;
+  at.point.half_major = point.a;
+  at.point.half_minor = point.b;
+  at.point.entrainment = contact.speed;
+  at.point.curvature = 1.0 / contact.radius;
+  at.modulus = contact.modulus;
+  at.temperature = contact.temperature;
+  at.meniscus = contact.meniscus;
+  at.stress_limit = contact.stress_limit;
+  out.laws = {fmt::format("Traction laws of {}", oil.name),
+              "Slip",
+              "m/s",
+              fmt::format("Traction coefficient by law, {:g} GPa", 1e-9 * contact.pressure),
+              "",
+              true,
+              false,
+              {}};
+  for (const tribology::SpreadRow& row : tribology::law_spread(contact.code, at, slips))
+    out.laws.curves.push_back(
+        {fmt::format("kTrac {}{}", row.code, row.recommended ? " (recommended)" : ""), slips,
+         row.kappa});
+  out.recommended =
+      fmt::format("{}: kTrac {} is recommended ({})", oil.name, oil.recommended, oil.why);
 }
 
 }  // namespace
@@ -206,6 +244,8 @@ LubricantCurves lubricant_curves(const LubricantContact& contact) {
     out.traction.curves.push_back(
         {fmt::format("{:g} GPa", 1e-9 * pressure), slips, lubricated_point(c, slips).traction});
   }
+
+  if (!contact.user) add_laws(contact, slips, out);
 
   const std::array<double, 3> temperatures{contact.temperature - 30.0, contact.temperature,
                                            contact.temperature + 30.0};

@@ -28,6 +28,8 @@ struct LubricantContact {
   double roughness = 1.0e-7;                   ///< of both, root of the sum of squares [m]
   double critical_film = 1.0e-8;               ///< reRaceFilm [m]
   double meniscus = 10.0;                      ///< strParam
+  bool stress_limit = true;                    ///< the film has its limiting shear stress
+  bool recommended = false;                    ///< traction by the recommended law of the oil
   int metal_type = 1;                          ///< kTracType of the metal contact
   /// Its four values, of record 10.1C unless said else.
   std::vector<double> metal{0.0, 0.1, 0.08, 1.0};
@@ -66,6 +68,10 @@ struct LubricantCurves {
   /// Of traction and viscosity beyond the measurements (lubricant_range.hpp); empty: within.
   std::string beyond_range;
   CurveChart traction, viscosity, film, lambda;
+  /// Traction over slip by each code that describes the same oil, in the middle strip of the
+  /// contact; without curves where there is one code.
+  CurveChart laws;
+  std::string recommended;  ///< "MIL-L-23699: kTrac 11 is recommended (...)"; empty: one code
 };
 [[nodiscard]] LubricantCurves lubricant_curves(const LubricantContact& contact);
 

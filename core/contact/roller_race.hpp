@@ -28,6 +28,8 @@
 /// so the point may be held), and the race gets the opposite; it is the force of statics
 /// (statics/slice_potential.hpp) at the same pose. Where a roller reaches over the edge of a land
 /// that is in the gradient, too (contact/land_edge.hpp).
+/// With damping F of contact/damping_law.hpp stands for Q_k but in U: friction, pressure, loads and
+/// load-slip are of the total force.
 /// Line pressure of slice k: p = √(Q_k/w_k E* Σρ/π), Σρ = 1/ρ_k - n_r/r.
 /// Limits: the roller axis points towards +x of the race (|angle| < π/2); no spin within the width
 /// of a contact; slices are independent.
@@ -43,6 +45,7 @@ struct RollerRaceSlices {
   std::vector<double> s, radius, width;  ///< [m]
   /// A cone about the roller that holds all slices: where it ends, and its radii there [m].
   std::array<double, 2> end{}, around{};
+  DampingLaw<> damping;  ///< none: elastic
 
   static constexpr std::size_t kPadding = 8;  ///< doubles of the widest vector
 };
@@ -50,7 +53,7 @@ struct RollerRaceSlices {
                                                          std::span<const RollerSlice> slices,
                                                          double width, const PowerLaw& law,
                                                          double E_star) {
-  RollerRaceSlices out{race, law, E_star, slices.size(), {}, {}, {}, {}, {}};
+  RollerRaceSlices out{race, law, E_star, slices.size(), {}, {}, {}, {}, {}, {}};
   const std::size_t padded = (slices.size() + RollerRaceSlices::kPadding - 1) /
                              RollerRaceSlices::kPadding * RollerRaceSlices::kPadding;
   for (std::size_t k = 0; k < padded; ++k) {
@@ -89,7 +92,9 @@ struct RollerRaceAction {
           slices.radius.data(),
           slices.width.data(),
           {slices.end[0], slices.end[1]},
-          {slices.around[0], slices.around[1]}};
+          {slices.around[0], slices.around[1]},
+          slices.damping,
+          is_damped(slices.damping)};
 }
 
 /// No slice can touch: a bound from the pose alone, for races along cones; of grooves never known.

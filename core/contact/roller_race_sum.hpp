@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/scalar_math.hpp"
+#include "contact/damping_law.hpp"
 #include "contact/land_edge.hpp"
 #include "contact/race_shape.hpp"
 #include "contact/race_slope.hpp"
@@ -25,6 +26,8 @@ struct RaceSlices {
   const double *s = nullptr, *radius = nullptr, *width = nullptr;  ///< [m]
   // A cone about the roller that holds all slices: where it ends, and its radii there [m].
   double end[2] = {0.0, 0.0}, around[2] = {0.0, 0.0};
+  DampingLaw<> damping;
+  bool damped = false;
 };
 
 /// What a traction that knows a lubricant's film may know of a slice. SI.
@@ -59,7 +62,8 @@ struct RollerRaceSums {
   Triple<T> moment{T(0.0), T(0.0), T(0.0)};  ///< about C
   T load = 0.0, energy = 0.0, heat = 0.0, load_slip = 0.0;
   T fastest = 0.0;  ///< largest slip of slices that press, squared [m²/s²]; 0 without traction
-  T turning = 0.0;  ///< ∂U/∂ψ of a race with errors [J/rad]
+  T turning = 0.0;  ///< ∂U/∂ψ of a race with errors, and what damping adds to it [J/rad]
+  T damping = 0.0;  ///< power that damping takes [W]
 };
 
 /// A slice that presses, as it is kept until its traction is known.
@@ -124,28 +128,45 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     if (!M::any(d.at.depth > 0.0)) continue;
     [[maybe_unused]] T widens = 0.0;
     const T delta = M::max(d.at.depth, T(0.0));
-    T Q = 0.0;
+    T secant = 0.0, elastic = 0.0;
     if (slices.limited) {
       const T x = land_coordinate(surface, slice_place(surface, at.axes, at.x, s, radius));
       const T whole = width;
       width = overlap_width(x, whole, surface.land_offset, surface.land_width);
-      Q = slice_secant(slices.law, width, delta) * delta;
+      secant = slice_secant(slices.law, width, delta);
+      elastic = secant * delta;
       if (M::any(width < whole)) {
         const T shift = width_slope(x, whole, surface.land_offset, surface.land_width);
         if constexpr (kWavy) widens = shift * slope.land_offset;
-        edge.add(Q, delta, width, -shift, surface.cos_angle, s, radius);
+        edge.add(elastic, delta, width, -shift, surface.cos_angle, s, radius);
       }
     } else {
-      Q = slice_secant(slices.law, width, delta) * delta;
+      secant = slice_secant(slices.law, width, delta);
+      elastic = secant * delta;
     }
     const Triple<T>& n = d.at.n;
     Triple<T> arm = s * at.axes.a + radius * d.u;
     // To the middle of the overlap, where both surfaces slip; -Q n has the same moment from there.
     if constexpr (kTraction) arm = arm + (-0.5 * delta) * n;
+    T Q = elastic;
+    [[maybe_unused]] Triple<T> u{};
+    [[maybe_unused]] T along_n = 0.0, rise = 0.0;
+    if constexpr (kWavy) rise = depth_slope(surface, slope, d.X, d.at);
+    if (kTraction || slices.damped) {
+      u = at.velocity + cross(at.omega, arm);
+      along_n = dot(u, n);
+    }
+    if (slices.damped) {
+      // The point X may be held, because δ is a maximum over its circle. The surface of a race with
+      // errors changes with the azimuth ψ of C in the race, ψ̇ = v_y/r.
+      T rate = -along_n;
+      if constexpr (kWavy) rate += (at.velocity.y / at.r) * rise;
+      Q = damped_load(slices.damping, elastic, T((10.0 / 9.0) * width * secant), delta, rate);
+      sum.damping += (Q - elastic) * rate;
+    }
     Triple<T> f{-Q * n.x, -Q * n.y, -Q * n.z};
     if constexpr (kTraction) {
-      const Triple<T> u = at.velocity + cross(at.omega, arm);
-      const Triple<T> slip = u - dot(u, n) * n;
+      const Triple<T> slip = u - along_n * n;
       const T square = dot(slip, slip);
       // Pressures of slices without width are not read: Q is 0 there.
       const T per_length = Q / M::max(width, T(1e-30));
@@ -178,10 +199,9 @@ template <class T, class Traction, class Slope = std::nullptr_t>
       sum.moment = sum.moment + cross(arm, f);
     }
     sum.load += Q;
-    sum.energy += (9.0 / 19.0) * Q * delta;
+    sum.energy += (9.0 / 19.0) * elastic * delta;
     if constexpr (kWavy)
-      sum.turning += Q * (depth_slope(surface, slope, d.X, d.at) +
-                          (9.0 / 19.0) * delta * widens / M::max(width, T(1e-30)));
+      sum.turning += Q * rise + elastic * ((9.0 / 19.0) * delta * widens / M::max(width, T(1e-30)));
   }
   if (edge.reached) edge.push(at.axes, surface.sigma(), at.r, sum.force, sum.moment);
   return sum;

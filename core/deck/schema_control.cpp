@@ -73,7 +73,8 @@ RecordSpec run_mode() {
               "Whether and at which step interval animation data is stored in SOL8."),
        choice("kLifeFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
-              "Step interval at which the fatigue life at the present loads is computed for SOL7. The life "
+              "Step interval at which the fatigue life at the present loads is computed for SOL7. "
+              "The life "
               "of the run uses the loads of every step."),
        choice("kTherm", {{"0", "off"}, {"1", "on"}},
               "Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and "

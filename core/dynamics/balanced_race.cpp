@@ -2,6 +2,8 @@
 
 #include "base/symmetric_eigen.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,14 +28,19 @@ void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
     }
   const SymmetricEigen<3> eigen = symmetric_eigen<3>(K);
   const double largest = eigen.values[2];
-  inverse_.setZero();
+  Mat3 inverse = Mat3::Zero();
+  stiffness_ = K;
+  stiff_.setZero();
   for (int k = 0; k < 3; ++k) {
     const double value = eigen.values[k];
     if (!(value > 1e-9 * largest)) continue;
-    inverse_ += eigen.vectors.col(k) * eigen.vectors.col(k).transpose() / value;
+    const Mat3 along = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
+    inverse += along / value;
+    stiff_ += along;
   }
-  velocity_ = inverse_ * (drift + load_rate_);
+  velocity_ = inverse * (drift + load_rate_);
   rate_ = 0.5 * std::sqrt(std::max(K.trace(), 0.0) / (3.0 * element_mass));
+  resist(Mat3::Zero());
 }
 
 Vec3 BalancedRace::residual(const Vec3& of_elements) const noexcept {
@@ -43,8 +50,17 @@ Vec3 BalancedRace::residual(const Vec3& of_elements) const noexcept {
   return out;
 }
 
+void BalancedRace::resist(const Mat3& friction) noexcept {
+  mobility_.setZero();
+  if (!(rate_ > 0.0)) return;
+  // Directions without stiffness stay where they are: any value on their diagonal makes M regular.
+  const Mat3 M = stiff_ * (stiffness_ / rate_ + friction) * stiff_ +
+                 stiffness_.trace() / rate_ * (Mat3::Identity() - stiff_);
+  mobility_ = stiff_ * M.inverse() * stiff_;
+}
+
 Vec3 BalancedRace::pull(const Vec3& of_elements) const noexcept {
-  return rate_ * (inverse_ * residual(of_elements));
+  return mobility_ * residual(of_elements);
 }
 
 }  // namespace adore::dynamics

@@ -6,10 +6,14 @@
 
 /// Centre of an inner race without inertia (mode 2): in the directions whose load is given it
 /// stands where R = load + force of the elements = 0. Its place c is state; it moves by
-///   ċ = K⁻¹ (D + λ R),   K = -dR/dc with elements that follow the race, D = ∂R/∂t at fixed c,
+///   ċ = K⁻¹ D + (K/λ + C)⁻¹ R,   K = -dR/dc with elements that follow the race, D = ∂R/∂t at fixed
+/// c, C = friction force over slip speed, summed over the contacts with the race,
 /// so that it goes with its balance and a departure R decays at the rate λ = ½ √(tr K / 3 M), M the
-/// mass of all elements: the pace at which the elements themselves settle (held_elements.hpp). D
-/// needs no friction, R has all of it. Directions without stiffness stay where they are. A share of
+/// mass of all elements: the pace at which the elements themselves settle (held_elements.hpp), or
+/// more slowly where friction is stronger. Without C the race overshoots its slip where C > √(K m)
+/// and swings for ever: with the creep v of elements of mass m, m v' = C (ċ - v), the polynomial
+/// s² + s (λ + C/m - λ C²/(m K)) + λ C/m loses its damping [derived]. D needs no friction, R has
+/// all of it. Directions without stiffness stay where they are. A share of
 /// the radial load may turn about x (record 9.3A): load(t) = load + share (turn(ω t) - 1) radial
 /// load, whose rate is part of D. [SI, base axes]
 namespace adore::dynamics {
@@ -29,7 +33,9 @@ class BalancedRace {
   /// Takes K and D at a steady load [N/m, N/s]; velocity() is then K⁻¹ D, the load's rate in D.
   void estimate(const Mat3& stiffness, const Vec3& drift, double element_mass) noexcept;
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }
-  /// λ K⁻¹ R from the force of the elements on the race [N].
+  /// Takes C [N s/m]. After estimate(), which sets it to zero.
+  void resist(const Mat3& friction) noexcept;
+  /// (K/λ + C)⁻¹ R from the force of the elements on the race [N].
   [[nodiscard]] Vec3 pull(const Vec3& of_elements) const noexcept;
   /// R in the free directions [N].
   [[nodiscard]] Vec3 residual(const Vec3& of_elements) const noexcept;
@@ -40,7 +46,9 @@ class BalancedRace {
   Vec3 load_, load_at_start_ = load_, load_rate_ = Vec3::Zero();
   double share_ = 0.0, turn_speed_ = 0.0;  ///< of the load that turns [rad/s]
   std::array<bool, 3> free_;
-  Mat3 inverse_ = Mat3::Zero();  ///< of K where it has stiffness
+  Mat3 stiffness_ = Mat3::Zero();  ///< K in the free directions
+  Mat3 stiff_ = Mat3::Zero();      ///< projection on the directions in which K has stiffness
+  Mat3 mobility_ = Mat3::Zero();   ///< (K/λ + C)⁻¹ in those
   Vec3 velocity_ = Vec3::Zero();
   double rate_ = 0.0;  ///< λ [1/s]
 };

@@ -27,12 +27,13 @@ struct RacePairMotion {
 ///   velocities at ξ = η = 0 along t in the frame that orbits with the ball;
 ///   curvature = 1/r_ball - n_e/(R + r_ball n_e): of both bodies along t, R the distance of the
 ///   ball's centre from the race axis.
-/// @param d ball centre from P_j; k race axis
+/// @param d ball centre from P_j; k race axis; approach_rate dδ/dt in a race of revolution, w·n < 0
+/// [m/s]
 template <class T, class S>
 [[gnu::always_inline]] inline tribology::EllipseMotion<T> ellipse_motion(
     const RacePairMotion<T, S>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
     const contact::Triple<T>& t, const contact::GroovePlace<T>& place,
-    const contact::GrooveTouch<T>& touch) {
+    const contact::GrooveTouch<T>& touch, T& approach_rate) {
   using contact::dot;
   contact::Triple<T> w = m.race_velocity - m.ball_velocity;
   contact::Triple<T> omega = m.ball_omega;
@@ -43,7 +44,9 @@ template <class T, class S>
   const contact::Triple<T>& e = place.e;
   const T W_k = m.race_speed - dot(omega, k), W_e = -dot(omega, e);
   tribology::EllipseMotion<T> out;
-  out.u_c = touch.n_k * dot(w, e) - touch.n_e * dot(w, k);
+  const T w_k = dot(w, k), w_e = dot(w, e);
+  approach_rate = -(touch.n_k * w_k + touch.n_e * w_e);
+  out.u_c = touch.n_k * w_e - touch.n_e * w_k;
   out.u_t = dot(w, t) + m.race_speed * place.distance;
   out.W_c = touch.n_k * W_e - touch.n_e * W_k;
   out.W_t = -dot(omega, t);

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/rotation.hpp"
 #include "dynamics/elements.hpp"
+#include "dynamics/race_load.hpp"
 #include "dynamics/state_access.hpp"
 
 #include <Eigen/LU>
@@ -30,19 +31,25 @@ const Vec kLongestStep = (Vec() << 1e-3, 1e-3, 3e-4, 3e-4, 1e-4).finished();
 /// Pseudo time of the first step, in T.
 constexpr double kFirstTime = 1e3;
 
-/// Where the rollers stand in the state.
-class Rollers {
+/// Places of the elements in the state: rollers, or balls without attitude, whose u is (x, r, ω).
+class Elements {
  public:
-  explicit Rollers(const StateLayout& layout) {
+  Elements(const StateLayout& layout, bool balls) : balls_(balls) {
     for (std::size_t q = 0; q < kQuantities.size(); ++q)
       slices_[static_cast<Quantity>(q)] =
           find(layout, "element." + std::string(kQuantities[q].name));
-    for (std::size_t i = 0; i < slices_.elements(); ++i)
+    for (std::size_t i = 0; !balls && i < slices_.elements(); ++i)
       attitude_.push_back(find(layout, fmt::format("element{}.quaternion", i + 1)));
   }
-  [[nodiscard]] std::size_t count() const noexcept { return attitude_.size(); }
+  [[nodiscard]] std::size_t count() const noexcept { return slices_.elements(); }
 
   [[nodiscard]] Vec read(const std::vector<double>& y, std::size_t i) const {
+    if (balls_) {
+      Vec u;
+      for (std::size_t k = 0; k < kOfBall.size(); ++k)
+        u[static_cast<Eigen::Index>(k)] = at(y, kOfBall[k], i);
+      return u;
+    }
     const Mat3 axes = rotation_matrix(quaternion_at(y.data(), attitude_[i]));
     const double theta = at(y, Quantity::Theta, i);
     const Vec3 a(axes(0, 0), -std::sin(theta) * axes(1, 0) + std::cos(theta) * axes(2, 0),
@@ -56,6 +63,11 @@ class Rollers {
     return u;
   }
   void write(std::vector<double>& y, std::size_t i, const Vec& u) const {
+    if (balls_) {
+      for (std::size_t k = 0; k < kOfBall.size(); ++k)
+        component(y, slices_[kOfBall[k]], i) = u[static_cast<Eigen::Index>(k)];
+      return;
+    }
     const double c = std::cos(u[kSkew]);
     const Vec3 a(std::cos(u[kTilt]) * c, std::sin(u[kTilt]) * c, -std::sin(u[kSkew]));
     component(y, slices_[Quantity::X], i) = u[kX];
@@ -76,9 +88,12 @@ class Rollers {
                  at(dydt, Quantity::OmegaTheta, i));
     Vec F;
     // An element in modes 1 and 2 moves to its balance by a rate of its place.
-    F << (T * at(dydt, Quantity::XDot, i) + at(dydt, Quantity::X, i)) * T / L,
-        (T * at(dydt, Quantity::RDot, i) + at(dydt, Quantity::R, i)) * T / L, T * T * w[2],
-        T * T * (c * w[1] - s * w[0]), T * T * (c * w[0] + s * w[1]);
+    F.head<2>() << (T * at(dydt, Quantity::XDot, i) + at(dydt, Quantity::X, i)) * T / L,
+        (T * at(dydt, Quantity::RDot, i) + at(dydt, Quantity::R, i)) * T / L;
+    if (balls_)
+      F.tail<3>() = T * T * w;
+    else
+      F.tail<3>() << T * T * w[2], T * T * (c * w[1] - s * w[0]), T * T * (c * w[0] + s * w[1]);
     return F;
   }
 
@@ -91,8 +106,11 @@ class Rollers {
   [[nodiscard]] double at(const std::vector<double>& y, Quantity q, std::size_t i) const {
     return y[static_cast<std::size_t>(slices_.at(q, i))];
   }
+  static constexpr std::array kOfBall{Quantity::X, Quantity::R, Quantity::OmegaX, Quantity::OmegaR,
+                                      Quantity::OmegaTheta};
+  bool balls_;
   ElementSlices slices_;
-  std::vector<Slice> attitude_;
+  std::vector<Slice> attitude_;  ///< of rollers
 };
 
 struct Roller {
@@ -122,9 +140,15 @@ bool runs_away(const Roller& of) {
 class Balance {
  public:
   Balance(System& system, std::vector<double>& y)
-      : system_(system), rollers_(system.layout()), y_(y), dydt_(y.size()), all_(rollers_.count()) {
+      : system_(system),
+        balls_(system.bearing().rollers() == nullptr),
+        rollers_(system.layout(), balls_),
+        y_(y),
+        dydt_(y.size()),
+        all_(rollers_.count()) {
     const Scales& s = system.scales();
     unit_ << s.length, s.length, 1.0, 1.0, 1.0 / s.time;
+    if (balls_) unit_[kTilt] = unit_[kSkew] = unit_[kSpin];
   }
   FrictionStart find();
 
@@ -137,7 +161,8 @@ class Balance {
   void step(Roller& of) const;
 
   System& system_;
-  Rollers rollers_;
+  bool balls_;
+  Elements rollers_;
   std::vector<double>&y_, dydt_;
   std::vector<Roller> all_;
   Vec unit_;  ///< of u
@@ -211,10 +236,11 @@ FrictionStart Balance::find() {
   y_ = before;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const Roller& of = all_[i];
-    if (!known || !of.done || std::abs(of.u[kSkew]) > kLargestSkew || runs_away(of)) continue;
+    if (!known || !of.done) continue;
+    if (!balls_ && (std::abs(of.u[kSkew]) > kLargestSkew || runs_away(of))) continue;
     rollers_.write(y_, i, of.u);
     ++out.balanced;
-    out.largest_skew = std::max(out.largest_skew, std::abs(of.u[kSkew]));
+    if (!balls_) out.largest_skew = std::max(out.largest_skew, std::abs(of.u[kSkew]));
   }
   return out;
 }
@@ -223,6 +249,50 @@ FrictionStart Balance::find() {
 
 FrictionStart balance_friction(System& system, std::vector<double>& y) {
   return Balance(system, y).find();
+}
+
+double balance_race(System& system, std::vector<double>& y, const Mat3& stiffness,
+                    const std::array<bool, 3>& free) {
+  const auto slice_of = [&](const char* name) -> const Slice* {
+    for (const StateLayout::Group& group : system.layout().groups())
+      if (group.name == name) return &group.slice;
+    return nullptr;
+  };
+  const Slice* const centre = slice_of("inner race.centre");
+  const Slice* const place = centre != nullptr ? centre : slice_of("inner race.position");
+  const Slice* const velocity = slice_of("inner race.velocity");
+  if (place == nullptr || (!free[0] && !free[1] && !free[2])) return 0.0;
+  Mat3 K = stiffness;
+  for (int k = 0; k < 3; ++k)
+    if (!free[static_cast<std::size_t>(k)]) {
+      K.row(k).setZero();
+      K.col(k).setZero();
+      K(k, k) = stiffness.diagonal().maxCoeff();
+    }
+  const double smallest = 1e-9 * K.diagonal().maxCoeff();
+  if (!(std::abs(K.determinant()) > smallest * smallest * smallest)) return 0.0;
+  const Mat3 inverse = K.inverse();
+  constexpr int kSteps = 6;
+  constexpr double kBalancedRace = 1e-6;  ///< of the force scale
+  std::vector<double> dydt(y.size());
+  double left = 0.0;
+  for (int n = 0; n <= kSteps; ++n) {
+    if (system.rhs(0.0, y.data(), dydt.data()) != RhsStatus::Ok) return left;
+    Vec3 residual = Vec3::Zero();
+    if (centre != nullptr)
+      residual = system.balanced_race().asked - system.balanced_race().carried;
+    else
+      residual = system.bearing().race_inertia[1].mass * vector_at(dydt.data(), *velocity);
+    for (int k = 0; k < 3; ++k)
+      if (!free[static_cast<std::size_t>(k)]) residual[k] = 0.0;
+    const double now = residual.norm() / system.scales().force;
+    if (n > 0 && now > left) return left;  // friction that jumps with the slip
+    left = now;
+    if (left < kBalancedRace || n == kSteps) return left;
+    store_at(y.data(), *place, Vec3(vector_at(y.data(), *place) + inverse * residual));
+    (void)balance_friction(system, y);
+  }
+  return left;
 }
 
 }  // namespace adore::dynamics

@@ -2,6 +2,7 @@
 
 #include "dynamics/system.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,13 @@
 /// keeps its old start where that ends nowhere, in more than kLargestSkew, or where skew would run
 /// away from the balance: ∂ω̇_skew/∂ψ > 0 with the other four following. What a rib drags around the
 /// bearing (θ̈) stays for the motion.
+///
+/// Balls without attitude find u = (x, r, ω) with ẍ = r̈ = 0 and ω̇ = 0 by the same steps: the slip
+/// whose friction carries the gyroscopic moment, which the start of pure rolling does not have. It
+/// moves the axial balance by M_g/D in each ball.
+///
+/// balance_race() does the same for an inner race that moves under its load (mode 2, free race):
+/// Newton steps on its place with the stiffness of the statics, the elements in balance at each.
 namespace adore::dynamics {
 
 struct FrictionStart {
@@ -28,5 +36,11 @@ struct FrictionStart {
 /// Changes places, attitudes and spins of y. Its system must be at the start of a run
 /// (System::set_start is called after it).
 FrictionStart balance_friction(System& system, std::vector<double>& y);
+
+/// @param stiffness d load/d displacement of the inner race, from its statics
+/// @param free directions in which the race moves under its load
+/// @returns the residual force after the last step over the force scale; 0 without such directions
+double balance_race(System& system, std::vector<double>& y, const Mat3& stiffness,
+                    const std::array<bool, 3>& free);
 
 }  // namespace adore::dynamics

@@ -18,6 +18,13 @@ Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
   return {0.0, -e.cos_theta[i], -e.sin_theta[i]};
 }
 
+/// Base axes -> (x, r, θ) of element i.
+Mat3 azimuth_frame(const Evaluation& e, std::size_t i) noexcept {
+  Mat3 frame;
+  for (int axis = 0; axis < 3; ++axis) frame.col(axis) = e.to_cylindrical(i, Vec3::Unit(axis));
+  return frame;
+}
+
 /// From the reference point to the mass centre, on (x, r, θ).
 Vec3 arm_of(const Evaluation& e, std::size_t i, const ElementMass& body) noexcept {
   return e.to_cylindrical(i, Vec3(e.attitude[i] * body.arm));
@@ -101,8 +108,7 @@ void HeldElements::move_race(Evaluation& e) noexcept {
     const std::size_t i = list_[k];
     mass += scene_.masses[i].mass;
     const Mat3& S = springs_[k].race[1];
-    Mat3 frame;  // base axes -> (x, r, θ)
-    for (int axis = 0; axis < 3; ++axis) frame.col(axis) = e.to_cylindrical(i, Vec3::Unit(axis));
+    const Mat3 frame = azimuth_frame(e, i);
     Mat3 held = S;
     held -= S.leftCols<2>() * estimate_[k].inverse * S.topRows<2>();
     stiffness += frame.transpose() * held * frame;
@@ -154,7 +160,8 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
 }
 
 /// Friction over slip of a race contact of load Q: Q κ/u = heat (Q/load-slip)².
-Vec3 HeldElements::form_forces(Evaluation& e) noexcept {
+HeldElements::RaceForces HeldElements::form_forces(Evaluation& e) noexcept {
+  RaceForces on_race;
   pass_.apply(e, ForcePass::Which::OnRaces);
   for (std::size_t k = 0; k < list_.size(); ++k) forces_[k].race_theta = e.actions[2][list_[k]];
   if (e.valid) pass_.apply(e, ForcePass::Which::Others);
@@ -166,12 +173,18 @@ Vec3 HeldElements::form_forces(Evaluation& e) noexcept {
     for (std::size_t j = 0; j < 2; ++j) {
       const double load_slip = e.load_slip[j][i], heat = e.heat[j][i];
       if (!(load_slip > 0.0 && heat > 0.0)) continue;
-      const double share = e.load[j][i] / load_slip;
-      of.friction += heat * share * share * springs_[k].along[j];
+      const double share = e.load[j][i] / load_slip, friction = heat * share * share;
+      of.friction += friction * springs_[k].along[j];
+      if (j == 1 && scene_.race != nullptr) {
+        Mat3 across = Mat3::Identity();  // to the contact normal, which is in the (x, r) plane
+        across.topLeftCorner<2, 2>() = springs_[k].along[j];
+        const Mat3 frame = azimuth_frame(e, i);
+        on_race.friction += friction * (frame.transpose() * across * frame);
+      }
     }
     pass_.damp(e, i, of.friction);
   }
-  const Vec3 on_race = e.race[1].force;
+  on_race.force = e.race[1].force;
   e.clear_actions();
   return on_race;
 }
@@ -191,11 +204,12 @@ void HeldElements::form_rates(Evaluation& e) noexcept {
     first_rates(e, k);
   }
   if (scene_.race != nullptr) move_race(e);
-  const Vec3 on_race = form_forces(e);
+  const RaceForces on_race = form_forces(e);
   if (!e.valid) return;
   for (std::size_t k = 0; k < held; ++k) pull(e, k);
   if (scene_.race == nullptr) return;
-  const Vec3 pull = scene_.race->pull(on_race);
+  scene_.race->resist(on_race.friction);
+  const Vec3 pull = scene_.race->pull(on_race.force);
   follow_race(e, pull);
   e.race[1].velocity += pull;
 }

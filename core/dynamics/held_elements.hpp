@@ -126,8 +126,13 @@ class HeldElements {
   /// the elements' rates get from it.
   void move_race(Evaluation& e) noexcept;
   void follow_race(const Evaluation& e, const Vec3& velocity) noexcept;
-  /// @return force on the inner race, base axes [N]
-  Vec3 form_forces(Evaluation& e) noexcept;
+  /// Of the inner race, base axes: force of the elements [N], friction force over slip speed [N
+  /// s/m].
+  struct RaceForces {
+    Vec3 force = Vec3::Zero();
+    Mat3 friction = Mat3::Zero();
+  };
+  RaceForces form_forces(Evaluation& e) noexcept;
   void pull(const Evaluation& e, std::size_t k) noexcept;
   void take_off_centre(Evaluation& e, std::size_t i) noexcept;
 

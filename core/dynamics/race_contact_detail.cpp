@@ -50,12 +50,6 @@ Meeting meeting_of(const RaceContactModel& model, const ElementViews& balls, std
 
 }  // namespace
 
-Vec3 approach_gradient(const RaceContactModel& model, const ElementViews& balls, std::size_t index,
-                       const RaceMotion& race) noexcept {
-  const Meeting at = meeting_of(model, balls, index, race);
-  return at.to_base(at.n() + (at.wavy.turn / at.place.distance) * at.t());
-}
-
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race) {
   const auto j = static_cast<std::size_t>(model.race);
@@ -82,7 +76,8 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       {balls.omega_x[index], balls.omega_r[index], balls.omega_theta[index]},
       theta_dot,
       model.groove.ball_radius};
-  state.motion = ellipse_motion(pair, at.d, at.k, t, at.place, touch);
+  state.motion = ellipse_motion(pair, at.d, at.k, t, at.place, touch, state.approach_rate);
+  state.approach_rate -= wavy.turn / at.place.distance * state.motion.u_t;
   if (state.approach > 0.0) {
     if (model.angle.follows) {
       const double root = std::sqrt(state.approach);
@@ -101,6 +96,10 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       state.ellipse.a *= wavy.major;
       state.ellipse.b *= wavy.minor;
     }
+    const double Q = state.ellipse.Q;
+    if (contact::is_damped(model.damping))
+      state.ellipse.Q = contact::damped_load(model.damping, Q, 1.5 * Q / state.approach,
+                                             state.approach, state.approach_rate);
     tribology::set_contact_surface(state.ellipse, model.surface, model.groove.ball_radius,
                                    model.groove.groove_radius[j], state.approach);
   }

@@ -116,6 +116,8 @@ RaceKernelInput input_of(const RaceContactModel& model, const ElementViews& ball
   in.ball_radius = groove.ball_radius;
   in.rho = radius_of_surface(model);
   in.place = tribology::place_of(model.surface);
+  in.damping = model.damping;
+  in.damped = contact::is_damped(model.damping);
   in.traction = model.traction || rolling != nullptr;  // which read the ellipse
   in.rolling = rolling;
   in.law_index = model.law.index();
@@ -155,6 +157,7 @@ RaceSums sums_of(const RaceKernelSums& sums) noexcept {
   result.elastic_energy = sums.elastic_energy;
   result.heat = sums.heat;
   result.load_slip = sums.load_slip;
+  result.damping = sums.damping;
   return result;
 }
 
@@ -272,7 +275,8 @@ bool share_vectors(const std::array<RaceContactModel, 2>& models) noexcept {
     return !one.own && !one.wavy && !one.law.has_film() && !one.law.is_of_user();
   };
   return plain(a) && plain(b) && a.law.index() == b.law.index() && a.traction == b.traction &&
-         a.angle.follows == b.angle.follows && a.surface == b.surface;
+         a.angle.follows == b.angle.follows && a.surface == b.surface &&
+         contact::is_damped(a.damping) == contact::is_damped(b.damping);
 }
 
 std::array<RaceSums, 2> evaluate_both_races(const std::array<RaceContactModel, 2>& models,

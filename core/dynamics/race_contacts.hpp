@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.hpp"
 #include "contact/angle_law.hpp"
+#include "contact/damping_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "dynamics/elements.hpp"
@@ -25,6 +26,8 @@ struct WavyGroove;
 ///
 /// Contact axes c, t, n, approach δ and load Q of contact/ball_groove.hpp, with d = ball centre -
 /// P_j and the race axis k:
+///   with damping F of contact/damping_law.hpp stands for Q: traction, pressures, life and stored
+///   loads are of the total force; the elastic energy, L below and the ellipse are of δ alone
 ///   slip at the ball centre u0 = V_P + ω × d - V_ball,  W = ω - ω_ball,  ω = Ω k + tilt
 ///   (ball_race_motion.hpp), traction as in ellipse_traction.hpp
 ///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre;
@@ -65,7 +68,8 @@ struct RaceContactModel {
   contact::AngleLaw angle;        ///< in their place where it follows the contact angle
   std::shared_ptr<const contact::WavyGroove> wavy;  ///< imperfections of the race; null: none
   double effective_modulus = 0.0;                   ///< E* [Pa]
-  double shoulder_radius = 0.0;  ///< of this race [m], reports only; 0 = not given
+  double shoulder_radius = 0.0;   ///< of this race [m], reports only; 0 = not given
+  contact::DampingLaw<> damping;  ///< none: elastic
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
@@ -100,6 +104,7 @@ struct RaceSums {
   Vec3 moment = Vec3::Zero();   ///< on the race about P_j [N m]
   double elastic_energy = 0.0;  ///< Σ 0.4 K δ^2.5 [J]
   double heat = 0.0, load_slip = 0.0;
+  double damping = 0.0;  ///< power that damping takes [W]
 };
 
 /// Evaluates one race. No allocation, no throw. Chooses the widest vector unit of the machine at
@@ -153,6 +158,7 @@ void largest_slips(InstructionSet set, const RaceContactModel& model, const Elem
 /// Geometry and kinematics of one contact in its own axes; what race_contact_detail integrates.
 struct RaceContactState {
   double approach = 0.0;               ///< δ [m], negative when open
+  double approach_rate = 0.0;          ///< dδ/dt [m/s]
   Vec3 n, t, c;                        ///< contact axes in the base frame
   Vec3 arm;                            ///< d = ball centre - P_j, base frame [m]
   double angle = 0.0;                  ///< contact angle [rad]
@@ -161,12 +167,6 @@ struct RaceContactState {
 };
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);
-
-/// How the approach of a contact grows with the place of the ball centre in the race, base frame:
-/// n, and where the race has errors (D/R) t (contact/wavy_groove.hpp), dimensionless. Its product
-/// with the velocity of the ball's centre relative to the race there is dδ/dt.
-Vec3 approach_gradient(const RaceContactModel& model, const ElementViews& balls, std::size_t index,
-                       const RaceMotion& race) noexcept;
 
 /// Error of model.rule against the converged integrals over the loaded contacts of one race, for
 /// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/angle_law.hpp"
+#include "contact/damping_law.hpp"
 #include "tribology/ellipse_sum.hpp"
 #include "tribology/laws/rolling_resistance.hpp"
 
@@ -49,6 +50,8 @@ struct RaceKernelInput {
   double ball_radius;
   double rho;  ///< radius of the contact surface [m], 0 = flat
   tribology::SurfacePlace place;
+  contact::DampingLaw<> damping;
+  bool damped;
   bool traction;
   // Law of traction: one of tribology::TractionLawList.
   std::size_t law_index;
@@ -76,6 +79,7 @@ struct RaceKernelInput {
 struct RaceKernelSums {
   double force[3], moment[3];  ///< on the race, base frame, about P_j
   double elastic_energy, heat, load_slip;
+  double damping;  ///< power that damping takes
 };
 
 using RaceKernel = RaceKernelSums (*)(const RaceKernelInput&) noexcept;

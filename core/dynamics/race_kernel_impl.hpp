@@ -32,7 +32,7 @@ inline void add(double* to, V value) { put(to, get(to) + value); }
 
 struct Totals {
   V force_x = 0.0, force_y = 0.0, force_z = 0.0, moment_x = 0.0, moment_y = 0.0, moment_z = 0.0;
-  V elastic_energy = 0.0, heat = 0.0, load_slip = 0.0;
+  V elastic_energy = 0.0, heat = 0.0, load_slip = 0.0, damping = 0.0;
 };
 
 /// One vector of balls: where its lanes are read and written.
@@ -61,6 +61,8 @@ class OnOneRace {
   double speed() const { return in_.speed; }
   bool tilts() const { return in_.tilts; }
   Vec tilt(V s, V c) const { return to_azimuth(in_.tilt, s, c); }
+  /// Of the nominal ball where balls differ.
+  const contact::DampingLaw<>& damping() const { return in_.damping; }
 
  protected:
   const RaceKernelInput& in_;
@@ -154,6 +156,10 @@ class OnBothRaces {
   Vec centre(V s, V c) const { return of(&RaceKernelInput::centre, s, c); }
   Vec velocity(V s, V c) const { return of(&RaceKernelInput::velocity, s, c); }
   V speed() const { return of(&RaceKernelInput::speed); }
+  contact::DampingLaw<V> damping() const {
+    const contact::DampingLaw<>&a = outer_.damping, &b = inner_.damping;
+    return {pick(a.impact, b.impact), pick(a.material, b.material), pick(a.onset, b.onset)};
+  }
   bool tilts() const { return outer_.tilts || inner_.tilts; }
   Vec tilt(V s, V c) const { return of(&RaceKernelInput::tilt, s, c); }
 
@@ -203,10 +209,13 @@ class WavyRace {
     major *= at_.major;
     minor *= at_.minor;
   }
-  /// Part of the normal force on the ball along t.
-  V push(V load, V leaning, V approach) const {
-    return contact::wavy_push(at_, load, leaning, approach, distance_);
+  /// Part of the normal force on the ball along t. @param damping load beyond the elastic one
+  V push(V elastic, V damping, V leaning, V approach) const {
+    return contact::wavy_push(at_, elastic, leaning, approach, distance_) -
+           turning_approach(damping);
   }
+  /// (D/R) x: of the velocity of the ball along t relative to the race, what it adds to dδ/dt.
+  V turning_approach(V x) const { return at_.turn / distance_ * x; }
 
  private:
   /// Balls that differ come here with round races, too: a race of no waves.
@@ -325,7 +334,7 @@ class Contacts {
   Vec k_, d_;
   contact::GroovePlace<V> place_;
   Race groove_;
-  V approach_, load_ = 0.0, leaning_ = 0.0;
+  V approach_, load_ = 0.0, elastic_ = 0.0, rate_ = 0.0, leaning_ = 0.0;
   tribology::EllipseContact<V, S> ellipse_{};
 };
 
@@ -348,8 +357,8 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
     }
   }
   if constexpr (Race::kWavy) groove_.scale(K, leaning_, major, minor);
-  load_ = contact::point_load(K, approach_, root_approach);
-  if (!in.traction) return;
+  load_ = elastic_ = contact::point_load(K, approach_, root_approach);
+  if (!in.traction && !in.damped) return;
   const V theta_dot = get(at.theta_dot);
   const S radius = balls.radius();
   const RacePairMotion<V, S> pair{balls.velocity(s_, c_),
@@ -360,12 +369,18 @@ inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes&
                                   {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
                                   theta_dot,
                                   radius};
+  ellipse_.motion = ellipse_motion(pair, d_, k_, cross(k_, place_.e), place_, touch, rate_);
+  if (in.damped) {
+    if constexpr (Race::kWavy) rate_ -= groove_.turning_approach(ellipse_.motion.u_t);
+    load_ = contact::damped_load(balls.damping(), elastic_, V(1.5 * K * root_approach), approach_,
+                                 rate_);
+  }
+  if (!in.traction) return;
   ellipse_.load = load_;
   ellipse_.a = major * root_approach;
   ellipse_.b = minor * root_approach;
   ellipse_.surface =
       tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse_.a, approach_);
-  ellipse_.motion = ellipse_motion(pair, d_, k_, cross(k_, place_.e), place_, touch);
 }
 
 template <class Race, class Balls>
@@ -394,7 +409,8 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
     meridian.along -= leaning_ * touch.n_e;
     meridian.outward += leaning_ * touch.n_k;
   }
-  if constexpr (Race::kWavy) force_t += groove_.push(load_, leaning_, approach_);
+  if constexpr (Race::kWavy)
+    force_t += groove_.push(elastic_, load_ - elastic_, leaning_, approach_);
   const V force_k = meridian.along, force_e = meridian.outward;
   const Vec force = in_azimuth(force_k, force_e, force_t);
   add(at.F_x, force.x);
@@ -409,7 +425,8 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   const V about_e = moment_e - place_.axial * force_t;
   const V about_t = place_.axial * force_e - R * force_k + moment_t;
   react(force, in_azimuth(about_k, about_e, about_t), totals);
-  totals.elastic_energy += contact::point_energy(load_, approach_);
+  totals.elastic_energy += contact::point_energy(elastic_, approach_);
+  if (in.damped) totals.damping += (load_ - elastic_) * rate_;
   totals.heat += heat;
   totals.load_slip += load_slip;
 }
@@ -530,7 +547,8 @@ inline RaceKernelSums sums_of(const Totals& totals) {
       {stdx::reduce(totals.moment_x), stdx::reduce(totals.moment_y), stdx::reduce(totals.moment_z)},
       stdx::reduce(totals.elastic_energy),
       stdx::reduce(totals.heat),
-      stdx::reduce(totals.load_slip)};
+      stdx::reduce(totals.load_slip),
+      stdx::reduce(totals.damping)};
 }
 
 template <class Race, class Balls, class Law>

@@ -61,9 +61,9 @@ class TailTotals {
  private:
   static constexpr int kLanes = static_cast<int>(V::size());
   static constexpr V Totals::*kMembers[] = {
-      &Totals::force_x,        &Totals::force_y,  &Totals::force_z,
-      &Totals::moment_x,       &Totals::moment_y, &Totals::moment_z,
-      &Totals::elastic_energy, &Totals::heat,     &Totals::load_slip};
+      &Totals::force_x,   &Totals::force_y,  &Totals::force_z,        &Totals::moment_x,
+      &Totals::moment_y,  &Totals::moment_z, &Totals::elastic_energy, &Totals::heat,
+      &Totals::load_slip, &Totals::damping};
   Totals* of_;
   int rest_;
 };

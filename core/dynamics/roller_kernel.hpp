@@ -14,7 +14,8 @@ struct RollerKernelAction {
   double force[3], moment[3];
   double load, energy, heat, load_slip;
   double fastest;  ///< largest slip of slices that press, squared [m²/s²]; 0 without traction
-  double turning;  ///< with slopes: ∂U/∂ψ [J/rad]
+  double turning;  ///< with slopes: contact::RollerRaceSums::turning [J/rad]
+  double damping;  ///< power that damping takes [W]
 };
 
 /// Where the slices of all rollers that press wait for a law of the user: one behind the other,
@@ -50,17 +51,6 @@ struct RollerKernelInput {
   RollerRaceAddition* rolled;  ///< what that is
 };
 
-/// Material damping (contact/roller_race_damping.hpp).
-struct RollerDampingInput {
-  const contact::RaceSlices* slices;  ///< as in RollerKernelInput
-  bool alike;
-  std::size_t n;
-  const contact::RollerPose* rollers;  ///< open: no load
-  const contact::RaceSlope* slopes;
-  RollerRaceAddition* out;
-  double damping;  ///< d [s/m]
-};
-
 /// Rolling resistance of the oil beside a traction without a film (dynamics/roller_rolling.hpp).
 struct RollerRollingInput {
   const contact::RaceSlices* slices;  ///< as in RollerKernelInput
@@ -82,25 +72,22 @@ struct RollerSliceRows {
 struct RollerReportInput {
   const contact::RaceSlices* slices;
   const contact::RollerPose* roller;
+  const contact::RaceSlope* slope;  ///< of a race with errors; null: none
   RollerSliceRows rows;
 };
 
 using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
-using RollerDampingKernel = void (*)(const RollerDampingInput&) noexcept;
 using RollerRollingKernel = void (*)(const RollerRollingInput&) noexcept;
 using RollerReportKernel = void (*)(const RollerReportInput&) noexcept;
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
-void roller_damping_baseline(const RollerDampingInput& in) noexcept;
 void roller_rolling_baseline(const RollerRollingInput& in) noexcept;
 void roller_report_baseline(const RollerReportInput& in) noexcept;
 #if defined(__x86_64__)
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
-void roller_damping_avx2(const RollerDampingInput& in) noexcept;
 void roller_rolling_avx2(const RollerRollingInput& in) noexcept;
 void roller_report_avx2(const RollerReportInput& in) noexcept;
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
-void roller_damping_avx512(const RollerDampingInput& in) noexcept;
 void roller_rolling_avx512(const RollerRollingInput& in) noexcept;
 void roller_report_avx512(const RollerReportInput& in) noexcept;
 #endif

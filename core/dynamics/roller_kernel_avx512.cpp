@@ -5,7 +5,6 @@
 namespace adore::dynamics {
 
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
-void roller_damping_avx512(const RollerDampingInput& in) noexcept { damp_rollers(in); }
 void roller_rolling_avx512(const RollerRollingInput& in) noexcept { roll_rollers(in); }
 void roller_report_avx512(const RollerReportInput& in) noexcept { report_slices(in); }
 

@@ -3,7 +3,6 @@
 namespace adore::dynamics {
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
-void roller_damping_baseline(const RollerDampingInput& in) noexcept { damp_rollers(in); }
 void roller_rolling_baseline(const RollerRollingInput& in) noexcept { roll_rollers(in); }
 void roller_report_baseline(const RollerReportInput& in) noexcept { report_slices(in); }
 

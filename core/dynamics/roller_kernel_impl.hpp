@@ -2,7 +2,6 @@
 
 #include "base/simd_inverse_roots.hpp"
 #include "base/simd_tiles.hpp"
-#include "contact/roller_race_damping.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_kernel.hpp"
 #include "dynamics/roller_kernel_user.hpp"
@@ -48,6 +47,7 @@ inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out)
   out.energy = Lanes::sum(sums.energy);
   out.load_slip = Lanes::sum(sums.load_slip);
   out.fastest = stdx::hmax(sums.fastest);
+  out.damping = Lanes::sum(sums.damping);
 }
 
 template <class Traction>
@@ -183,27 +183,6 @@ inline void evaluate_rollers(const RollerKernelInput& in) {
     evaluate_rollers(in, nullptr);
 }
 
-inline void damp_rollers(const RollerDampingInput& in) {
-  for (std::size_t i = 0; i < in.n; ++i) {
-    const contact::RollerPose& at = in.rollers[i];
-    RollerRaceAddition& out = in.out[i];
-    out = {};
-    if (at.open) continue;
-    const contact::RaceSlices& slices = in.slices[in.alike ? 0 : i];
-    const auto sums = in.slopes == nullptr
-                          ? contact::roller_damping_sums<V>(slices, at, in.damping)
-                          : contact::roller_damping_sums<V>(slices, at, in.damping, in.slopes[i]);
-    out.force[0] = Lanes::sum(sums.force.x);
-    // Growing ψ is -y of the meridian frame, and what presses more pushes back.
-    out.force[1] = Lanes::sum(sums.force.y) + Lanes::sum(sums.turning) / at.r;
-    out.force[2] = Lanes::sum(sums.force.z);
-    out.moment[0] = Lanes::sum(sums.moment.x);
-    out.moment[1] = Lanes::sum(sums.moment.y);
-    out.moment[2] = Lanes::sum(sums.moment.z);
-    out.heat = Lanes::sum(sums.heat);
-  }
-}
-
 inline void roll_rollers(const RollerRollingInput& in) {
   for (std::size_t i = 0; i < in.n; ++i) {
     const contact::RollerPose& at = in.rollers[i];
@@ -245,7 +224,11 @@ inline void report_slices(const RollerReportInput& in) {
   contact::RaceSlices some = *in.slices;
   some.count = Lanes::kSize;
   for (std::size_t k = 0; k < in.slices->count; k += Lanes::kSize) {
-    (void)contact::roller_race_sums<V>(some, *in.roller, ReportedSlices{in.rows, k});
+    const ReportedSlices report{in.rows, k};
+    if (in.slope != nullptr)
+      (void)contact::roller_race_sums<V>(some, *in.roller, report, *in.slope);
+    else
+      (void)contact::roller_race_sums<V>(some, *in.roller, report);
     some.s += Lanes::kSize;
     some.radius += Lanes::kSize;
     some.width += Lanes::kSize;

@@ -3,6 +3,7 @@
 #include "bearing/element_inertia.hpp"
 #include "contact/ball_groove.hpp"
 #include "contact/groove.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 
 #include <fmt/format.h>
 
@@ -17,11 +18,13 @@
 namespace adore::dynamics {
 namespace {
 
+using Laws = std::array<contact::DampingLaw<>, 2>;
+
 BallVibration ball_vibration(const statics::StaticBall& ball, const contact::GrooveGeometry& groove,
-                             double mass) {
+                             double mass, const Laws& laws) {
   BallVibration result;
   double xx = 0.0, xr = 0.0, rr = 0.0;                 // the symmetric 2 x 2 matrix
-  double load_xx = 0.0, load_xr = 0.0, load_rr = 0.0;  // Σ Q n nᵀ
+  double loss_xx = 0.0, loss_xr = 0.0, loss_rr = 0.0;  // Σ (d Q + c) n nᵀ
   std::array<double, 2> normal{};
   for (std::size_t j = 0; j < 2; ++j) {
     if (!(ball.Q[j] > 0.0) || !(ball.delta[j] > 0.0)) continue;
@@ -32,29 +35,31 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
     xx += s.normal * nx * nx + s.across * nr * nr;
     xr += (s.normal - s.across) * nx * nr;
     rr += s.normal * nr * nr + s.across * nx * nx;
-    load_xx += ball.Q[j] * nx * nx;
-    load_xr += ball.Q[j] * nx * nr;
-    load_rr += ball.Q[j] * nr * nr;
+    const double loss = laws[j].impact * ball.Q[j] + laws[j].material * std::sqrt(s.normal);
+    loss_xx += loss * nx * nx;
+    loss_xr += loss * nx * nr;
+    loss_rr += loss * nr * nr;
   }
   const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
   result.along = std::sqrt((mean + half) / mass);
   result.across = std::sqrt(std::max(mean - half, 0.0) / mass);
   // Principal directions: (cos β, sin β) of x and r, and across it.
   const double twice = std::atan2(2.0 * xr, xx - rr), c = std::cos(twice), s = std::sin(twice);
-  const double load_mean = 0.5 * (load_xx + load_rr),
-               load_half = 0.5 * (load_xx - load_rr) * c + load_xr * s;
-  const auto ratio = [&](double load, double frequency) {
-    return frequency > 0.0 ? std::max(load, 0.0) / (2.0 * mass * frequency) : 0.0;
+  const double loss_mean = 0.5 * (loss_xx + loss_rr),
+               loss_half = 0.5 * (loss_xx - loss_rr) * c + loss_xr * s;
+  const auto ratio = [&](double loss, double frequency) {
+    return frequency > 0.0 ? std::max(loss, 0.0) / (2.0 * mass * frequency) : 0.0;
   };
-  result.along_damping = ratio(load_mean + load_half, result.along);
-  result.across_damping = ratio(load_mean - load_half, result.across);
+  result.along_damping = ratio(loss_mean + loss_half, result.along);
+  result.across_damping = ratio(loss_mean - loss_half, result.across);
   result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
   return result;
 }
 
 /// A roller between straight contacts: (10/9) Q/δ each, along their common normal; across, its tilt
 /// on springs spread over the length.
-BallVibration roller_vibration(const statics::StaticBall& roller, const bearing::Bearing& bearing) {
+BallVibration roller_vibration(const statics::StaticBall& roller, const bearing::Bearing& bearing,
+                               const Laws& laws) {
   BallVibration result;
   std::array<double, 2> normal{};
   for (std::size_t j = 0; j < 2; ++j)
@@ -65,12 +70,14 @@ BallVibration roller_vibration(const statics::StaticBall& roller, const bearing:
   result.along = std::sqrt(stiffness / bearing.element_inertia.mass);
   result.across =
       std::sqrt(stiffness * length * length / 12.0 / bearing.element_inertia.moments[1]);
-  // Tilt is damped by the loads spread over the length, too.
-  const double load = roller.Q[0] + roller.Q[1];
+  // Tilt is damped by the slices, too: their coefficients spread over the length.
+  double loss = 0.0;
+  for (std::size_t j = 0; j < 2; ++j)
+    loss += laws[j].impact * roller.Q[j] + laws[j].material * std::sqrt(length * normal[j]);
   if (result.along > 0.0) {
-    result.along_damping = load / (2.0 * bearing.element_inertia.mass * result.along);
+    result.along_damping = loss / (2.0 * bearing.element_inertia.mass * result.along);
     result.across_damping =
-        load * length * length / (24.0 * bearing.element_inertia.moments[1] * result.across);
+        loss * length * length / (24.0 * bearing.element_inertia.moments[1] * result.across);
   }
   result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
   return result;
@@ -96,19 +103,22 @@ double seconds_per_evaluation(System& system) {
 
 }  // namespace
 
-std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
+std::vector<BallVibration> ball_vibrations(const ScenePlan& plan, const bearing::Bearing& bearing,
+                                           const SystemOptions& options,
                                            const statics::StaticSolution& statics) {
   std::vector<BallVibration> out;
+  const Laws laws{race_damping(plan, bearing, options, statics, 0),
+                  race_damping(plan, bearing, options, statics, 1)};
   if (bearing.rollers() != nullptr) {
     for (const statics::StaticBall& roller : statics.balls)
-      out.push_back(roller_vibration(roller, bearing));
+      out.push_back(roller_vibration(roller, bearing, laws));
     return out;
   }
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   for (std::size_t i = 0; i < statics.balls.size(); ++i) {
     const double growth = 2.0 * bearing::element_radius(bearing, i) - bearing.element_diameter();
     out.push_back(ball_vibration(statics.balls[i], contact::groove_of_ball(groove, growth),
-                                 bearing::inertia_of(bearing, i).mass));
+                                 bearing::inertia_of(bearing, i).mass, laws));
   }
   return out;
 }
@@ -117,7 +127,7 @@ void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
                   const statics::StaticSolution& statics) {
   BallVibration fastest;
   std::size_t element = 0;
-  const std::vector<BallVibration> vibrations = ball_vibrations(bearing, statics);
+  const std::vector<BallVibration> vibrations = ball_vibrations(plan, bearing, {}, statics);
   for (std::size_t i = 0; i < vibrations.size(); ++i) {
     if (vibrations[i].along <= fastest.along) continue;
     fastest = vibrations[i];

@@ -21,14 +21,16 @@ inline constexpr int kEvaluationsPerStep = 8;
 /// stiffer principal direction (near the contact normals), and across it. 0: nothing pulls it back.
 struct BallVibration {
   double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
-  /// vᵀ Σ Q n nᵀ v/(2 m ω) of both: the damping ratio is 1.5 α times it (contact_damping.cpp) [m/s]
+  /// Damping ratios vᵀ Σ (d Q + c) n nᵀ v/(2 m ω) of both (contact/damping_law.hpp).
   double along_damping = 0.0, across_damping = 0.0;
   int stiffer_race = 0;  ///< whose contact is the stiffer one
 };
 
 /// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness
 /// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre to ball centre.
-[[nodiscard]] std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
+[[nodiscard]] std::vector<BallVibration> ball_vibrations(const ScenePlan& plan,
+                                                         const bearing::Bearing& bearing,
+                                                         const SystemOptions& options,
                                                          const statics::StaticSolution& statics);
 
 /// fastest_frequency and fastest_contact of the plan alone; both stay empty when no contact is

@@ -1,6 +1,4 @@
 #include "base/errors.hpp"
-#include "dynamics/effects/races.hpp"
-#include "dynamics/effects/thermal_steps.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
 #include "scene/ledger_terms.hpp"
@@ -101,27 +99,15 @@ void System::set_start(double t, std::span<const double> y) {
 void System::take_over(System& before, double t, std::span<double> y) {
   Impl &s = *impl_, &old = *before.impl_;
   demand(s.parts.layout.size() == old.parts.layout.size(),
-         "a thermal step changed the layout of the state");
-  const ThermalSteps* steps = nullptr;
-  for (const auto& effect : s.parts.effects)
-    if (const auto* found = dynamic_cast<const ThermalSteps*>(effect.get())) steps = found;
-  demand(steps != nullptr, "a system takes another one over without thermal steps");
-  const PrescribedRaces races = before.prescribed_races(t, y), now = prescribed_races(t, y);
-  for (const auto& effect : s.parts.effects)  // free races stay where they are
-    if (auto* turns = dynamic_cast<Races*>(effect.get())) turns->go_on(races, now, y);
-  s.parts.cost = std::move(old.parts.cost);  // of the same blocks
+         "a change of geometry changed the layout of the state");
+  go_on(before.prescribed_races(t, y), t, y);
+  s.parts.cost = old.parts.cost;  // of the same blocks
   s.scales = old.scales;
   s.apply_scales();
-  old.evaluate(t, y);
-  const double energy = old.stored_energy();
-  const Momenta momenta = old.momenta();
   for (const auto& effect : s.parts.effects) effect->resume(y);
-  s.is_checked = false;
-  s.evaluate(t, y);
-  steps->book(y, s.stored_energy() - energy, momenta, s.momenta());
   s.stored_at_start = old.stored_at_start;
   s.momenta_at_start = old.momenta_at_start;
-  s.evaluate(t, y);
+  s.is_checked = false;
 }
 
 }  // namespace adore::dynamics

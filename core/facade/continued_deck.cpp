@@ -62,6 +62,19 @@ Issue note(const std::filesystem::path& file, std::string message) {
 
 }  // namespace
 
+bool acts_on_bearing(const std::string& stored, const deck::Deck& now, setup::StartState start) {
+  const deck::ReadResult read = deck::read_deck_text(stored, "");
+  const auto differences = deck::differences(read.deck, now);
+  return std::any_of(differences.begin(), differences.end(), [&](const deck::Difference& d) {
+    const bool output =
+        is_one_of(d.record, {"12", "2.1", "3.1"}) ||
+        is_one_of(d.variable, {"kNumPltElem", "kPltElemInd"}) ||
+        (d.record == "1" && !is_one_of(d.variable, {"mode", "kDOF", "kDCR", "kTherm"}));
+    return !d.label && !output &&
+           kind_of(d.record, d.variable, start == setup::StartState::Continue) == Change::Accepted;
+  });
+}
+
 std::vector<Issue> compare_with_stored(const std::string& stored, const deck::Deck& now,
                                        const std::filesystem::path& file, setup::StartState start) {
   if (stored.empty())

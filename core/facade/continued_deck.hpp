@@ -23,4 +23,9 @@ namespace adore::facade {
                                                      const std::filesystem::path& file,
                                                      setup::StartState start);
 
+/// A change of the deck may give the bearing another equilibrium or another mode of motion.
+/// @param stored a deck that compare_with_stored accepted
+[[nodiscard]] bool acts_on_bearing(const std::string& stored, const deck::Deck& now,
+                                   setup::StartState start);
+
 }  // namespace adore::facade

@@ -6,6 +6,7 @@
 #include "facade/motion_friction.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run_down.hpp"
+#include "tribology/law_spread.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -234,7 +235,37 @@ MotionFriction motion_of(const Json& sets, const Json& motion) {
   return motion_friction(moving, motion.at("until"));
 }
 
+constexpr std::string_view kLargestCoefficient = "largest_coefficient";
+
+/// Largest friction coefficient between two cylindrical discs over pressure and slip, by the law of
+/// one kTrac. SI: b = 4 R p0/E', load per length π b p0/2.
+double largest_coefficient(const Json& discs) {
+  const int code = discs.at("kTrac");
+  const double R = discs.at("radius"), E = 2.26e11, speed = discs.at("speed");
+  constexpr std::array kSlipRatio{0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3};
+  std::vector<double> slips;
+  for (const double ratio : kSlipRatio) slips.push_back(ratio * speed);
+  double out = 0.0;
+  for (const double pressure : discs.at("pressure").get<std::vector<double>>()) {
+    tribology::SpreadContact contact;
+    contact.line = true;
+    contact.modulus = E;
+    contact.temperature = discs.at("T");
+    contact.meniscus = 10.0;
+    contact.point.peak_pressure = pressure;
+    contact.point.half_minor = 4.0 * R * pressure / E;
+    contact.point.load = 0.5 * std::numbers::pi * contact.point.half_minor * pressure;
+    contact.point.entrainment = speed;
+    contact.point.curvature = 1.0 / R;
+    for (const tribology::SpreadRow& row : tribology::law_spread(code, contact, slips))
+      if (row.code == code)
+        out = std::max(out, *std::max_element(row.kappa.begin(), row.kappa.end()));
+  }
+  return out;
+}
+
 std::string label_of(std::string_view name) {
+  if (name == kLargestCoefficient) return "largest friction coefficient";
   if (name == kExponent) return "exponent n of T = K w^n";
   if (name == kLife) return "L10r of ISO 16281";
   if (const RunDownQuantity* in_time = run_down_quantity(name)) return std::string(in_time->label);
@@ -267,6 +298,14 @@ ExperimentRow row_of(const Json& run, const Json& row) {
 }
 
 void add_run(const Json& run, Experiment& out) {
+  if (run.contains("discs")) {
+    for (const Json& row : run.at("rows")) {
+      ExperimentRow line = row_of(run, row);
+      line.ours = largest_coefficient(run.at("discs")) * per_si(line.unit);
+      out.rows.push_back(std::move(line));
+    }
+    return;
+  }
   const std::string deck = run.at("deck");
   const auto name_deck = [&out](const std::string& name) {
     if (std::find(out.decks.begin(), out.decks.end(), name) == out.decks.end())

@@ -25,14 +25,12 @@ std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale)
   // Elements in force balance do not vibrate along their contacts; rollers still tilt on them.
   const bool balanced = prepared.plan.has(scene::Effect::ElementBalance);
   if (balanced && prepared.bearing.rollers() == nullptr) return {};
-  const double per_load = prepared.plan.has(scene::Effect::ContactDamping)
-                              ? 1.5 * prepared.options.system.contact_damping
-                              : 0.0;
   VibrationBand along{"elements along their race contacts"},
       across{"elements across their race contacts"};
-  for (const auto& ball : dynamics::ball_vibrations(prepared.bearing, prepared.start)) {
-    if (!balanced) widen(along, ball.along, per_load * ball.along_damping);
-    widen(across, ball.across, per_load * ball.across_damping);
+  for (const auto& ball : dynamics::ball_vibrations(prepared.plan, prepared.bearing,
+                                                    prepared.options.system, prepared.start)) {
+    if (!balanced) widen(along, ball.along, ball.along_damping);
+    widen(across, ball.across, ball.across_damping);
   }
   if (!balanced && !(along.highest > 0.0)) widen(along, 1.0 / time_scale, 0.0);
   std::vector<VibrationBand> out;
@@ -64,11 +62,10 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
   out.limits = stable_steps(out.request);
   out.text = step_limits_text(out.request, out.limits, time_scale);
   if (out.limits.action == StepAction::Refused) {
-    // What it splits off is the free motion of undamped balls (ready_run.cpp).
+    // It splits off the free motion of balls (ready_run.cpp).
     const scene::ScenePlan& plan = prepared.plan;
-    const bool splits = !plan.rollers && !(plan.light_load_ratio > 0.0) &&
-                        !plan.has(scene::Effect::ElementBalance) &&
-                        !plan.has(scene::Effect::ContactDamping);
+    const bool splits =
+        !plan.rollers && !(plan.light_load_ratio > 0.0) && !plan.has(scene::Effect::ElementBalance);
     std::string others;
     for (const std::string& name : methods_that_keep(out.request))
       if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;

@@ -53,7 +53,8 @@ std::optional<dynamics::PrescribedRaces> kept_races(const std::map<std::string, 
 
 std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
                                         const dynamics::PrescribedRaces& now,
-                                        const scene::ScenePlan& plan, results::UnitSystem units) {
+                                        const scene::ScenePlan& plan, results::UnitSystem units,
+                                        bool moved) {
   // Below them it is rounding.
   constexpr double kPlace = 1e-12, kShare = 1e-9;  // [m], of a speed
   constexpr std::array kRace{"outer", "inner"};
@@ -70,7 +71,7 @@ std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
                        std::abs(now[j].speed - before[j].speed) > kShare * std::abs(now[j].speed);
     const bool law = laws.vibration[j] || laws.turning_load;
     std::string what;
-    if (way.norm() > kPlace)
+    if (way.norm() > kPlace && !(moved && !law))
       what = fmt::format("{:.4g} {} away from where it was",
                          results::from_si(way.norm(), results::unit::kLength, units),
                          results::unit_name(results::unit::kLength, units));

@@ -22,9 +22,10 @@ void keep_races(const dynamics::PrescribedRaces& races, std::map<std::string, do
 /// or because a law of the time (records 9.3 and 9.4) goes by the time since the start of the files
 /// and another frequency is another phase there. Of a race along directions in which it moves
 /// freely the state is kept, and nothing is said.
+/// @param moved the elements moved with the races (new_equilibrium.hpp): a new place is no impact
 [[nodiscard]] std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
                                                       const dynamics::PrescribedRaces& now,
                                                       const scene::ScenePlan& plan,
-                                                      results::UnitSystem units);
+                                                      results::UnitSystem units, bool moved);
 
 }  // namespace adore::facade

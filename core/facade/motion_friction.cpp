@@ -28,8 +28,11 @@ constexpr Item kItems[] = {
     {"energy.element_drag", &MotionFriction::drag},
     {"energy.cage_drag", &MotionFriction::drag},
     {"energy.element_heat", &MotionFriction::other},
-    {"energy.contact_damping", &MotionFriction::other},
-    {"energy.damping_beside", &MotionFriction::other},
+    {"energy.contact_damping", &MotionFriction::races},
+    {"energy.flange_damping", &MotionFriction::ribs},
+    {"energy.pocket_damping", &MotionFriction::cage},
+    {"energy.land_damping", &MotionFriction::cage},
+    {"energy.element_damping", &MotionFriction::other},
 };
 
 /// Of a step, all races.

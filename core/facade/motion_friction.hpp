@@ -9,10 +9,11 @@
 /// in it: the cage, and the slip of elements that find their own speed.
 namespace adore::facade {
 
-/// Torques of the second half of the run, when the start has passed [N m].
+/// Torques of the second half of the run, when the start has passed [N m]. What the damping of
+/// contacts turns into heat counts where they are.
 struct MotionFriction {
   double rolling = 0.0;  ///< oil in the inlets of the races' contacts
-  double races = 0.0;    ///< sliding and spin there
+  double races = 0.0;    ///< sliding, spin and damping there
   double ribs = 0.0;
   double cage = 0.0;  ///< pockets and guide lands, dry and through films; no drag
   double drag = 0.0;  ///< of the medium on elements and cage

@@ -13,10 +13,12 @@
 #include "dynamics/scene_estimate.hpp"
 #include "facade/film_precision.hpp"
 #include "facade/judge_steps.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/pilot.hpp"
 #include "facade/run_span.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
+#include "facade/traction_spread.hpp"
 #include "facade/user_session.hpp"
 #include "life/contact_strength.hpp"
 #include "listing/ball_warnings.hpp"
@@ -25,6 +27,7 @@
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
 #include "statics/deck_fault.hpp"
+#include "statics/element_places.hpp"
 #include "statics/film_doubts.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/bearing_drag.hpp"
@@ -153,6 +156,29 @@ void choose_nodes(Prepared& prepared) {
   }
 }
 
+/// Run options of the films between elements and races.
+void set_film_options(Prepared& out) {
+  if (!out.as_built.lubrication) return;
+  bearing::Lubrication& oil = *out.as_built.lubrication;
+  oil.direct_strips = out.options.direct_strips;
+  oil.stress_limit = out.options.stress_limit;
+  oil.recommended = out.options.recommended_law;
+  if (!oil.stress_limit)
+    add_remark(
+        out, Severity::Note,
+        "run option filmStressLimit = off: oil films have no limiting shear stress. Friction "
+        "coefficients above 1 GPa can be far too large.");
+  if (!oil.user) return;
+  oil.user->limit_ratio = out.options.user_limit;
+  oil.user->limit_softening = out.options.user_softening;
+  if (oil.stress_limit && !out.options.user_limit)
+    add_remark(
+        out, Severity::Note,
+        fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
+                    "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
+                    tribology::kUserLimit));
+}
+
 /// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
 /// known of it. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
@@ -187,6 +213,31 @@ void doubt_fluids(Prepared& out) {
                     medium.name, medium.T_min, medium.T_max, medium.temperature));
 }
 
+/// Laws that the quasi-static solution takes outside their range of validity. What other remarks
+/// on the solution describe in more detail is kept for RUN.json alone.
+void find_left_ranges(Prepared& out) {
+  LawRanges ranges(out.bearing);
+  const statics::FrictionEstimate* const friction = out.friction ? &*out.friction : nullptr;
+  if (out.rollers)
+    ranges.look(*out.rollers, friction);
+  else
+    ranges.look(out.control.dynamic ? out.start : out.statics, friction);
+  ranges.look(out.life);
+  out.left_ranges = ranges.findings();
+  std::vector<validity::Finding> new_ones = out.left_ranges;
+  std::erase_if(new_ones, [](const validity::Finding& found) {
+    constexpr std::array<std::string_view, 5> kDescribed{"film.thickness", "film.viscosity",
+                                                         "hertz.ellipse", "drag.temperature",
+                                                         "materials.temperature"};
+    return std::find(kDescribed.begin(), kDescribed.end(), found.range->id) != kDescribed.end();
+  });
+  for (const auto& [severity, text] : validity::remarks(new_ones)) add_remark(out, severity, text);
+  if (const std::string text = ranges.given_coefficient(); !text.empty())
+    add_remark(out, Severity::Note, text);
+  if (const std::string text = traction_spread(out); !text.empty())
+    add_remark(out, Severity::Note, text);
+}
+
 /// Says where what flows around the elements is known by hearsay or guess.
 void say_certainty(Prepared& out) {
   const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
@@ -215,6 +266,21 @@ void say_certainty(Prepared& out) {
   }
 }
 
+/// What contact damping leaves out, where it was asked for or switched off.
+void say_damping(Prepared& out) {
+  const auto given = out.input.option_values.find("contactDamping");
+  if (!out.plan.has(scene::Effect::ContactDamping))
+    add_remark(out, Severity::Note,
+               "contact damping is off: contact vibrations do not decay, so that largest loads, "
+               "life and spectra are not those of a real bearing. Use contactDamping = material "
+               "for them");
+  else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
+    add_remark(out, Severity::Note,
+               fmt::format("contactDamping = {} plays no part at the races, because the mode of "
+                           "record 2.1 holds all elements in balance there",
+                           given->second));
+}
+
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
@@ -234,15 +300,35 @@ Prepared prepare_model(LoadedDeck input) {
   out.as_built.user_version =
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  if (out.as_built.lubrication) out.as_built.lubrication->direct_strips = out.options.direct_strips;
+  set_film_options(out);
+  if (out.as_built.thermal) {
+    out.as_built.thermal->model = out.options.thermal_model;
+    out.as_built.thermal->surroundings = out.options.surroundings;
+    if (!out.options.thermal_base) {
+      if (out.options.thermal_model == bearing::ThermalModel::Ladder)
+        throw InputError(
+            "run option thermalBase = none: the ladder needs a base temperature. Use "
+            "thermalModel=network.");
+      out.as_built.thermal->base = static_cast<int>(thermal::BaseNode::None);
+    }
+    if (out.options.thermal_transient && out.options.thermal_model == bearing::ThermalModel::Ladder)
+      throw InputError(
+          "run option thermalTransient = on: the ladder has no heat capacities. Use "
+          "thermalModel=network.");
+  }
   choose_nodes(out);
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {
-    out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, [&] {
+    const auto interrupt = [&] {
       if (out.input.stop.stop_requested())
         throw Interrupted("interrupted in the thermal analysis; nothing was written");
-    });
+    };
+    if (out.options.thermal_transient) {
+      out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
+      if (!out.time_line->settled) throw SolverError("thermal time line: " + out.time_line->end);
+    }
+    out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, interrupt);
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
     for (const std::string& note : out.thermal->heat.notes)
@@ -268,6 +354,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
+  if (out.control.dynamic) say_damping(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
   for (const statics::StiffnessRow& row : out.stiffness) {
@@ -284,9 +371,11 @@ Prepared prepare_model(LoadedDeck input) {
       add_remark(out, Severity::Warning, text);
   };
   ask_to_go_on(out.input);
+  const auto& frame = out.plan.race_motions.frame;
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+    if (frame) statics::put_into_frame(out.bearing, *frame, out.options.rollers, *out.rollers);
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
@@ -307,16 +396,18 @@ Prepared prepare_model(LoadedDeck input) {
                         "guide ring does; in motion only its groove and friction hold it",
                         out.rollers->guide_force)));
     }
+    find_left_ranges(out);
     return out;
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
+  if (frame) statics::put_into_frame(out.bearing, *frame, statics::StaticsOptions{}, out.statics);
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
   if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
-      ratio > statics::kTrustedOverStrips)
+      ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
         out, Severity::Note,
         fmt::format("the rolling resistance of the balls in oil, whose law knows no pressure "
@@ -337,10 +428,12 @@ Prepared prepare_model(LoadedDeck input) {
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
+    if (frame) statics::put_into_frame(out.bearing, *frame, as_in_motion, out.start);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
                                      out.control.dynamic ? out.start : out.statics);
+  find_left_ranges(out);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "deck/no_part.hpp"
 #include "dynamics/system.hpp"
@@ -12,6 +13,7 @@
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
 #include "thermal/steady_state.hpp"
+#include "thermal/time_line.hpp"
 
 #include <array>
 #include <memory>
@@ -52,6 +54,9 @@ struct Prepared {
   life::BearingLife life;             ///< at the equilibrium that PRINT.txt shows
   std::optional<statics::FrictionEstimate> friction;  ///< of a quasi-static deck
   std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
+  /// Laws outside their range of validity in the quasi-static solution.
+  std::vector<validity::Finding> left_ranges;
+  std::optional<thermal::TimeLine> time_line;  ///< and thermalTransient = on
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {

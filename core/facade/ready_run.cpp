@@ -39,13 +39,8 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held,
-                                                           bool rollers, bool damped) {
+                                                           bool rollers) {
   auto stepper = integrators::make_stepper(control.integrator);
-  if (stepper->name() == "arkode-imex" && damped)
-    throw InputError(
-        "arkode-imex takes the elastic part of the normal contacts implicitly, and run option "
-        "contactDamping adds a part that it does not split off; use arkode-dirk (intMet 32) or "
-        "arkode-erk (intMet 31), or leave the option out");
   if (stepper->name() == "arkode-imex" && rollers)
     throw InputError(
         "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
@@ -76,6 +71,23 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   if (!thermal.restore(results::read_master(master).averages, master)) return false;
   for (const std::string& text : move_to(prepared, thermal.operating()))
     add_remark(prepared, Severity::Warning, text);
+  return true;
+}
+
+/// Geometry at the speeds of the stored instant; false: that of the start.
+bool restore_growth(ReadyRun& run, Prepared& prepared) {
+  std::error_code error;
+  if (!fs::exists(run.master, error)) return false;
+  const results::MasterState master = results::read_master(run.master);
+  if (master.last.state.size() != static_cast<std::size_t>(run.system->layout().size()))
+    return false;
+  const dynamics::PrescribedRaces races =
+      run.system->prescribed_races(master.last.time, master.last.state);
+  const std::array<double, 2> speed{races[0].speed, races[1].speed};
+  const RingGrowth::Levels levels = run.growth->levels(speed);
+  if (levels == RingGrowth::Levels{}) return false;
+  move_to_speeds(prepared, run.thermal ? &*run.thermal : nullptr,
+                 run.growth->speeds(levels, speed));
   return true;
 }
 
@@ -116,7 +128,7 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
     return make_checked_stepper(
         prepared.control, *ode,
         prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
-        prepared.plan.rollers, prepared.plan.has(scene::Effect::ContactDamping));
+        prepared.plan.rollers);
   });
   time_scale = system->scales().time;
   span = run_span(request, prepared, time_scale);
@@ -128,11 +140,14 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
+  growth.emplace(prepared);
   // Times, limits and estimates above are those of the bearing of the deck, as they were when the
   // run began: a run that was killed goes on in the same steps.
   thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   if (thermal_goes_on) system.emplace(make_system(prepared));
+  if (how == setup::StartState::Continue && growth->active() && restore_growth(*this, prepared))
+    system.emplace(make_system(prepared));
   if (thermal) outputs->show_thermal(*thermal);
   start = outputs->find_start(*system, how);
 }

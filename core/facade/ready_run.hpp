@@ -1,5 +1,6 @@
 #pragma once
 
+#include "facade/ring_growth.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/run_span.hpp"
 #include "facade/step_limits.hpp"
@@ -23,6 +24,7 @@ struct ReadyRun {
 
   std::filesystem::path master;
   std::optional<ThermalRun> thermal;
+  std::optional<RingGrowth> growth;
   bool thermal_goes_on = false;            ///< with the temperatures of an earlier run
   std::optional<dynamics::System> system;  ///< thermal steps put another one into its place
   std::optional<SystemOde> ode;

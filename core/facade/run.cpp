@@ -6,6 +6,7 @@
 #include "dynamics/race_contacts.hpp"
 #include "facade/chosen_settings.hpp"
 #include "facade/film_precision.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/progress_meter.hpp"
 #include "facade/results_folder.hpp"
@@ -60,6 +61,10 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
   RunOutcome out;
   RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
   out.results = outputs.write_quasi_static();
+  if (std::string why = untrusted(prepared.left_ranges); !why.empty()) {
+    out.status = RunStatus::Untrusted;
+    out.message = std::move(why);
+  }
   out.files = outputs.files();
   out.summary = outputs.summary();
   out.warnings = outputs.remarks();

@@ -6,11 +6,13 @@
 #include "dynamics/effect_catalogue.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/cage_start.hpp"
+#include "facade/changed_equilibrium.hpp"
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
 #include "facade/equilibrium.hpp"
 #include "facade/kept_races.hpp"
 #include "facade/key_results.hpp"
+#include "facade/law_ranges.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/missed_tolerance.hpp"
 #include "facade/motion_watch.hpp"
@@ -67,20 +69,6 @@ const char* status_word(RunStatus status) {
   return "failed";
 }
 
-/// A state of another run as start of this one, component by component: what FINAL does not have
-/// (an orientation that only this deck shows) keeps its own start value, and integrals begin at
-/// zero.
-void take_state(const results::FinalState& from, const dynamics::System& system,
-                std::vector<double>& y) {
-  std::map<std::string, double> stored;
-  for (std::size_t i = 0; i < from.components.size(); ++i)
-    stored[from.components[i]] = from.state[i];
-  for (int i = 0; i < system.layout().controlled_size(); ++i) {
-    const auto found = stored.find(system.layout().component_name(i));
-    if (found != stored.end()) y[static_cast<std::size_t>(i)] = found->second;
-  }
-}
-
 /// What a run that starts anew from FINAL, where races are prescribed as `now`, takes from before:
 /// a free race only with its state, and turns of less than one.
 dynamics::PrescribedRaces of_new_run(dynamics::PrescribedRaces races,
@@ -114,6 +102,7 @@ struct RunOutputs::Impl {
   bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
   LifeObserver life;
   MotionWatch watch;
+  LawRanges ranges;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
   std::uintmax_t sol9_bytes = 0;   ///< and of SOL9
@@ -143,6 +132,7 @@ struct RunOutputs::Impl {
         life(p.bearing, p.life.parameters,
              {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
+        ranges(p.bearing),
         files(p, std::move(f)) {
     // Plots compare it with the interval of the stored steps.
     if (p.control.dynamic) dynamics::find_fastest(plan, p.bearing, p.start);
@@ -219,6 +209,7 @@ results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, cons
   out.components = component_names(system);
   out.state.assign(y.begin(), y.end());
   keep_races(system.prescribed_races(at.time, y), out.extras);
+  if (thermal != nullptr) thermal->save(out.extras);
   deck::Deck deck = prepared.input.deck;
   deck.user_lines.clear();  // of user routines: any text
   out.deck = deck::write_deck(deck);
@@ -275,6 +266,7 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
     print.quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
   if (prepared.friction) print.friction(*prepared.friction, prepared.rollers ? "roller" : "ball");
   if (prepared.thermal) print.thermal(*prepared.thermal);
+  if (prepared.time_line) print.time_line(*prepared.time_line);
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
@@ -304,12 +296,14 @@ void RunOutputs::show_thermal(const ThermalRun& thermal) {
   impl_->thermal = &thermal;
   impl_->recorder.set_bearing(impl_->prepared.bearing);
   impl_->life.follow_bearing();
+  impl_->ranges.follow_bearing();
 }
 
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;
   s.recorder.set_bearing(s.prepared.bearing);
   s.life.follow_bearing();
+  s.ranges.follow_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
   const bearing::Bearing& bearing = s.prepared.bearing;
   s.network = results::to_json({bearing.run_id,
@@ -347,9 +341,39 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
                          s.control.final_file));
     start = setup::StartState::FromFinal;
   }
+  bool changed = false;  // the equilibrium may be another one
   const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
     for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
       s.remarks.push_back(std::move(note));
+    changed = !stored.deck.empty() && acts_on_bearing(stored.deck, s.prepared.input.deck, start);
+  };
+  // Moves the state to the equilibrium of this deck. @return it did
+  const auto move = [&](const results::FinalState& stored,
+                        const std::map<std::string, double>& thermal, const fs::path& file) {
+    if (!changed) return false;
+    dynamics::NewEquilibrium change;
+    try {
+      const StoredScene from = stored_scene(stored, thermal, s.prepared, file);
+      change =
+          dynamics::move_to_equilibrium(moving_scene(from.prepared, *from.system), from.time,
+                                        from.y, moving_scene(s.prepared, system), out.time, out.y);
+    } catch (const InputError& failure) {
+      change.why_not =
+          fmt::format("the scene of the stored state is not known ({})", failure.what());
+    } catch (const SolverError& failure) {
+      change.why_not =
+          fmt::format("the scene of the stored state is not known ({})", failure.what());
+    }
+    if (const std::string text = change_remark(change, "start from " + file.filename().string());
+        !text.empty())
+      s.remark(text, Severity::Warning);
+    if (change.moved)
+      s.remark(
+          fmt::format("the stored state moves to the equilibrium of this deck, elements and "
+                      "races by up to {:.4g} {}",
+                      results::from_si(change.largest_shift, results::unit::kLength, s.units),
+                      results::unit_name(results::unit::kLength, s.units)));
+    return change.moved;
   };
   if (start == setup::StartState::FromFinal) {
     const fs::path file = s.path(s.control.final_file);
@@ -357,12 +381,14 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
-    if (const auto races = kept_races(from.extras)) {
-      const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
-      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units))
+    changed = changed || from.extras.contains("thermal.steps") || s.plan.race_motions.excited();
+    const auto races = kept_races(from.extras);
+    const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
+    if (races) system.go_on(of_new_run(*races, from, now), out.time, out.y);
+    const bool moved = move(from, from.extras, file);
+    if (races)
+      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(jump, Severity::Warning);
-      system.go_on(of_new_run(*races, from, now), out.time, out.y);
-    }
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
@@ -376,12 +402,13 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
-    if (const auto races = kept_races(master.last.extras)) {
-      for (const std::string& jump :
-           jumps_of_races(*races, system.prescribed_races(out.time, out.y), s.plan, s.units))
+    const auto races = kept_races(master.last.extras);
+    const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
+    if (races) system.go_on(*races, out.time, out.y);
+    const bool moved = move(master.last, master.averages, s.path(s.control.master_file));
+    if (races)
+      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(jump, Severity::Warning);
-      system.go_on(*races, out.time, out.y);
-    }
     // The shaft goes on from where it was.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
@@ -416,7 +443,16 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (kept) s.files.check_sums(*kept);
     std::tie(out.stored_step, out.stored_time) = s.files.stored_end(s.print_bytes);
   } else {
-    check_room(s.files.outputs(), s.overwrite);
+    try {
+      check_room(s.files.outputs(), s.overwrite);
+    } catch (const ResultsExist&) {
+      if (start != setup::StartState::FromFinal) throw;
+      throw ResultsExist(
+          s.files.outputs().folder,
+          {s.control.final_file + ", which this run reads as its start (kIcOpt = -1) before it "
+                                  "replaces any file and keeps until its own first checkpoint",
+           "others"});
+    }
   }
   return out;
 }
@@ -469,6 +505,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   s.last = s.snapshot(system, point);
   s.last_y.assign(point.y.begin(), point.y.end());
   s.watch.look(s.last);
+  s.ranges.look(s.last);
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
@@ -570,6 +607,9 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
+  const std::vector<validity::Finding> left = s.ranges.findings();
+  for (const auto& [severity, text] : validity::remarks(left)) s.remark(text, severity);
+  if (const std::string text = s.ranges.given_coefficient(); !text.empty()) s.remark(text);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const std::string missed =
@@ -632,6 +672,9 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.summary = s.key_results;
   run.life["run"] = listing::run_life_json(run_life);
   run.thermal_network = s.network;
+  std::vector<validity::Finding> all_left = s.prepared.left_ranges;
+  all_left.insert(all_left.end(), left.begin(), left.end());
+  if (!all_left.empty()) run.validity = validity_json(all_left);
   s.close(run, run_life);
 }
 
@@ -647,6 +690,11 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   s.key_results = solution.results;
   run.summary = s.key_results;
   run.quasi_static = results::to_json(solution.tables);
+  if (!s.prepared.left_ranges.empty()) run.validity = validity_json(s.prepared.left_ranges);
+  if (const std::string why = untrusted(s.prepared.left_ranges); !why.empty()) {
+    run.status = status_word(RunStatus::Untrusted);
+    run.message = why;
+  }
   s.close(run);
   return solution.lines;
 }
@@ -660,6 +708,8 @@ results::EnergyJudgement RunOutputs::judge_energy() const {
   return results::judge_energy(impl_->last.energy, vibrates ? static_elastic(impl_->prepared) : 0.0,
                                impl_->averages.averages().largest_residual);
 }
+
+std::string RunOutputs::untrusted_law() const { return untrusted(impl_->ranges.findings()); }
 
 std::string RunOutputs::load_warning() const {
   return results::load_warning(impl_->mean_load(), impl_->units);

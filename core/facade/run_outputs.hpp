@@ -122,6 +122,8 @@ class RunOutputs {
   /// Of the last stored instant and the worst before, against the elastic energy of the
   /// quasi-static solution.
   [[nodiscard]] results::EnergyJudgement judge_energy() const;
+  /// Why a law makes the results untrusted (facade/law_ranges.hpp); empty: none does.
+  [[nodiscard]] std::string untrusted_law() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;
   /// What turned up while the run started and ended: notes on the deck.

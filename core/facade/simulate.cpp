@@ -98,7 +98,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const RunPlac
   };
   ProgressMeter meter(progress, start, request.go_on, span, turns_now);
   TimeRun run({prepared, ready.system, *ready.ode, *ready.stepper, outputs,
-               ready.thermal ? &*ready.thermal : nullptr, meter, ready.master},
+               ready.thermal ? &*ready.thermal : nullptr, *ready.growth, meter, ready.master},
               start, span, last,
               step_control(prepared.control, ready.limits, start.step_size, ready.time_scale),
               std::move(stop));

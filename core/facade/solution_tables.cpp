@@ -24,6 +24,7 @@ results::StaticTables solution_tables(const Prepared& prepared) {
     tables.tables.push_back(listing::friction_table(*prepared.friction));
   }
   if (prepared.thermal) tables.tables.push_back(listing::network_table(prepared.thermal->heat));
+  if (prepared.time_line) tables.tables.push_back(listing::time_line_table(*prepared.time_line));
   return tables;
 }
 

@@ -12,10 +12,21 @@ constexpr double kAligned = 1e-8;  ///< [rad]
 StartState start_state(const Prepared& prepared, dynamics::System& system) {
   StartState out;
   out.y = system.initial_state();
-  if (prepared.roller_scene == nullptr || prepared.plan.suppressed.of_elements() ||
-      dynamics::ElementMasses(prepared.bearing).off_centre())
+  const scene::ScenePlan& plan = prepared.plan;
+  const bool balls = prepared.roller_scene == nullptr;
+  if (plan.suppressed.of_elements() || dynamics::ElementMasses(prepared.bearing).off_centre())
     return out;
+  if (balls && (plan.rigid_balls || !plan.has(scene::Effect::RaceTraction))) return out;
   const dynamics::FrictionStart found = dynamics::balance_friction(system, out.y);
+  std::array<bool, 3> free{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (plan.has(scene::Effect::RaceBalance))
+      free[k] = !prepared.bearing.constraints.displacement_given[k];
+    else if (const auto& race = plan.race_motions.free[1])
+      free[k] = !race->translation_held[k];
+  }
+  (void)dynamics::balance_race(system, out.y, prepared.start.stiffness.topLeftCorner<3, 3>(), free);
+  if (balls) return out;
   const std::size_t left = found.rollers - found.balanced;
   if (left == 0 && found.largest_skew < kAligned)
     out.remark = "the rollers start in balance of friction, without skew";

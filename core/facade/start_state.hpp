@@ -11,12 +11,14 @@ namespace adore::facade {
 /// Where a run from the quasi-static solution starts.
 struct StartState {
   std::vector<double> y;
-  std::string remark;  ///< what became of the balance of friction of its rollers; empty: balls
+  std::string remark;  ///< on the balance of friction of rollers; empty: balls
 };
 
-/// The quasi-static solution, rollers in balance of friction where they have one
-/// (dynamics/friction_start.hpp) and nothing else decides how they stand: not where kDOF suppresses
-/// motions of elements, nor with mass centres beside their axes, which never balance.
+/// The quasi-static solution with the elements in balance of friction (dynamics/friction_start.hpp)
+/// and, where the inner race moves under its load, that race in balance, too: the first step has no
+/// jump of force. Not where kDOF suppresses motions of elements, nor with mass centres beside their
+/// axes, which never balance; balls of unequal moments and balls without traction start in pure
+/// rolling.
 [[nodiscard]] StartState start_state(const Prepared& prepared, dynamics::System& system);
 
 }  // namespace adore::facade

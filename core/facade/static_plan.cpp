@@ -125,8 +125,8 @@ void results(Entries& out, const Prepared& p) {
   out.add("friction torque", true,
           "estimated from speeds and loads of the equilibrium, which itself knows no friction");
   out.add("thermal steady state", p.thermal.has_value(),
-          p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, kBaseTemp = {}",
-                                  p.as_built.thermal->coolant, p.as_built.thermal->base)
+          p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
+                                  given(deck, "kBaseTemp"))
                     : std::string("kTherm = 0: temperatures of record 9.1.3"));
   out.add("gravity, cage forces", false, "mode = -1: no part of the equilibrium");
   for (const deck::NoPart& value : p.no_part)

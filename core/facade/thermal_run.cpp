@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "dynamics/roller_start.hpp"
+#include "statics/element_places.hpp"
 #include "statics/film_doubts.hpp"
 #include "statics/kinematics.hpp"
 #include "thermal/steady_state.hpp"
@@ -42,7 +43,9 @@ double cage_speed(const scene::Snapshot& at) {
 ThermalRun::ThermalRun(const Prepared& prepared)
     : as_built_(prepared.as_built),
       now_(thermal::BulkTemperatures::in(prepared.as_built)),
-      geometry_(now_) {
+      geometry_(now_),
+      transient_(prepared.options.thermal_transient),
+      acceleration_(prepared.options.thermal_acceleration) {
   shown_.outside = now_.race[0];
   shown_.bore = now_.race[1];
   shown_.housing = now_.housing;
@@ -50,6 +53,9 @@ ThermalRun::ThermalRun(const Prepared& prepared)
       as_built_.thermal->base == 2 || as_built_.thermal->base == 3
           ? as_built_.thermal->base_temperature
           : now_.element;
+  relaxation_.least = 0.2;
+  relaxation_.most = 1.0;
+  relaxation_.quiet = 0.5;
   const auto field = now_.list();
   history_.emplace_back(field.begin(), field.end());
 }
@@ -73,13 +79,13 @@ thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) cons
     const double by_race = item.race == 0 ? 1.0 : 0.0;
     if (id == "heat" || id == "rolling_heat" || id == "contact_damping")
       halves(out.race, by_race);
-    else if ((id == "land_heat" || id == "land_film_heat") && width > 0.0)
+    else if ((id == "land_heat" || id == "land_film_heat" || id == "land_damping") && width > 0.0)
       halves(out.land, guided[0] / width);
-    else if (id == "flange_heat")
+    else if (id == "flange_heat" || id == "flange_damping")
       halves(out.flange, item.term->per_race() ? by_race : 0.5);
     else if (id == "element_drag" || id == "cage_drag")
       out.churning += item.value;
-    else  // of pockets, of elements with each other, of damping beside the races: to the coolant
+    else  // of pockets, of elements with each other: to the coolant
       out.element_cage += item.value;
   }
   return out;
@@ -102,7 +108,8 @@ void ThermalRun::show(const thermal::BearingHeat& heat) {
       T.housing, heat.sources.total(), heat.to_coolant(), heat.flows.race};
 }
 
-ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
+ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
+                                   const thermal::RaceConductance& contact) {
   const thermal::HeatSources until = sources(at.energy);
   const std::array<double, 8> now = list_of(until), then = list_of(before_);
   std::array<double, 8> mean{};
@@ -111,10 +118,15 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
   Step out;
   bearing::Bearing warm = as_built_;
   now_.set(warm);
-  out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at));
+  const thermal::HeatStep in_time{node_state_, (at.time - begun_) * acceleration_};
+  out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at), contact,
+                                         transient_ ? &in_time : nullptr);
+  node_state_ = out.heat.state;
   ++steps_;
   out.number = steps_;
-  now_ = out.heat.bulk;
+  now_ = transient_
+             ? out.heat.bulk
+             : thermal::BulkTemperatures::of(relaxation_.step(now_.list(), out.heat.bulk.list()));
   begun_ = at.time;
   before_ = until;
   show(out.heat);
@@ -128,6 +140,9 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
   thermal::StepRules rules;
   rules.limit = thermal::kHottest;
   out.judged = thermal::judge_sequence(history_, rules);
+  // Slow changes of a transient are not a steady state, growing ones no instability.
+  if (transient_ && out.judged.reason != "limit")
+    out.judged.verdict = thermal::StepVerdict::Undecided;
   settled_ = out.judged.verdict == thermal::StepVerdict::Stable;
   if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
     throw SolverError(fmt::format(
@@ -164,6 +179,11 @@ void ThermalRun::save(std::map<std::string, double>& state) const {
     state[key("now", k)] = now[k];
     state[key("geometry", k)] = geometry[k];
   }
+  state["thermal.nodes"] = static_cast<double>(node_state_.size());
+  for (std::size_t k = 0; k < node_state_.size(); ++k) state[key("node", k)] = node_state_[k];
+  state["thermal.relaxation"] = relaxation_.factor;
+  state["thermal.relaxed"] = relaxation_.begun ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) state[key("residual", k)] = relaxation_.residual[k];
   const auto heat = list_of(before_);
   for (std::size_t k = 0; k < heat.size(); ++k) state[key("heat", k)] = heat[k];
   state["thermal.history"] = static_cast<double>(history_.size());
@@ -202,6 +222,14 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
   }
   now_ = thermal::BulkTemperatures::of(now);
   geometry_ = thermal::BulkTemperatures::of(geometry);
+  constexpr double kMostNodes = 64.0;
+  node_state_.resize(static_cast<std::size_t>(get("thermal.nodes", 0.0, kMostNodes)));
+  for (std::size_t k = 0; k < node_state_.size(); ++k)
+    node_state_[k] = get(key("node", k), -kMost, kMost);
+  relaxation_.factor = get("thermal.relaxation", 0.0, 1.0);
+  relaxation_.begun = get("thermal.relaxed", 0.0, 1.0) > 0.5;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    relaxation_.residual[k] = get(key("residual", k), -kMost, kMost);
   std::array<double, 8> heat{};
   for (std::size_t k = 0; k < heat.size(); ++k) heat[k] = get(key("heat", k), -kMost, kMost);
   before_ = of_list(heat);
@@ -218,13 +246,20 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
   return true;
 }
 
+thermal::RaceConductance race_conductance(const Prepared& p) {
+  return p.roller_scene ? thermal::race_conductance(p.bearing, p.roller_scene->solution)
+                        : thermal::race_conductance(p.bearing, p.start);
+}
+
 std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
   std::optional<statics::LubricantFilms> films;
+  const auto& frame = p.plan.race_motions.frame;
   if (p.bearing.rollers()) {
     auto scene = std::make_shared<dynamics::RollerScene>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
+    if (frame) statics::put_into_frame(p.bearing, *frame, p.options.rollers, scene->solution);
     p.start = dynamics::static_start(*scene, p.bearing);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
@@ -234,6 +269,7 @@ std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
+    if (frame) statics::put_into_frame(p.bearing, *frame, as_in_motion, p.start);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
   if (!films) return {};

@@ -3,6 +3,7 @@
 #include "facade/prepare.hpp"
 #include "scene/snapshot.hpp"
 #include "thermal/bearing_heat.hpp"
+#include "thermal/relaxation.hpp"
 #include "thermal/steps.hpp"
 
 #include <array>
@@ -16,7 +17,9 @@
 /// the counted step that reaches it; the heat of the window, from the energy ledger, goes through
 /// the network; oil, medium and materials follow at once, geometry at every kGeoMod-th thermal step
 /// after skipTime. The network has no heat capacity: thermal steps are iterates towards a steady
-/// state, not a warming-up in time.
+/// state, not a warming-up in time. Where heat falls as the oil warms, full steps would overshoot
+/// and alternate: the parts go the relaxed way (relaxation.hpp, factor 0.2 to 1), and what is shown
+/// is the network's answer to the mean heat of the window, whose balance is closed at every step.
 namespace adore::facade {
 
 class ThermalRun {
@@ -36,9 +39,13 @@ class ThermalRun {
   };
   /// Closes the window at this instant. @throws SolverError where temperatures run away, or heat
   /// finds no way
-  [[nodiscard]] Step close(const scene::Snapshot& at);
+  /// @param contact conductances of the race contacts at the present equilibrium
+  [[nodiscard]] Step close(const scene::Snapshot& at, const thermal::RaceConductance& contact);
   /// The bearing at work after the last step.
   [[nodiscard]] bearing::Bearing operating() const;
+
+  /// Race speeds at which the rings grow from now on [rad/s].
+  void set_speed(const std::array<double, 2>& speed) noexcept { as_built_.speed = speed; }
 
   [[nodiscard]] const scene::ThermalSnapshot& shown() const noexcept { return shown_; }
   [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept { return now_; }
@@ -60,9 +67,16 @@ class ThermalRun {
   thermal::HeatSources before_;               ///< heat until then [J]
   int steps_ = 0;
   bool settled_ = false;
+  thermal::Relaxation relaxation_;
+  bool transient_;                            ///< heat capacities act
+  double acceleration_;                       ///< thermal over mechanical time
+  std::vector<double> node_state_;            ///< of the network, in a transient [K]
   std::vector<std::vector<double>> history_;  ///< of the last steps, as far as they are judged
   scene::ThermalSnapshot shown_;
 };
+
+/// Conductances of the race contacts at the equilibrium of the present geometry and oil.
+[[nodiscard]] thermal::RaceConductance race_conductance(const Prepared& prepared);
 
 /// A prepared dynamic deck whose bearing now is `operating`: races and elements in the equilibrium
 /// of this geometry. @throws SolverError when there is none, or the oil has become a glass

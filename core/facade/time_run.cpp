@@ -1,6 +1,7 @@
 #include "facade/time_run.hpp"
 
 #include "deck/unit_text.hpp"
+#include "facade/changed_equilibrium.hpp"
 #include "facade/missed_tolerance.hpp"
 #include "facade/user_session.hpp"
 
@@ -39,6 +40,7 @@ TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& 
       watch_(parts.prepared.control, parts.system->scales().time),
       race_watch_(parts.system->scales().time, control.maximum),
       film_tolerance_(control.tolerance, parts.system->scales()),
+      growth_(parts.growth),
       step_(start.step),
       substeps_(start.resume.substeps),
       h_(start.step_size),
@@ -119,19 +121,19 @@ void TimeRun::thermal_step() {
   std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
   ThermalRun& thermal = *parts_.thermal;
   const bool settled = thermal.settled();
-  const ThermalRun::Step done = thermal.close(system().snapshot(t, y));
+  const ThermalRun::Step done =
+      thermal.close(system().snapshot(t, y), race_conductance(parts_.prepared));
   if (thermal.settled() && !settled)
     parts_.outputs.remark(fmt::format(
         "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
   try {
-    const std::vector<std::string> doubts = move_to(parts_.prepared, thermal.operating());
+    const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
     for (const std::string& text : doubts)
       if (!films_doubted_)
         parts_.outputs.remark(fmt::format("from thermal step {} on: {}", done.number, text));
     films_doubted_ = !doubts.empty();
     dynamics::System next = make_system(parts_.prepared);
-    next.take_over(system(), t, y);
-    parts_.system.emplace(std::move(next));
+    move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));
   } catch (const InputError& error) {
     throw SolverError(
         fmt::format("at t = {:.9g} s, thermal step {} leaves no bearing that could work: {}", t,
@@ -144,7 +146,44 @@ void TimeRun::thermal_step() {
   start_anew(y);
 }
 
+void TimeRun::move_into(dynamics::System next, double t, std::span<double> y,
+                        const std::string& cause) {
+  const std::vector<double> y_before(y.begin(), y.end());
+  next.take_over(system(), t, y);
+  const dynamics::NewEquilibrium change =
+      dynamics::move_to_equilibrium(moving_scene(parts_.prepared, system()), t, y_before,
+                                    moving_scene(parts_.prepared, next), t, y);
+  dynamics::book_change(system(), y_before, next, t, y);
+  parts_.system.emplace(std::move(next));
+  if (const std::string text = change_remark(change, cause); !text.empty())
+    add_remark(parts_.prepared, Severity::Warning, text);
+}
+
+bool TimeRun::follow_growth() {
+  if (!growth_.active()) return false;
+  const double t = parts_.stepper.time();
+  std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
+  const dynamics::PrescribedRaces races = system().prescribed_races(t, y);
+  const std::array<double, 2> speed{races[0].speed, races[1].speed};
+  const RingGrowth::Levels levels = growth_.levels(speed);
+  if (levels == growth_levels_) return false;
+  growth_levels_ = levels;
+  try {
+    move_to_speeds(parts_.prepared, parts_.thermal, growth_.speeds(levels, speed));
+    move_into(make_system(parts_.prepared), t, y, "growth of the rings with their speed");
+  } catch (const InputError& error) {
+    throw SolverError(fmt::format("at t = {:.9g} s, after growth of the rings with their speed: {}",
+                                  t, error.what()));
+  }
+  start_anew(y);
+  return true;
+}
+
 void TimeRun::begin(bool remembers) {
+  if (growth_.active()) {
+    const dynamics::PrescribedRaces races = system().prescribed_races(start_.time, start_.y);
+    growth_levels_ = growth_.levels({races[0].speed, races[1].speed});
+  }
   if (!start_.continued && system().between_steps(start_.time, start_.y)) ++held_changes_;
   try {
     if (remembers)
@@ -200,6 +239,7 @@ void TimeRun::after_counted_step() {
   watch_race();
   adapt_tolerance();
   bool jumped = parts_.prepared.plan.has(scene::Effect::LightLoadBalance) && update_held();
+  output([&] { jumped = follow_growth() || jumped; });
   if (parts_.thermal != nullptr && parts_.thermal->due(t)) {
     output([&] { thermal_step(); });
     jumped = true;
@@ -256,6 +296,11 @@ void TimeRun::close(RunEnd& end) {
       !missed.trusted && status_ == RunStatus::Done) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(missed.text);
+  }
+  if (std::string why = parts_.outputs.untrusted_law();
+      !why.empty() && status_ == RunStatus::Done) {
+    status_ = RunStatus::Untrusted;
+    message_ = std::move(why);
   }
   if (tight_time_ > 0.0 && end.point.time > 0.0)
     parts_.outputs.remark(film_tolerance_text(parts_.prepared.control.tolerance, tightest_,

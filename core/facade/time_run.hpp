@@ -3,6 +3,7 @@
 #include "facade/film_tolerance.hpp"
 #include "facade/progress_meter.hpp"
 #include "facade/race_watch.hpp"
+#include "facade/ring_growth.hpp"
 #include "facade/step_watch.hpp"
 #include "facade/system_ode.hpp"
 #include "facade/thermal_run.hpp"
@@ -22,6 +23,7 @@ struct RunParts {
   integrators::Stepper& stepper;
   RunOutputs& outputs;
   ThermalRun* thermal;  ///< null: no thermal analysis
+  const RingGrowth& growth;
   ProgressMeter& meter;
   const std::filesystem::path& master;
 };
@@ -69,6 +71,10 @@ class TimeRun {
   /// starts anew.
   void thermal_step();
   void start_anew(std::span<const double> y);
+  /// Continues y in the system of a changed bearing, moved to its equilibrium. @throws SolverError
+  void move_into(dynamics::System next, double t, std::span<double> y, const std::string& cause);
+  /// The geometry goes with the speeds (ring_growth.hpp). @returns whether it changed
+  bool follow_growth();
   void fail(const std::string& why);
   /// The last point, and what is wrong with the run as a whole.
   void close(RunEnd& end);
@@ -85,6 +91,8 @@ class TimeRun {
   StepWatch watch_;
   RaceWatch race_watch_;
   FilmTolerance film_tolerance_;
+  const RingGrowth& growth_;
+  RingGrowth::Levels growth_levels_{};
   bool started_ = false;  ///< the stepper took the start state
   RunStatus status_ = RunStatus::Done;
   std::string message_;

@@ -1,6 +1,7 @@
 #include "life/bearing_life.hpp"
 
 #include "base/errors.hpp"
+#include "base/validity.hpp"
 #include "life/capacity.hpp"
 #include "life/statistics.hpp"
 #include "scene/no_film.hpp"
@@ -18,7 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<LifeModel, 3> kStressModels{LifeModel::Updated, LifeModel::Zaretsky,
                                                  LifeModel::Harris};
-constexpr double kStaticPressure = 4.2e9;  ///< ISO 76 static rating of ball bearings [Pa]
 
 /// Slices and races that all must survive, one slope.
 double product(std::span<const double> lives, double slope) {
@@ -419,7 +419,7 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
           "WARNING: {}: the largest load exceeds the load capacity; below 1e6 revolutions no model "
           "holds",
           name));
-    if (r.p_max > kStaticPressure)
+    if (!validity::range("life.pressure").bounds.contains(r.p_max))
       out.notes.push_back(
           fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static rating; "
                       "plastic deformation is not modelled",

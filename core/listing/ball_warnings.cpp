@@ -1,5 +1,6 @@
 #include "listing/ball_warnings.hpp"
 
+#include "base/validity.hpp"
 #include "statics/race_text.hpp"
 
 #include <fmt/format.h>
@@ -94,8 +95,8 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
           100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried));
     }
     const double radius = 0.5 * bearing.balls().diameter;
-    const Offenders wide =
-        offenders(balls, 0.5 * radius, [j](const StaticBall& b) { return b.a[j]; });
+    const Offenders wide = offenders(balls, validity::range("hertz.ellipse").bounds.most * radius,
+                                     [j](const StaticBall& b) { return b.a[j]; });
     if (!wide.numbers.empty()) {
       const StaticBall& worst = balls[wide.worst];
       out.push_back(fmt::format(

@@ -159,6 +159,11 @@ void PrintFile::thermal(const thermal::SteadyState& steady) {
   flush();
 }
 
+void PrintFile::time_line(const thermal::TimeLine& line) {
+  print_time_line(report_, line);
+  flush();
+}
+
 void PrintFile::thermal_step(const thermal::BearingHeat& heat, long step, double time,
                              bool geometry) {
   print_thermal_step(report_, heat, step, time, geometry);

@@ -17,6 +17,7 @@
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
 #include "thermal/steady_state.hpp"
+#include "thermal/time_line.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -93,6 +94,7 @@ class PrintFile {
   void friction(const statics::FrictionEstimate& friction, const std::string& element);
   /// Temperatures that agree with it.
   void thermal(const thermal::SteadyState& steady);
+  void time_line(const thermal::TimeLine& line);
   /// A thermal step of a run.
   void thermal_step(const thermal::BearingHeat& heat, long step, double time, bool geometry);
   /// Fatigue life at that equilibrium.

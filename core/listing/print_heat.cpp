@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -46,45 +47,11 @@ std::string certainty(const std::string& provenance) {
   return "AT LEAST ONE AN ESTIMATE, not a measured value";
 }
 
-/// The nodes of the network and their temperatures.
-std::vector<std::pair<const char*, double>> nodes(const thermal::BearingHeat& heat) {
-  const thermal::NetworkTemperatures& T = heat.temperature;
-  std::vector<std::pair<const char*, double>> out;
-  if (heat.coolant) {
-    out.emplace_back("coolant inlet", T.coolant_in);
-    out.emplace_back("coolant mean", T.coolant_mean);
-    out.emplace_back("coolant exit", T.coolant_out);
-  }
-  for (const auto& node :
-       {std::pair{"rolling elements", T.element}, std::pair{"cage", T.cage},
-        std::pair{"outer raceway", T.outer_raceway},
-        std::pair{"outer race at the housing", T.outer_interface},
-        std::pair{"housing outside", T.housing}, std::pair{"inner raceway", T.inner_raceway},
-        std::pair{"inner race at the shaft", T.inner_interface},
-        std::pair{"shaft inside", T.shaft}})
-    out.emplace_back(node);
-  return out;
-}
-
-struct Flow {
-  const char *from, *to;
-  double heat;
-};
-std::vector<Flow> flows(const thermal::BearingHeat& heat) {
-  std::vector<Flow> out;
-  if (heat.coolant) {
-    out.push_back({"rolling elements", "coolant", heat.flows.element});
-    out.push_back({"cage", "coolant", heat.flows.cage});
-    out.push_back({"churning", "coolant", heat.sources.churning});
-  }
-  out.push_back({"outer raceway", "housing", heat.flows.race[0]});
-  out.push_back({"inner raceway", "shaft", heat.flows.race[1]});
-  return out;
-}
-
 void network(Report& report, const thermal::BearingHeat& heat) {
-  report.heading("Temperatures of the network");
-  for (const auto& [name, T] : nodes(heat)) report.item(name, T, unit::kTemperature);
+  const bool is_ladder = heat.contact[0].first == 0.0;
+  report.heading(is_ladder ? "Temperatures of the ladder" : "Temperatures of the network");
+  for (const thermal::NodeTemperature& node : heat.nodes)
+    report.item(node.name, node.temperature, unit::kTemperature);
   report.heading("Mean temperatures, for growth and material");
   const auto list = heat.bulk.list();
   for (std::size_t k = 0; k < list.size(); ++k)
@@ -102,9 +69,23 @@ void network(Report& report, const thermal::BearingHeat& heat) {
   if (q.element_cage > 0.0) report.item("Made in the cage pockets", q.element_cage, unit::kPower);
   if (q.churning > 0.0) report.item("Made by churning and drag", q.churning, unit::kPower);
   report.item("Made in all", q.total(), unit::kPower);
-  for (const Flow& flow : flows(heat))
+  for (const thermal::NodeFlow& flow : heat.links)
     report.item(fmt::format("From {} to {}", flow.from, flow.to), flow.heat, unit::kPower);
+  for (const thermal::NodeFlow& flow : heat.leaving)
+    report.item(fmt::format("Leaves to {}", flow.to), flow.heat, unit::kPower);
+  if (heat.stored != 0.0) report.item("Warms the parts", heat.stored, unit::kPower);
   report.item("Made less taken", heat.imbalance(), unit::kPower);
+  if (!is_ladder) {
+    report.heading("Conductances");
+    for (std::size_t j = 0; j < 2; ++j) {
+      report.item(fmt::format("Contact film to rolling elements, {}", kRace[j]),
+                  heat.contact[j].first, unit::kConductance);
+      report.item(fmt::format("Contact film to the {}", kRace[j]), heat.contact[j].second,
+                  unit::kConductance);
+    }
+    report.item("Housing to ambient", heat.to_ambient[0], unit::kConductance);
+    report.item("Shaft to ambient", heat.to_ambient[1], unit::kConductance);
+  }
   if (heat.coolant) {
     const thermal::Coolant& c = *heat.coolant;
     report.heading("Coolant");
@@ -114,15 +95,17 @@ void network(Report& report, const thermal::BearingHeat& heat) {
     report.item("Viscosity", c.viscosity, unit::kViscosity);
     report.item("Specific heat", c.specific_heat, unit::kSpecificHeat);
     report.item("Conductivity", c.conductivity, unit::kConductivity);
-    report.item("Convection of rolling elements", heat.element_convection, unit::kConvection);
-    if (heat.cage_area > 0.0)
-      report.item("Convection of the cage", heat.cage_convection, unit::kConvection);
   } else {
     report.text("No coolant flows: all heat leaves through the races.");
   }
-  report.text(
-      "Half of the heat of a contact goes into either body; raceways have the temperature of the "
-      "rolling elements.");
+  if (heat.element_convection > 0.0)
+    report.item("Convection of rolling elements", heat.element_convection, unit::kConvection);
+  if (heat.cage_area > 0.0 && heat.cage_convection > 0.0)
+    report.item("Convection of the cage", heat.cage_convection, unit::kConvection);
+  if (is_ladder)
+    report.text(
+        "Ladder (thermalModel=ladder): half of the heat of a contact goes into either body; "
+        "raceways have the temperature of the rolling elements; no closed balance.");
   for (const std::string& note : heat.notes) report.text(note);
 }
 
@@ -232,9 +215,12 @@ void add_friction_columns(StaticTable& elements, const statics::FrictionEstimate
 
 StaticTable network_table(const thermal::BearingHeat& heat) {
   StaticTable out{"thermal network", {}};
-  for (const auto& [name, T] : nodes(heat)) out.add(name, unit::kTemperature, {T});
-  for (const Flow& flow : flows(heat))
+  for (const thermal::NodeTemperature& node : heat.nodes)
+    out.add(node.name, unit::kTemperature, {node.temperature});
+  for (const thermal::NodeFlow& flow : heat.links)
     out.add(fmt::format("{} to {}", flow.from, flow.to), unit::kPower, {flow.heat});
+  for (const thermal::NodeFlow& flow : heat.leaving)
+    out.add(fmt::format("leaves to {}", flow.to), unit::kPower, {flow.heat});
   out.add("mean of the outer race", unit::kTemperature, {heat.bulk.race[0]});
   out.add("mean of the inner race", unit::kTemperature, {heat.bulk.race[1]});
   const thermal::HeatSources& q = heat.sources;
@@ -243,6 +229,51 @@ StaticTable network_table(const thermal::BearingHeat& heat) {
   out.add("made in the pockets", unit::kPower, {q.element_cage});
   out.add("made by churning", unit::kPower, {q.churning});
   return out;
+}
+
+StaticTable time_line_table(const thermal::TimeLine& line) {
+  StaticTable out{"thermal time line", {}};
+  const auto add = [&](const char* name, const UnitPair& unit, auto&& value) {
+    std::vector<double> values;
+    for (const thermal::TimeLinePoint& point : line.points) values.push_back(value(point));
+    out.add(name, unit, std::move(values));
+  };
+  using Point = thermal::TimeLinePoint;
+  add("time", unit::kTime, [](const Point& p) { return p.time; });
+  add("heat", unit::kPower, [](const Point& p) { return p.heat; });
+  add("heat that warms the parts", unit::kPower, [](const Point& p) { return p.stored; });
+  for (std::size_t k = 0; k < thermal::kBulkNames.size(); ++k)
+    add(thermal::kBulkNames[k], unit::kTemperature,
+        [k](const Point& p) { return p.bulk.list()[k]; });
+  add("operating clearance", unit::kLength, [](const Point& p) { return p.clearance; });
+  return out;
+}
+
+void print_time_line(Report& report, const thermal::TimeLine& line) {
+  report.new_page("THERMAL TIME LINE");
+  report.text(
+      "From the temperatures of record 9.1.3 to the steady state, at constant speed and load, with "
+      "heat capacities.");
+  constexpr std::size_t kRows = 50;
+  const std::size_t every = std::max<std::size_t>(1, line.points.size() / kRows);
+  std::vector<Report::Row> rows;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    if (i % every != 0 && i + 1 != line.points.size()) continue;
+    const thermal::TimeLinePoint& p = line.points[i];
+    rows.push_back({std::to_string(i),
+                    {p.time, p.heat, p.bulk.race[0], p.bulk.race[1], p.bulk.element, p.bulk.housing,
+                     p.bulk.shaft, p.clearance}});
+  }
+  report.table("step",
+               {{"time", &unit::kTime},
+                {"heat", &unit::kPower},
+                {"outer race", &unit::kTemperature},
+                {"inner race", &unit::kTemperature},
+                {"elements", &unit::kTemperature},
+                {"housing", &unit::kTemperature},
+                {"shaft", &unit::kTemperature},
+                {"clearance", &unit::kLength}},
+               rows);
 }
 
 std::vector<std::string> heat_lines(const statics::FrictionEstimate& f,

@@ -4,6 +4,7 @@
 #include "results/static_tables.hpp"
 #include "statics/friction.hpp"
 #include "thermal/steady_state.hpp"
+#include "thermal/time_line.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -27,6 +28,9 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
 void add_friction_columns(StaticTable& elements, const statics::FrictionEstimate& friction);
 /// "thermal network": one row; temperatures of the nodes, heat flows between them.
 [[nodiscard]] StaticTable network_table(const thermal::BearingHeat& heat);
+/// "thermal time line": a row for each step.
+[[nodiscard]] StaticTable time_line_table(const thermal::TimeLine& line);
+void print_time_line(Report& report, const thermal::TimeLine& line);
 
 /// Friction torque and, with a thermal analysis, temperatures: a line each.
 [[nodiscard]] std::vector<std::string> heat_lines(const statics::FrictionEstimate& friction,

@@ -14,6 +14,7 @@ using namespace deck::unit;  // NOLINT(google-build-using-namespace): one vocabu
 inline constexpr UnitPair kRevolution{"rev", "rev", 2.0 * kPi, 2.0 * kPi};
 inline constexpr UnitPair kPressure{"Pa", "lbf/in^2", 1.0, kStress.en_factor};
 inline constexpr UnitPair kPower{"W", "in.lbf/s", 1.0, kPoundForce* kInch};
+inline constexpr UnitPair kConductance{"W/K", "in.lbf/s/R", 1.0, kPoundForce* kInch * 1.8};
 inline constexpr UnitPair kEnergy{"J", "in.lbf", 1.0, kPoundForce* kInch};
 inline constexpr UnitPair kLife{"hr", "hr", 1.0, 1.0};  ///< the models deliver hours
 inline constexpr UnitPair kStiffness{"N/m", "lbf/in", 1.0, kPoundForce / kInch};

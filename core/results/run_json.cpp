@@ -202,6 +202,7 @@ Json run_json(const RunSummary& run) {
                     {"because", value.because}});
   out["played_no_part"] = idle;
   out["notes"] = run.notes;
+  if (!run.validity.is_null()) out["outside_validity"] = run.validity;
   out["files"] = run.files;
 
   Json cost = Json::array();

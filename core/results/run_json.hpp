@@ -46,6 +46,7 @@ struct RunSummary {
   std::vector<deck::DefaultUsed> defaults_used;  ///< values that the deck left out
   std::vector<deck::NoPart> no_part;             ///< values of the deck that the run does not use
   std::vector<std::string> notes;                ///< warnings and remarks
+  nlohmann::ordered_json validity;               ///< laws outside their range; null: none
   long steps = 0;
   double time = 0.0, revolutions = 0.0;
   Counters counters;

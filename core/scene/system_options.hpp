@@ -17,7 +17,7 @@ struct SystemOptions {
   /// are frozen at the mean angle of the static solution.
   bool moving_angle = true;
   bool single_films = false;     ///< films by floats (facade/film_precision.hpp)
-  double contact_damping = 0.0;  ///< α of dynamics/effects/contact_damping.cpp [s/m]; 0: elastic
+  double contact_damping = 0.0;  ///< choices of dynamics/effects/contact_damping.cpp
   /// Laws of the user in the place of built-in ones; null: none.
   std::shared_ptr<UserLaws> user;
 };

@@ -57,9 +57,10 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.elastic_modulus = value("EM");
   out.poisson_ratio = value("PR");
   out.thermal_expansion = value("CTE");
-  out.conductivity = value("TC", deck.integer("kTherm") > 0 && part != Part::RollingElement &&
-                                     part != Part::Cage);  // of the rings in the thermal network
-  out.specific_heat = value("SH", false);
+  // Conduction of the rings, and patches of contacts that move over elements and races.
+  const bool heat = deck.integer("kTherm") > 0;
+  out.conductivity = value("TC", heat);
+  out.specific_heat = value("SH", heat && contact);
   out.elastic_strain_limit = value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
   out.wear_coefficient = value("WC", wears);
   out.fatigue_limit_stress = value("VM", contact);
@@ -410,10 +411,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
                       out.constraints.load[0] != 0.0 || out.constraints.displacement[0] != 0.0;
     out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", acts);
   }
-  const bearing::Vec3 in_frame = frame_load(deck, out.race_inertia);
-  for (std::size_t k = 1; k < 3; ++k)
+  if (deck.has("gravityVecX"))
+    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
+  const bearing::Vec3 of_fields =
+      frame_load(deck, out.race_inertia) + race_weight(deck, out.race_inertia, out.gravity);
+  for (std::size_t k = 0; k < 3; ++k)
     if (!out.constraints.displacement_given[k])
-      out.constraints.load[k] += in_frame[static_cast<int>(k)];
+      out.constraints.load[k] += of_fields[static_cast<int>(k)];
   constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
                                           bearing::SpinRule::RaceControl,
                                           bearing::SpinRule::Prescribed};
@@ -423,8 +427,6 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
     out.spin_angle = si_where(out.spin_rule == bearing::SpinRule::Prescribed, deck, "angVelOrient");
   }
   out.speed = {deck.si("rpm1"), deck.si("rpm2")};
-  if (deck.has("gravityVecX"))
-    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
   out.room_temperature = deck.si("roomTemp");
   out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
   out.element_temperature = deck.si("reTemp");

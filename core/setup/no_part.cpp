@@ -50,8 +50,8 @@ std::string of_material(std::string_view name, const Scene& scene) {
     return !scene.heat
                ? "no heat flow is computed, so that conductivity and specific heat are only "
                  "printed"
-               : "the thermal network is steady, and conducts through races, housing and "
-                 "shaft only";
+               : "of the cage only heat capacity depends on it, which acts with "
+                 "thermalTransient=on";
   if (name.starts_with("cage"))
     return scene.motion ? "no fatigue of the cage is judged"
                         : "a quasi-static solution moves and wears no cage";

@@ -298,6 +298,19 @@ Vec3 frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) 
   return mass * speed * speed * radius * Vec3(0.0, -std::sin(angle), std::cos(angle));
 }
 
+Vec3 race_weight(const Deck& deck, const std::array<bearing::Inertia, 2>& races,
+                 const Vec3& gravity) {
+  Vec3 out = Vec3::Zero();
+  for (int axis = 1; axis <= 3; ++axis) {
+    const double g = gravity[axis - 1];
+    if (translation_free(deck, axis, 2))
+      out[axis - 1] = races[1].mass * g;
+    else if (translation_free(deck, axis, 1))
+      out[axis - 1] = -races[0].mass * g;
+  }
+  return out;
+}
+
 void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene::ScenePlan& plan,
                        const std::array<bool, 2>& driven) {
   plan.race_motions = build_race_motions(deck);

@@ -28,6 +28,12 @@ namespace adore::setup {
 [[nodiscard]] bearing::Vec3 frame_load(const deck::Deck& deck,
                                        const std::array<bearing::Inertia, 2>& races);
 
+/// Weight of the race that moves freely along each axis, as load on the inner race; that of the
+/// outer race, reversed, where the inner one is held [N].
+[[nodiscard]] bearing::Vec3 race_weight(const deck::Deck& deck,
+                                        const std::array<bearing::Inertia, 2>& races,
+                                        const bearing::Vec3& gravity);
+
 /// Lists the bodies and effects in the plan and takes over the motions. @param driven races whose
 /// accelerations a routine of the user gives: bodies with states, held in all directions that the
 /// deck does not free

@@ -149,6 +149,87 @@ bool parse_optional(std::string_view text, std::optional<double>& out, double mo
   return true;
 }
 
+/// A number from `least` to `most`, or "auto".
+bool parse_automatic(std::string_view text, std::optional<double>& out, double least, double most) {
+  if (text == "auto") {
+    out.reset();
+    return true;
+  }
+  double value = 0.0;
+  if (!parse(text, value) || !(value >= least && value <= most)) return false;
+  out = value;
+  return true;
+}
+
+/// Thermal analysis (kTherm): model and surroundings.
+void add_thermal_options(std::vector<Option>& table) {
+  table.push_back(
+      {{"thermalModel", "network",
+        "temperatures of a thermal analysis (kTherm): network (closed heat balance, each ring with "
+        "its own temperature) or ladder (one base temperature, contact heat in halves, both "
+        "raceways as warm as the rolling elements)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "network" && v != "ladder") return false;
+         o.thermal_model =
+             v == "network" ? bearing::ThermalModel::Network : bearing::ThermalModel::Ladder;
+         return true;
+       }});
+  table.push_back(
+      {{"thermalBase", "deck",
+        "boundaries of the thermal network: deck (the place of kBaseTemp is held at baseTemp) or "
+        "none (only ambient and coolant; of the deck baseTemp is the coolant inlet)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "deck" && v != "none") return false;
+         o.thermal_base = v == "deck";
+         return true;
+       }});
+  table.push_back(
+      {{"thermalTransient", "off",
+        "heat capacities of the thermal network: off (each thermal step of a motion sets the "
+        "temperatures of the steady state) or on (temperatures follow in time, in a motion times "
+        "thermalAcceleration; mode -1 also gives a time line from record 9.1.3 to the steady state "
+        "or to seizure)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "on" && v != "off") return false;
+         o.thermal_transient = v == "on";
+         return true;
+       }});
+  table.push_back({{"thermalAcceleration", "1",
+                    "thermal time over the time of the motion with thermalTransient=on, 1 to "
+                    "1000000000: a run of 0.1 s shows 100 s of warming with 1000"},
+                   [](RunOptions& o, std::string_view v) {
+                     constexpr double kFastest = 1e9;
+                     return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
+                            o.thermal_acceleration <= kFastest;
+                   }});
+  constexpr double kColdest = 1.0, kHottest = 1000.0, kMost = 1e6;
+  const auto add = [&](const char* name, const char* meaning, double least, double most,
+                       std::optional<double>& (*place)(bearing::Surroundings&)) {
+    table.push_back({{name, "auto", meaning}, [=](RunOptions& o, std::string_view v) {
+                       return parse_automatic(v, place(o.surroundings), least, most);
+                     }});
+  };
+  using bearing::Surroundings;
+  add("ambientTemperature",
+      "temperature around housing and shaft in the thermal network [K], 1 to 1000, or auto "
+      "(roomTemp)",
+      kColdest, kHottest, [](Surroundings& o) -> std::optional<double>& { return o.ambient; });
+  add("housingCooling",
+      "conductance from the outside of the housing to ambient [W/K], 0 to 1000000, or auto (ISO "
+      "15312 reference heat flow of the seats; 0 with a liquefied gas as coolant or kBaseTemp 4, "
+      "5)",
+      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[0]; });
+  add("shaftCooling",
+      "conductance from the shaft at the inner race to ambient [W/K], 0 to 1000000, or auto (as "
+      "housingCooling)",
+      0.0, kMost, [](Surroundings& o) -> std::optional<double>& { return o.conductance[1]; });
+  add("coolantInlet",
+      "temperature of the coolant at its inlet [K], 1 to 1000, where baseTemp is that of a race, "
+      "the housing or the shaft (kBaseTemp 0, 1, 4, 5), or auto (baseTemp)",
+      kColdest, kHottest,
+      [](Surroundings& o) -> std::optional<double>& { return o.coolant_inlet; });
+}
+
 /// Fatigue life: what no record of the deck holds.
 void add_life_options(std::vector<Option>& table) {
   const auto add = [&](const char* name, const char* value, const char* meaning,
@@ -247,16 +328,20 @@ const std::vector<Option>& options() {
            o.system.moving_angle = v == "moving";
            return true;
          }},
-        {{"contactDamping", "0",
-          "material damping of contacts after Hunt and Crossley, on races, in pockets, at guide "
-          "lands and flanges: alpha in s/m, 0 (elastic) to 100; an element that hits a race at a "
-          "small speed v leaves it at (1 - alpha v) v. Dry steel has 0.08 to 0.32. Neighbours in "
-          "a bearing without cage, lands with shape errors and contacts whose force is a "
-          "routine's stay elastic"},
+        {{"contactDamping", "material",
+          "energy loss of all normal contacts: material (loss factors and impact losses of the "
+          "materials, squeeze of the oil film), 0 (elastic, for conservation studies: contact "
+          "vibrations do not decay), or the impact loss alpha of all pairs in s/m, above 0 to 100, "
+          "in place of that of the materials; an element that hits a race at a small speed v "
+          "leaves it at about (1 - alpha v) v. Dry steel has 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
+           o.system.contact_damping = 0.0;
+           std::erase(o.effects_off, kContactDamping);
+           if (v == "material") return true;
            double value = 0.0;
            if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;
            o.system.contact_damping = value;
+           if (value == 0.0) o.effects_off.emplace_back(kContactDamping);
            return true;
          }},
         {{"filmStress", "surface",
@@ -269,6 +354,34 @@ const std::vector<Option>& options() {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";
            return true;
+         }},
+        {{"filmLaw", "code",
+          "traction law of oil films: code (that of kTrac), or recommended (that of the code which "
+          "lubricants.json recommends for the same oil; the film stays that of kTrac)"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "code" && v != "recommended") return false;
+           o.recommended_law = v == "recommended";
+           return true;
+         }},
+        {{"filmStressLimit", "on",
+          "limiting shear stress of oil films between elements and races, a share of the pressure "
+          "that each lubricant has (lubricants.json): on, or off (classic laws; friction "
+          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep theirs). off is reported"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "on" && v != "off") return false;
+           o.stress_limit = v == "on";
+           return true;
+         }},
+        {{"lubStressLimit", "none",
+          "limiting shear stress over pressure of the user's lubricant (kTrac 9) at 40 °C, 0.001 "
+          "to 1, or none (0.07 is assumed)"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_optional(v, o.user_limit, 1.0) && o.user_limit.value_or(1.0) >= 1e-3;
+         }},
+        {{"lubStressSoftening", fmt::format("{:g}", defaults.user_softening),
+          "relative decrease of that limit per kelvin, 0 to 0.1 [1/K]"},
+         [](RunOptions& o, std::string_view v) {
+           return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
          }},
         {{"filmPrecision", "single",
           "points of films between elements and races (kTrac; of 12 with iTherm never): single (by "
@@ -323,7 +436,10 @@ const std::vector<Option>& options() {
           "effects that the run leaves out, by their names in `adore plan`, with commas between: "
           "gravity,momentum ledger"},
          [](RunOptions& o, std::string_view v) {
+           const bool elastic = std::count(o.effects_off.begin(), o.effects_off.end(),
+                                           kContactDamping) > 0;  // by contactDamping = 0
            o.effects_off = names_of(v);
+           if (elastic) o.effects_off.emplace_back(kContactDamping);
            return true;
          }},
         {{"userProcess", "0",
@@ -357,6 +473,7 @@ const std::vector<Option>& options() {
            return true;
          }},
     };
+    add_thermal_options(all);
     add_life_options(all);
     return all;
   }();
@@ -373,16 +490,25 @@ std::vector<std::string> option_choices(std::string_view name) {
     for (const auto& [suffix, suffix_code] : kLifeModifications)
       for (const auto& [model, model_code] : kLifeModels)
         out.push_back(std::string(model) + std::string(suffix));
+  if (name == "contactDamping") return {"material"};  // or a number
   if (name == "hertzConstants") return {"moving", "frozen"};
   if (name == "rollerContact") return {"sliced", "point"};
   for (const char* on_or_off : {"resultsH5", "centrifugalGrowth", "userProcess"})
     if (name == on_or_off) return {"1", "0"};
   if (name == "filmStress") return {"surface", "direct"};
+  if (name == "thermalBase") return {"deck", "none"};
+  if (name == "thermalTransient") return {"off", "on"};
+  if (name == "thermalModel") return {"network", "ladder"};
+  for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
+    if (name == open) return {"auto"};
   if (name == "filmPrecision") return {"single", "double"};
+  if (name == "filmLaw") return {"code", "recommended"};
+  if (name == "filmStressLimit") return {"on", "off"};
   if (name == "lifeElements") return {"gz", "all", "none"};
   if (name == "lifeElementTracks") return {"separate", "shared"};
   if (name == "lifeLimitForm") return {"peak", "integral"};
-  for (const char* open : {"lifeLambda", "lifeFilter", "isoKappa", "isoContamination"})
+  for (const char* open :
+       {"lifeLambda", "lifeFilter", "isoKappa", "isoContamination", "lubStressLimit"})
     if (name == open) return {"none"};
   return out;
 }

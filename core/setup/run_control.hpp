@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
+#include "bearing/thermal_inputs.hpp"
 #include "deck/deck.hpp"
 #include "scene/system_options.hpp"
 #include "setup/build_imperfections.hpp"
@@ -54,12 +55,21 @@ struct RunControl {
 struct RunOptions {
   scene::SystemOptions system;
   statics::RollerOptions rollers;
-  double checkpoint_seconds = 10.0;      ///< wall time between checkpoints of FINAL and MASTER
-  bool results_h5 = true;                ///< write RESULTS.h5
-  std::uint64_t seed = kDefaultSeed;     ///< of random imperfections (kReGeoImp 1)
-  bool direct_strips = false;            ///< visco-elastic films without a surface
-  bool single_films = true;              ///< films by floats where that is enough
-  bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
+  double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
+  bool results_h5 = true;             ///< write RESULTS.h5
+  std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)
+  bool direct_strips = false;         ///< visco-elastic films without a surface
+  bool single_films = true;           ///< films by floats where that is enough
+  bool recommended_law = false;       ///< traction by the recommended law of the oil
+  bool stress_limit = true;           ///< films have their limiting shear stress
+  std::optional<double> user_limit;   ///< limiting stress over pressure of the user's lubricant
+  double user_softening = 0.003;      ///< its fall with temperature [1/K]
+  bool centrifugal_growth = true;     ///< speeds widen the rings (bearing::Mounting)
+  bearing::ThermalModel thermal_model = bearing::ThermalModel::Network;
+  bearing::Surroundings surroundings;    ///< of the thermal network
+  bool thermal_base = true;              ///< the place of kBaseTemp is held at baseTemp
+  bool thermal_transient = false;        ///< heat capacities act
+  double thermal_acceleration = 1.0;     ///< thermal over mechanical time of a motion
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out
   bool user_process = false;             ///< a plug-in of --user runs in a process of its own

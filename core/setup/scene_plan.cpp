@@ -1,6 +1,8 @@
 #include "setup/scene_plan.hpp"
 
+#include "bearing/contact_losses.hpp"
 #include "bearing/element_inertia.hpp"
+#include "setup/option_choices.hpp"
 #include "setup/race_motions.hpp"
 #include "tribology/bearing_drag.hpp"
 #include "tribology/lubricant.hpp"
@@ -33,10 +35,16 @@ std::string flange_reason(const deck::Deck& deck) {
   return out;
 }
 
-std::string film_reason(const bearing::Lubrication& lubrication) {
+std::string film_reason(const bearing::Bearing& bearing) {
+  const bearing::Lubrication& lubrication = *bearing.lubrication;
   const tribology::Lubricant oil = tribology::lubricant_of(lubrication);
+  const double T = 0.5 * (bearing.race_temperature[1] + bearing.element_temperature);
+  const double limit = oil.limiting_ratio(T);
   return fmt::format(
-      "kTrac = {}, {}{}", lubrication.code, oil.name,
+      "kTrac = {}, {}; {}{}", lubrication.code, oil.name,
+      limit > 0.0
+          ? fmt::format("limiting shear stress {:.3g} of the pressure at {:.4g} K", limit, T)
+          : std::string("no limiting shear stress"),
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
 }
 
@@ -48,22 +56,41 @@ bool moves_as_sphere(const bearing::Bearing& bearing) {
          one.moments.maxCoeff() - one.moments.minCoeff() <= 1e-9 * one.moments.maxCoeff();
 }
 
-/// Which contacts are damped, and what it means for vibrations where they are not.
-std::string damping_reason(double alpha, const std::string& element,
-                           const bearing::Bearing& bearing) {
-  if (!(alpha > 0.0))
-    return "run option contactDamping = 0: contacts are elastic, so that contact vibrations do not "
-           "decay by themselves; the heights of their peaks in spectra come from the start and "
-           "from the integrator";
-  std::string beside;
-  if (bearing.cage) beside += ", in pockets, at guide lands without shape errors";
+/// "races: loss factor 0.01, impact loss 0.08 s/m"
+std::string losses_of(const char* where, const bearing::Material& a, const bearing::Material& b,
+                      double impact) {
+  const bearing::ContactLosses losses = bearing::contact_losses(a, b);
+  return fmt::format("{}: loss factor {:.2g}, impact loss {:.2g} s/m", where, losses.loss_factor,
+                     impact > 0.0 ? impact : losses.impact_loss);
+}
+
+/// Which contacts are damped. @param impact of the user for all of them [s/m]; 0: of the materials
+std::string damping_reason(double impact, const std::string& element,
+                           const bearing::Bearing& bearing, const std::string& mode,
+                           bool all_balanced, double light_load_ratio) {
+  std::string out = impact > 0.0 ? fmt::format("run option contactDamping = {:g} (in s/m)", impact)
+                                 : std::string("run option contactDamping = material");
+  const bearing::Material& of_element = bearing.element_material;
+  if (all_balanced)
+    out += fmt::format("; none on the races, because {} holds all {}s in balance there", mode,
+                       element);
+  else
+    out += "; " + losses_of("races", of_element, bearing.race_material[1], impact) +
+           (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
+                                                                       : "");
+  if (light_load_ratio > 0.0)
+    out += fmt::format("; {}s that qFac = {:g} holds in balance do not vibrate", element,
+                       light_load_ratio);
   const bearing::RollerGeometry* rollers = bearing.rollers();
-  if (rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1)))
-    beside += ", at flanges";
-  return fmt::format(
-      "run option contactDamping = {:g} (in s/m): {}s on both races{}; {}contacts whose force is a "
-      "routine's stay elastic",
-      alpha, element, beside, bearing.cage ? "" : "neighbours and ");
+  const bool flanges = rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1));
+  if (flanges && !(all_balanced && bearing.type == bearing::Type::Tapered))
+    out += "; " + losses_of("flanges", of_element, bearing.race_material[1], impact);
+  if (!bearing.cage) return out + "; " + losses_of("neighbors", of_element, of_element, impact);
+  out += "; " + losses_of("pockets", of_element, bearing.cage->material, impact);
+  if (bearing.land_traction)
+    out +=
+        "; " + losses_of("guide lands", bearing.cage->material, bearing.race_material[0], impact);
+  return out;
 }
 
 }  // namespace
@@ -140,21 +167,17 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     plan.effects.push_back({id, name, on, std::move(because)});
   };
   effect(Effect::RaceContact, element + " / race contact", true, mode);
-  const double alpha = options.system.contact_damping;
-  const bool held = deck.integer("mode") > 0 || control.light_load_ratio > 0.0;
-  if (alpha > 0.0 && held)
-    throw InputError(fmt::format(
-        "run option contactDamping = {:g}: damping acts on elements that vibrate on their races, "
-        "and {} holds elements in balance, without a rate of approach. Use mode = 0 and qFac = 0 "
-        "on record 2.1, or leave the option out",
-        alpha,
-        deck.integer("mode") > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio)));
-  if (!held)
-    effect(Effect::ContactDamping, "contact damping", alpha > 0.0,
-           damping_reason(alpha, element, bearing));
+  const bool elastic = std::erase(left_out, kContactDamping) > 0;
+  effect(Effect::ContactDamping, kContactDamping, !elastic,
+         elastic
+             ? std::string("run option contactDamping = 0, or effectsOff: contacts are elastic; "
+                           "contact vibrations do not decay, so that largest loads, life and "
+                           "spectra are not those of a real bearing")
+             : damping_reason(options.system.contact_damping, element, bearing, mode,
+                              deck.integer("mode") > 0, control.light_load_ratio));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
-         bearing.lubrication ? film_reason(*bearing.lubrication)
+         bearing.lubrication ? film_reason(bearing)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
   if (bearing.lubrication)
     effect(Effect::RollingResistance, element + " / race rolling resistance",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #ifndef ADORE_CLONES  // core/CMakeLists.txt
 #define ADORE_CLONES
@@ -179,10 +180,19 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   const BallSeat& own = m.seat(ball.site.own);
   const double seat = std::cbrt(own.base_centrifugal * own.base_centrifugal) *
                       std::pow(own.hertz[0].reference().K, -2.0 / 3.0);
-  const std::array<Point, 2> starts{
+  std::vector<Point> starts{
       line.start,
       Point{own.groove.centre_x[0], own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter +
                                         own.groove.offset[0] + seat}};
+  if (!m.field.isZero(0.0)) {  // it may press the ball against the inner race alone
+    const double force = own.mass * m.field.norm();
+    const double depth =
+        std::cbrt(force * force) * std::pow(own.hertz[1].reference().K, -2.0 / 3.0);
+    const auto positions = groove_positions(m, ball.site, 0.0, 0.0, races);
+    const auto& [xi, eta, a, e] = positions[1];
+    starts.push_back(
+        {-(xi * a.x + eta * e.x), -(xi * a.y + eta * e.y) - own.groove.offset[1] - depth});
+  }
   for (Point at : starts) {
     if (newton(m, ball.site, races, accuracy, at)) {
       ball.x = at.x;

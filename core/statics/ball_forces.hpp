@@ -13,9 +13,10 @@
 /// f_j = λ_j M_g/D. Forces on the ball (axial, radial):
 ///   outer -Q_o (sin α_o, cos α_o) + f_o (-cos α_o, sin α_o),  inner Q_i (sin α_i, cos α_i) + f_i
 ///   (cos α_i, -sin α_i),
-/// centrifugal (0, m d_m/2 ω_m²). On the inner race: minus its force, and the moment Rc_i P_x - r_i
-/// f_i about the axis opposite to the circumferential direction. Where K varies with the angle, no
-/// K' term enters and Q acts along the normal, but with Curvature::Potential
+/// centrifugal (0, m d_m/2 ω_m²), in a base frame that turns at Ω with ω_m + Ω for ω_m, and the
+/// field m a of its origin along e_r. On the inner race: minus its force, and the moment Rc_i P_x -
+/// r_i f_i about the axis opposite to the circumferential direction. Where K varies with the angle,
+/// no K' term enters and Q acts along the normal, but with Curvature::Potential
 /// (contact/angle_law.hpp).
 ///
 /// A ball that is about to lose its inner race cannot be driven by it: while Q_i is below 1/1000 of
@@ -140,7 +141,8 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S, P>& f) 
     weight = weight * m.own_speed_share;
     f.spin = rolling.spin;
     f.orbital = m.base_orbital + weight * (rolling.orbital - m.base_orbital);
-    f.gyroscopic = weight * (seat.inertia * f.orbital * rolling.spin * f.beta.sin);
+    f.gyroscopic =
+        weight * (seat.inertia * (f.orbital + m.frame_speed) * rolling.spin * f.beta.sin);
     const S per_race = f.gyroscopic / seat.diameter;
     switch (site.law.share) {
       case SpinLaw::Share::Outer:
@@ -158,7 +160,8 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S, P>& f) 
         break;
     }
   }
-  f.centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * f.orbital * f.orbital;
+  const S turning = f.orbital + m.frame_speed;
+  f.centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;
 }
 
 /// Everything for a ball at (x, r = d_m/2 + rho).
@@ -173,7 +176,7 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
   }
   if (m.moving) {
     add_inertia(m, site, f);
-    f.radial = f.centrifugal;
+    f.radial = f.centrifugal + seat.mass * (m.field.z() * site.cos - m.field.y() * site.sin);
   }
   for (std::size_t j = 0; j < 2; ++j) {
     const ContactState<S>& c = f.contact[j];

@@ -193,4 +193,17 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
   return m;
 }
 
+void set_frame(BallModel& m, double speed, const Eigen::Vector3d& field) {
+  m.frame_speed = speed;
+  m.field = field;
+  m.moving = m.moving || speed != 0.0;
+  const double turning = m.base_orbital + speed;
+  const auto set = [&](BallSeat& seat) {
+    seat.base_centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;
+    seat.window = 1e-3 * seat.base_centrifugal;
+  };
+  set(m);
+  for (BallSeat& seat : m.own) set(seat);
+}
+
 }  // namespace adore::statics

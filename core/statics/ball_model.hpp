@@ -91,6 +91,10 @@ struct BallModel : BallSeat {
   bool exact = true;                   ///< RingKinematics::Exact
   std::array<double, 2> outer_tilt{};  ///< about y, z [rad]
   bool outer_tilted = false;
+  /// Turning base frame: its speed adds to every orbital speed in inertial forces, and the
+  /// transport acceleration of the base origin acts on every ball (field, base axes).
+  double frame_speed = 0.0;                         ///< [rad/s]
+  Eigen::Vector3d field = Eigen::Vector3d::Zero();  ///< [m/s²]
   double base_orbital =
       0.0;  ///< ω_m of a ball that does not follow its own angles (nominal, or unloaded) [rad/s]
   double spin_angle = 0.0;  ///< prescribed pitch angle [rad]
@@ -109,6 +113,10 @@ struct BallModel : BallSeat {
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] BallModel make_ball_model(const bearing::Bearing& bearing,
                                         const StaticsOptions& options);
+
+/// Puts the bearing into a base frame that turns about an axis parallel to X (record 9.5).
+/// @param field acceleration that a body at rest at the base origin feels there [m/s²]
+void set_frame(BallModel& model, double speed, const Eigen::Vector3d& field);
 
 /// Fills own and own_number for the imperfections of the bearing (bearing.imperfections): balls of
 /// other diameter, grooves whose bottom or radius is another at the ball's azimuth.

@@ -1,5 +1,6 @@
 #include "statics/film_doubts.hpp"
 
+#include "base/validity.hpp"
 #include "statics/deck_fault.hpp"
 #include "tribology/viscosity/glass.hpp"
 
@@ -11,6 +12,9 @@ namespace adore::statics {
 namespace {
 
 constexpr const char* kRace[] = {"outer", "inner"};
+
+/// Upper bound of a range of the register of validity.
+double most(const char* id) { return validity::range(id).bounds.most; }
 
 bool glass(double viscosity) {
   return !(viscosity < 0.99 * std::exp(tribology::kLogGlassViscosity));
@@ -31,7 +35,7 @@ std::string beyond_measured(double viscosity) {
   return fmt::format(
       " has {:.3g} Pa s by its law, beyond what is measured (some {:g} Pa s): films, friction and "
       "heat are extrapolations",
-      viscosity, kThickOil);
+      viscosity, most("film.viscosity"));
 }
 
 }  // namespace
@@ -48,7 +52,7 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
       refuse("kTrac", oil +
                           " is a glass (1e12 Pa s): it makes no film, and nothing is known of its "
                           "traction");
-    if (ratio > kNoFilmAnyMore) {
+    if (ratio > most("film.separation")) {
       const std::string why = fmt::format(
           "{} is so thick ({:.3g} Pa s) that its film would be {:.2g} of the radius of the bodies "
           "that it parts: formulas of films, and the contacts themselves, end far below",
@@ -58,12 +62,12 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
                     ". Until thermal steps have warmed it nothing that hangs on this oil can be "
                     "trusted, and they take their heat from it: begin nearer to the temperatures "
                     "that you expect (record 9.1.3)");
-    } else if (ratio > kThickFilm)
+    } else if (ratio > most("film.thickness"))
       out.push_back(fmt::format(
           "{} makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "
           "films are known up to some 0.001: films, lambda, friction and heat are rough there",
           oil, ratio));
-    else if (films.viscosity[j] > kThickOil)
+    else if (films.viscosity[j] > most("film.viscosity"))
       out.push_back(oil + beyond_measured(films.viscosity[j]));
   }
   return out;
@@ -73,7 +77,7 @@ std::string flow_doubt(const std::string& flag, const std::string& oil, double t
                        double viscosity, const std::string& place) {
   const std::string text = at(oil, temperature, place);
   if (glass(viscosity)) refuse(flag, text + " is a glass (1e12 Pa s) and does not flow");
-  return viscosity > kThickOil ? text + beyond_measured(viscosity) : std::string();
+  return viscosity > most("film.viscosity") ? text + beyond_measured(viscosity) : std::string();
 }
 
 }  // namespace adore::statics

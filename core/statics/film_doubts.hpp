@@ -14,9 +14,6 @@
 /// Decisions 681 and 690.
 namespace adore::statics {
 
-inline constexpr double kThickFilm = 3e-3, kNoFilmAnyMore = 0.1;  ///< h/R
-inline constexpr double kThickOil = 1e3;                          ///< [Pa s]
-
 /// What films of these temperatures are for.
 enum class FilmsOf : unsigned char {
   Equilibrium,  ///< mode -1: a race that has no film asks nothing of its oil

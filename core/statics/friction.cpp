@@ -9,7 +9,6 @@
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/film_law.hpp"
-#include "tribology/lubricant_range.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +28,6 @@ using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
 constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
-/// τ <= 0.11 p also of the fluids whose law in motion has no limit (decision 330).
-constexpr double kLimitingRatio = 0.11;
 
 /// The root of an increasing function between two bounds by regula falsi with halving (Illinois).
 template <class F>
@@ -57,21 +54,34 @@ double root_between(const F& f, double low, double high) {
   return x;
 }
 
-/// Heat of an ellipse that creeps freely.
-double free_heat(const tribology::TractionLaw& law, const EllipseGeometry& g, EllipseKinematics m,
-                 const tribology::EllipseRule& rule) {
+/// Traction of an ellipse that creeps freely.
+tribology::EllipseTraction free_traction(const tribology::TractionLaw& law,
+                                         const EllipseGeometry& g, EllipseKinematics m,
+                                         const tribology::EllipseRule& rule) {
   // u_t of a surface point is u + range; no creep beyond it leaves force in one direction only.
   const double middle = m.W_c * g.height(0.0), edge = m.W_c * g.height(g.a);
   const double spin = std::abs(m.W_n) * g.a;
   const double low = std::min(middle, edge) - spin, high = std::max(middle, edge) + spin;
-  if (!(high > low)) return 0.0;
+  if (!(high > low)) return {};
   m.u_t = root_between(
       [&](double u) {
         m.u_t = u;
         return tribology::ellipse_traction(law, g, m, rule).F_t;
       },
       low, high);
-  return tribology::ellipse_traction(law, g, m, rule).heat;
+  return tribology::ellipse_traction(law, g, m, rule);
+}
+
+/// Does the film alone carry the traction of a contact (no metal contact)?
+bool is_film(const tribology::TractionLaw& law, const tribology::FilmContact& film) {
+  tribology::ContactPoint<double> point;
+  point.load = film.load;
+  point.peak_pressure = film.peak_pressure;
+  point.half_major = film.k * film.half_width;
+  point.half_minor = film.half_width;
+  point.entrainment = film.speed;
+  point.curvature = 1.0 / film.radius;
+  return law.has_film() && law.film(point).thinnest > 0.0 && law.film(point).share >= 1.0;
 }
 
 /// What a lubricant's law needs that all contacts of a race share.
@@ -80,10 +90,6 @@ class Oil {
   explicit Oil(const Bearing& bearing) : bearing_(bearing) {
     if (!bearing.lubrication) return;
     oil_ = tribology::lubricant_of(*bearing.lubrication);
-    if (!(oil_->limiting_ratio > 0.0) && oil_->model != tribology::LubricantModel::ViscoElastic) {
-      oil_->limiting_ratio = kLimitingRatio;
-      held_ = true;
-    }
     for (std::size_t j = 0; j < 2; ++j) {
       temperature_[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
       modulus_[j] =
@@ -176,13 +182,10 @@ class Oil {
     return sum;
   }
   [[nodiscard]] const std::string& name() const { return oil_->name; }
-  /// Is its shear held to kLimitingRatio of the pressure here, other than in motion?
-  [[nodiscard]] bool held() const { return held_; }
 
  private:
   const Bearing& bearing_;
   std::optional<tribology::Lubricant> oil_;
-  bool held_ = false;
   std::array<std::array<tribology::RollingResistance, 2>, 2> rolling_;  ///< of points, of lines
   std::array<double, 2> temperature_{}, modulus_{};
   mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
@@ -218,11 +221,6 @@ FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
   out.oil = oil.given();
   if (out.oil) {
     out.law = fmt::format("film of {}, below the critical film {}", oil.name(), curve);
-    if (oil.held())
-      out.notes.push_back(fmt::format(
-          "the shear of the film is held to {:g} of its pressure; the law of the lubricant has no "
-          "limit of its own, and in motion none is added",
-          kLimitingRatio));
   } else {
     out.law = curve;
   }
@@ -231,26 +229,6 @@ FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
         "friction of the cage in pockets and at lands is not in these figures: its loads follow "
         "from the motion (mode 0 to 2)");
   return out;
-}
-
-/// Of contacts pressed beyond what was measured of the lubricant. @param largest by race [Pa]
-void add_range(const Bearing& bearing, const std::array<double, 2>& largest,
-               FrictionEstimate& out) {
-  if (!bearing.lubrication || bearing.lubrication->user) return;
-  const tribology::PressureRange& range = tribology::pressure_range(bearing.lubrication->code);
-  if (!range.measured_to) {
-    out.notes.push_back(
-        fmt::format("to which pressure the traction of this lubricant was measured "
-                    "is not known: {}",
-                    range.source));
-    return;
-  }
-  for (std::size_t j = 0; j < 2; ++j)
-    if (largest[j] > *range.measured_to)
-      out.notes.push_back(fmt::format(
-          "contacts with the {} race are pressed to {:.3g} GPa; the traction of this lubricant was "
-          "measured to {:.3g} GPa ({}): beyond, its law is an extrapolation",
-          j == 0 ? "outer" : "inner", 1e-9 * largest[j], 1e-9 * *range.measured_to, range.source));
 }
 
 void add_drag(const Bearing& bearing, double orbit, double spin, FrictionEstimate& out) {
@@ -295,7 +273,6 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
   const double race_speed =
       0.5 * balls.pitch_diameter * std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
   double orbit = 0.0, spin = 0.0;
-  std::array<double, 2> largest{};
   for (const StaticBall& ball : solution.balls) {
     const auto share = 1.0 / static_cast<double>(solution.balls.size());
     orbit += share * ball.orbital_speed;
@@ -303,7 +280,6 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
-      largest[j] = std::max(largest[j], ball.p_max[j]);
       const double alpha = ball.alpha[j];
       const double groove = 2.0 * balls.groove_factor[j] * R;
       EllipseGeometry g{ball.Q[j], ball.a[j], ball.b[j], 0.0, 0.0};
@@ -320,15 +296,17 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       m.entrainment = film.speed;
       const tribology::TractionLaw law =
           oil.law(j, false, film.radius, ball.b[j] / ball.p_max[j], race_speed);
-      const double all = free_heat(law, g, m, rule);
+      const tribology::EllipseTraction traction = free_traction(law, g, m, rule);
+      const double all = traction.heat;
+      one.load_slip = traction.load_slip;
+      one.of_oil = is_film(law, film);
       EllipseGeometry flat = g;
       flat.rho = 0.0;
-      one.spin = std::min(free_heat(law, flat, m, rule), all);
+      one.spin = std::min(free_traction(law, flat, m, rule).heat, all);
       one.sliding = all - one.spin;
       one.rolling = oil.rolling(j, film, 0.0);
     }
   }
-  add_range(bearing, largest, out);
   add_drag(bearing, orbit, spin, out);
   return out;
 }
@@ -361,14 +339,12 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
   // About the roller axis and in the orbiting frame; signs as for balls: against the outer race.
   const double orbit = solution.orbital_speed;
   const double axis_r = std::sin(-rollers.axis_angle), axis_x = std::cos(rollers.axis_angle);
-  std::array<double, 2> largest{};
   for (std::size_t i = 0; i < solution.rollers.size(); ++i) {
     const StaticRoller& roller = solution.rollers[i];
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       const RollerRaceContact& at = roller.race[j];
       if (!(at.load > 0.0) || !(at.length > 0.0)) continue;
-      largest[j] = std::max(largest[j], at.peak_pressure);
       const double side = j == 0 ? 1.0 : -1.0;
       const double angle = rollers.race_angle[j];
       const double n_x = side * std::sin(angle), n_r = side * std::cos(angle);
@@ -405,9 +381,15 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       g.rho = tribology::surface_radius(crown, groove);
       if (!(g.rho > g.a)) g.rho = 0.0;
       const auto heat_of = [&](const EllipseGeometry& surface) {
-        if (!line) return free_heat(law, surface, m, tribology::make_split_ellipse_rule(30, 8));
+        if (!line) {
+          const tribology::EllipseTraction traction =
+              free_traction(law, surface, m, tribology::make_split_ellipse_rule(30, 8));
+          one.load_slip = traction.load_slip;
+          return traction.heat;
+        }
         const auto sum = [&](double creep, bool heat) {
           double total = 0.0;
+          one.load_slip = 0.0;
           for (std::size_t s = 0; s < at.slice_load.size(); ++s) {
             if (!(at.slice_load[s] > 0.0)) continue;
             const double xi = solution.slice_position[s];
@@ -417,6 +399,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
             // A start of the law with friction at rest is rounded over a small slip.
             const double rounded = std::hypot(slip, std::sqrt(law.slip_floor()));
             total += at.slice_load[s] * kappa * (heat ? slip * slip : slip) / rounded;
+            one.load_slip += at.slice_load[s] * std::abs(slip);
           }
           return total;
         };
@@ -424,10 +407,12 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
         const double creep = root_between([&](double c) { return sum(c, false); }, -reach, reach);
         return sum(creep, true);
       };
-      const double all = heat_of(g);
       EllipseGeometry flat = g;
       flat.rho = 0.0;
-      one.spin = std::min(heat_of(flat), all);
+      const double flat_heat = heat_of(flat);
+      const double all = heat_of(g);  // last: it leaves the load x slip of the contact
+      one.spin = std::min(flat_heat, all);
+      one.of_oil = is_film(law, film);
       one.sliding = all - one.spin;
       one.rolling = oil.rolling(j, film, at.length);
       for (std::size_t at_end = 0; at_end < 2; ++at_end) {
@@ -445,7 +430,6 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       }
     }
   }
-  add_range(bearing, largest, out);
   add_drag(bearing, orbit, std::abs(solution.spin_speed), out);
   return out;
 }

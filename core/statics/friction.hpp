@@ -19,8 +19,7 @@
 /// `spin` is that of W_n alone (curvature left out), the rest `sliding`.
 /// Oil in the inlet resists rolling and takes 2 F u (tribology/laws/rolling_resistance.hpp: the law
 /// of motion, too).
-/// No film carries more shear than 0.11 of its pressure here, also of the fluids whose law in
-/// motion has no limit: kTrac 1 has a coefficient far above 1 at 2.5 GPa (decision 330).
+/// Films have the law and the limiting stress of motion (tribology/film_law.hpp).
 /// Flanges: Q κ(u) u [W] at the slip u = |W r_X - σ ω ρ| [m/s], κ of record 10.2: W the race's
 /// speed against the row [rad/s], r_X = r + s sin θ + σ ρ cos θ the contact from the bearing axis,
 /// r and θ middle and tilt of the roller, s = ±L/2 its end, ρ the contact from the roller's axis
@@ -35,6 +34,8 @@ struct RollerSolution;
 
 struct FrictionOfContact {
   double spin = 0.0, sliding = 0.0, rolling = 0.0;  ///< [W]
+  double load_slip = 0.0;                           ///< ∫ p u dA of spin and sliding [W]
+  bool of_oil = false;  ///< the friction coefficient is that of an oil film, without metal contact
   [[nodiscard]] double total() const noexcept { return spin + sliding + rolling; }
 };
 
@@ -70,9 +71,8 @@ struct FrictionEstimate {
 /// ratio^0.35 in six contacts up to a ratio of 2.5 (exponents 0.1 to 0.30, and 0.32 with what a
 /// finer grid changes; theory/tribology.md 2a); beyond, it is extrapolated.
 [[nodiscard]] double rolling_excess(double over_strips);
-/// From which on outputs doubt the law of points [choice]: it is 1.1 to 1.3 where it agrees with
-/// measured torques.
-inline constexpr double kTrustedOverStrips = 2.0;
+/// Outputs doubt the law of points beyond the range "rolling.strips" (base/validity.hpp): it is 1.1
+/// to 1.3 where it agrees with measured torques.
 [[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
                                                  const RollerSolution& solution);
 

@@ -126,9 +126,12 @@ Forces<S> forces_of(const RollerModel& m, const RollerState& at, const Pose<S>& 
     add(contacts.flanges[j], j, false);
   }
   if (m.moving) {
-    sum.residual[0] += S(m.guide[0]);
-    sum.residual[1] += S(m.centrifugal + m.guide[1]);
-    sum.residual[2] += m.centrifugal * m.mass_offset * pose.roller.over_tilt_r + m.gyroscopic;
+    const double field = m.mass * (m.field.z() * at.cos - m.field.y() * at.sin);
+    const double outward = m.centrifugal + field;
+    const double guided = m.centrifugal > 0.0 ? outward / m.centrifugal : 1.0;
+    sum.residual[0] += S(guided * m.guide[0]);
+    sum.residual[1] += S(outward + guided * m.guide[1]);
+    sum.residual[2] += outward * m.mass_offset * pose.roller.over_tilt_r + m.gyroscopic;
   }
   return sum;
 }

@@ -141,12 +141,14 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b, bool guide) {
   const double half = 0.5 * g.diameter * std::cos(g.axis_angle);
   m.speeds = contact::rolling_speeds({0.5 * g.pitch_diameter + half, 0.5 * g.pitch_diameter - half},
                                      g.diameter, g.axis_angle, b.speed);
-  m.moving = m.speeds.orbital != 0.0;
+  m.moving = m.speeds.orbital != 0.0 || m.frame_speed != 0.0;
   m.mass = b.element_inertia.mass;
   m.mass_offset = b.roller_mass_offset;
   const double radius = 0.5 * g.pitch_diameter - m.mass_offset * std::sin(g.axis_angle);
-  m.centrifugal = m.mass * radius * m.speeds.orbital * m.speeds.orbital;
-  m.gyroscopic = contact::gyroscopic_moment(m.speeds, g.axis_angle, b.element_inertia.moments.x(),
+  contact::RollingSpeeds absolute = m.speeds;
+  absolute.orbital += m.frame_speed;
+  m.centrifugal = m.mass * radius * absolute.orbital * absolute.orbital;
+  m.gyroscopic = contact::gyroscopic_moment(absolute, g.axis_angle, b.element_inertia.moments.x(),
                                             b.element_inertia.moments.y())
                      .y();
   const bool stopped = g.flange[0][0].has_value() || g.flange[1][0].has_value();
@@ -191,6 +193,13 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   m.lever = 0.25 * length;
   m.longest_step = 5e-3 * g.diameter + 0.25 * std::abs(g.clearance);
   return m;
+}
+
+void set_frame(RollerModel& m, const bearing::Bearing& b, bool guide, double speed,
+               const Eigen::Vector3d& field) {
+  m.frame_speed = speed;
+  m.field = field;
+  add_inertia(m, b, guide);
 }
 
 void add_race(const RollerModel& m, const RollerBody& body, std::size_t j, const Vec4& p,

@@ -45,6 +45,10 @@ struct RollerModel {
   /// roller is held by guide ring or cage, F_c sin α_o (cos α_o, -sin α_o) in x and r [N].
   std::array<double, 2> guide{};
   bool moving = false;
+  /// Turning base frame: its speed adds to the orbital speed in inertial forces, and the transport
+  /// acceleration of the base origin acts on every roller (base axes).
+  double frame_speed = 0.0;                         ///< [rad/s]
+  Eigen::Vector3d field = Eigen::Vector3d::Zero();  ///< [m/s²]
 
   double line_stiffness = 0.0;  ///< K L^(8/9), the stiffer race [N m^(-10/9)]
   double lever = 0.0;           ///< of a roller's tilt [m/rad]
@@ -72,6 +76,12 @@ struct RollerModel {
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);
+
+/// Puts the bearing into a base frame that turns about an axis parallel to X (record 9.5).
+/// @param guide as RollerOptions::guide
+/// @param field acceleration that a body at rest at the base origin feels there [m/s²]
+void set_frame(RollerModel& model, const bearing::Bearing& bearing, bool guide, double speed,
+               const Eigen::Vector3d& field);
 
 /// Adds what race j does to a roller of this body at p, by the contact and the kinematics of the
 /// model. `each`: empty, or as many as RollerModel::results.

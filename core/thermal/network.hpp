@@ -1,13 +1,17 @@
 #pragma once
 
+#include "thermal/contact_conductance.hpp"
+
 #include <array>
+#include <string>
+#include <vector>
 
 /// Steady temperatures of a bearing for given heat sources: shaft, races, elements, cage, housing
 /// and coolant. SI, kelvin. Conduction is radial, R = ln(r_out/r_in)/(2π k w).
 ///
-/// Heat sources are averages over a thermal step, shared out with e_re (of a race or flange contact
-/// into the element), e_cage (of element/cage heat into the cage), e_land (of land heat into the
-/// cage):
+/// Heat sources are averages over a thermal step. The ladder shares them out with e_re (of a race
+/// or flange contact into the element), e_cage (of element/cage heat into the cage), e_land (of
+/// land heat into the cage):
 ///   elements  Hb = e_re (Qo + Qi + Qf1 + Qf2) + (1 - e_cage) Qrc
 ///   cage      Hc = e_cage Qrc + e_land (Ql1 + Ql2)
 ///   outer     Ho = (1 - e_re)(Qo + Qf1) + (1 - e_land) Ql1,   inner likewise
@@ -32,7 +36,7 @@ struct HeatSources {
   }
 };
 
-/// Shares [choice]: halves.
+/// Shares of the ladder and of the reference cases [choice]: halves.
 struct HeatSplit {
   double element = 0.5, cage = 0.5, land = 0.5;
 };
@@ -44,8 +48,9 @@ struct HeatFlows {
 [[nodiscard]] HeatFlows share_out(const HeatSources& sources, const HeatSplit& split);
 
 /// Which temperature is given (kBaseTemp).
-enum class BaseNode : unsigned char {
-  OuterInterface,  ///< outer race at the housing
+enum class BaseNode : signed char {
+  None = -1,           ///< run option thermalBase=none
+  OuterInterface = 0,  ///< outer race at the housing
   HousingOutside,
   CoolantOut,
   CoolantIn,
@@ -58,14 +63,18 @@ struct NetworkTemperatures {
   double element = 0.0, cage = 0.0;
   double outer_raceway = 0.0, outer_interface = 0.0, housing = 0.0;
   double inner_raceway = 0.0, inner_interface = 0.0, shaft = 0.0;
+  double housing_seat = 0.0, shaft_seat = 0.0;  ///< of housing and shaft at their races
 };
 
-/// The ladder: with the flows fixed, one known temperature gives all (default; reproduces the
-/// manual's single base) [choice].
+/// The ladder (run option thermalModel=ladder; the manual's single base): with the flows fixed, one
+/// known temperature gives all [choice].
 ///   T_out = T_in + H/(ṁ c_p), T_mean between; element and cage above it by Hb/(h A), Hc/(h A);
 ///   raceways follow the elements; rings fall by Ho R, Hi R towards housing and shaft.
 /// Without coolant flow Hb + Hc + Qchurn goes to both races in halves, and all but the rings have
 /// one temperature.
+/// It has no sinks and no balance: both raceways share one temperature, and a flow that its ring
+/// cannot pass on makes nodes colder than everything around them. solve_guarded_ladder prevents the
+/// latter.
 struct Ladder {
   NetworkRings rings;
   HeatFlows flows;
@@ -73,18 +82,92 @@ struct Ladder {
   double element_film = 0.0, cage_film = 0.0;  ///< h A [W/K]; > 0 with coolant
   BaseNode base = BaseNode::OuterInterface;
   double base_temperature = 0.0;  ///< [K]
-  /// Of the inner race's heat, what cannot leave by the shaft: it goes by elements to the coolant,
-  /// or, where none flows, by the outer race [W].
-  double turned_back = 0.0;
+  /// Heat of each race that cannot leave through its ring: it goes by the elements to the coolant,
+  /// or, where none flows, by the other race [W].
+  std::array<double, 2> turned_back{};
 };
 struct LadderResult {
   NetworkTemperatures temperature;
   HeatFlows flows;  ///< as they then flow
+  std::array<double, 2> turned_back{};
+  bool clamped = false;  ///< nodes of a ring are held at the coldest given temperature
 };
 [[nodiscard]] LadderResult solve_ladder(const Ladder& ladder);
+/// The same, with no ring, housing or shaft colder than the coldest of base temperature, room and
+/// coolant inlet: the heat that would make them so is turned back; where nothing else can take it
+/// (no coolant, base on that side), they are held at that temperature.
+/// @param room [K]; 0: not known
+[[nodiscard]] LadderResult solve_guarded_ladder(Ladder ladder, double room);
 
-/// The closed network: housing outside, shaft inside and coolant inlet given; elements and races
-/// joined by contact conductances.
+/// The network of a bearing (theory/thermal.md 6.5). Nodes: shaft inside and at the ring, inner
+/// ring at the shaft, inner raceway, elements, cage, outer raceway, outer ring at the housing,
+/// housing at the ring and outside, the oil or air in the bearing, and one film for all contacts
+/// with each race, flanges of each race, pockets, and lands at each race.
+/// Links: radial conduction, fits, contacts (contact_conductance.hpp), convection to the medium.
+/// Boundaries: ambient, coolant inlet, and the place whose temperature the deck gives (kBaseTemp).
+/// Sources: contact heat in its film; churning in the medium. The network decides which body takes
+/// it.
+/// Coolant: the flow passes bodies of mean temperature T* with ṁ c_p dT = h A (T* - T), so that
+///   Q = ṁ c_p (1 - e^-N) (T* - T_in), N = Σ h A/(ṁ c_p);
+///   with the mean along the flow as node, Q = G_in (T_mean - T_in),
+///   G_in = ṁ c_p (1 - e^-N)/(1 - (1 - e^-N)/N), from 2 ṁ c_p (N -> 0) to ṁ c_p (N -> ∞), and
+///   T_out = T_in + Q/(ṁ c_p) is between T_mean and T* [derived].
+/// Where the exit is given (kBaseTemp 2) the inlet follows: T_out is linear in T_in.
+struct BearingNetwork {
+  NetworkRings rings;
+  HeatSources sources;
+  std::array<double, 2> joint{};               ///< ring to housing, to shaft [W/K]
+  std::array<double, 2> to_ambient{};          ///< housing outside, shaft at the ring [W/K]
+  double ambient = 0.0;                        ///< [K]
+  std::array<FilmConductance, 2> race{};       ///< element, race
+  std::array<FilmConductance, 2> flange{};     ///< element, race
+  std::array<FilmConductance, 2> land{};       ///< cage, race
+  FilmConductance pocket;                      ///< element, cage
+  double element_film = 0.0, cage_film = 0.0;  ///< h A to the medium [W/K]
+  std::array<double, 2> race_film{};           ///< of the raceways [W/K]
+  double capacity_flow = 0.0;                  ///< ṁ c_p; 0: nothing flows [W/K]
+  double coolant_in = 0.0;                     ///< [K]; not for BaseNode::CoolantOut
+  BaseNode base = BaseNode::OuterInterface;
+  double base_temperature = 0.0;  ///< [K]
+  bool cage = false;
+  /// Heat capacities [J/K], for steps in time: each race, housing and shaft in halves at both of
+  /// their surfaces.
+  struct Capacities {
+    std::array<double, 2> race{}, mate{};
+    double element = 0.0, cage = 0.0;
+  };
+  Capacities capacity;
+};
+/// A step in time of a network with heat capacities.
+struct TransientStep {
+  std::vector<double> before;  ///< by node; empty: from `start`
+  NetworkTemperatures start;   ///< of the parts before the first step [K]
+  double duration = 0.0;       ///< [s]
+};
+struct NodeTemperature {
+  std::string name;
+  double temperature = 0.0;  ///< [K]
+};
+struct NodeFlow {
+  std::string from, to;
+  double heat = 0.0;  ///< [W], either sign
+};
+struct BearingNetworkResult {
+  NetworkTemperatures temperature;
+  HeatFlows flows;  ///< through both rings; of elements, cage and all into the coolant
+  std::vector<NodeTemperature> nodes;
+  std::vector<NodeFlow> links;
+  std::vector<NodeFlow> leaving;  ///< to: what takes the heat, coolant, ambient or the base
+  std::vector<double> state;      ///< temperature by node, for TransientStep::before [K]
+  double stored = 0.0;            ///< heat that stays in the parts; 0: steady [W]
+};
+/// @throws InputError when heat of a node has no path out
+/// @param step null: steady
+[[nodiscard]] BearingNetworkResult solve_bearing_network(const BearingNetwork& network,
+                                                         const TransientStep* step = nullptr);
+
+/// The network of the reference cases (`adore calc thermal_network`): housing outside, shaft inside
+/// and coolant inlet given; elements and races joined by contact conductances.
 struct NodalNetwork {
   NetworkRings rings;
   HeatFlows flows;

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/ball_statics.hpp"
 #include "thermal/operating.hpp"
+#include "thermal/relaxation.hpp"
 #include "thermal/too_cold.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +32,6 @@ Field less(const Field& a, const Field& b) {
   for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] - b[k];
   return out;
 }
-double dot(const Field& a, const Field& b) {
-  double out = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) out += a[k] * b[k];
-  return out;
-}
 
 /// What one pass finds.
 struct Pass {
@@ -46,20 +42,9 @@ struct Pass {
 
 Pass one_pass(const Bearing& as_built, const BulkTemperatures& bulk,
               const statics::RollerOptions& rollers) {
-  Pass out;
-  out.operating = bearing_at(as_built, bulk, as_built.thermal->geometry_every > 0);
-  double orbit = 0.0;
-  if (out.operating.rollers()) {
-    const auto solution = statics::solve_roller_statics(out.operating, rollers);
-    orbit = solution.orbital_speed;
-    out.friction = statics::friction_estimate(out.operating, solution);
-  } else {
-    const auto solution = statics::solve_ball_statics(out.operating);
-    for (const statics::StaticBall& ball : solution.balls)
-      orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
-    out.friction = statics::friction_estimate(out.operating, solution);
-  }
-  out.heat = solve_bearing_heat(out.operating, heat_sources(out.friction), orbit);
+  OperatingState at = operating_state(as_built, bulk, rollers);
+  Pass out{std::move(at.bearing), std::move(at.friction), {}};
+  out.heat = solve_bearing_heat(out.operating, heat_sources(out.friction), at.orbit, at.contact);
   return out;
 }
 
@@ -89,6 +74,27 @@ constexpr const char* kRemedy =
 
 }  // namespace
 
+OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& bulk,
+                               const statics::RollerOptions& rollers) {
+  OperatingState out;
+  out.bearing = bearing_at(as_built, bulk, as_built.thermal->geometry_every > 0);
+  const auto take = [&](const auto& solution) {
+    out.contact = race_conductance(out.bearing, solution);
+    out.friction = statics::friction_estimate(out.bearing, solution);
+  };
+  if (out.bearing.rollers()) {
+    const auto solution = statics::solve_roller_statics(out.bearing, rollers);
+    out.orbit = solution.orbital_speed;
+    take(solution);
+  } else {
+    const auto solution = statics::solve_ball_statics(out.bearing);
+    for (const statics::StaticBall& ball : solution.balls)
+      out.orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
+    take(solution);
+  }
+  return out;
+}
+
 HeatSources heat_sources(const statics::FrictionEstimate& friction) {
   HeatSources out;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -117,8 +123,7 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
   SteadyState out;
   out.gain = std::numeric_limits<double>::quiet_NaN();
   std::optional<Pass> last;
-  Field residual{};
-  double factor = 1.0;
+  Relaxation relaxation;
   for (int pass = 1;; ++pass) {
     if (each_pass) each_pass();
     Pass now;
@@ -137,17 +142,6 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
     const Field r = less(now.heat.bulk.list(), at.list());
     out.passes = pass;
     out.change = largest(r);
-    if (std::isfinite(out.change) && pass > 1) {
-      // r falls by (1 - gain) of each step, step = factor × residual.
-      const Field d = less(r, residual);
-      const double square = dot(d, d);
-      if (square > 0.0) {
-        const double slope = dot(residual, d) / (factor * dot(residual, residual));
-        out.gain = 1.0 + slope;
-        const double wanted = -factor * dot(residual, d) / square;
-        factor = wanted > 0.0 ? std::clamp(wanted, 0.05, 3.0) : 1.0;
-      }
-    }
     if (out.change < kTolerance) {
       if (const std::string cold = too_cold(now.heat); !cold.empty())
         give_up(cold, pass, last, out.gain);
@@ -158,15 +152,12 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
       out.operating = std::move(now.operating);
       return out;
     }
-    if (const std::string hot = runaway(now.heat.bulk); !hot.empty() || !std::isfinite(out.change))
-      give_up(fmt::format("temperatures run away ({})", hot), pass, last, out.gain);
+    if (!std::isfinite(out.change)) give_up("temperatures are not finite", pass, last, out.gain);
     if (pass == kPasses)
       give_up(fmt::format("temperatures still change by {:.3g} K", out.change), pass, last,
               out.gain);
-    Field next = at.list();
-    for (std::size_t k = 0; k < next.size(); ++k) next[k] = std::max(next[k] + factor * r[k], 1.5);
-    residual = r;
-    at = BulkTemperatures::of(next);
+    at = BulkTemperatures::of(relaxation.step(at.list(), now.heat.bulk.list()));
+    if (pass > 1) out.gain = relaxation.gain;
     if (const std::string hot = runaway(at); !hot.empty())
       give_up(fmt::format("temperatures run away ({})", hot), pass, last, out.gain);
   }

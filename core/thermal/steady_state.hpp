@@ -36,6 +36,18 @@ struct SteadyState {
                                              const statics::RollerOptions& rollers = {},
                                              const std::function<void()>& each_pass = {});
 
+/// The bearing at given temperatures of its parts, in equilibrium.
+struct OperatingState {
+  bearing::Bearing bearing;
+  statics::FrictionEstimate friction;
+  double orbit = 0.0;       ///< mean orbital speed of the elements [rad/s]
+  RaceConductance contact;  ///< of the race contacts [W/K]
+};
+/// @throws InputError, SolverError where the bearing has no equilibrium at these temperatures
+[[nodiscard]] OperatingState operating_state(const bearing::Bearing& as_built,
+                                             const BulkTemperatures& bulk,
+                                             const statics::RollerOptions& rollers);
+
 /// Heat of an estimate where it arises.
 [[nodiscard]] HeatSources heat_sources(const statics::FrictionEstimate& friction);
 

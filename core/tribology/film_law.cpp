@@ -88,7 +88,7 @@ HeatedFilm heated_film(const Lubricant& oil, double T) {
   out.half_alpha = 0.5 * oil.traction_alpha;
   out.heating = std::sqrt(std::max(oil.pressed_beta(0.0, T), kLeastBeta) * out.viscosity /
                           (8.0 * oil.conductivity.at(T)));
-  out.limit = LimitedTraction::at(oil.limiting_ratio);
+  out.limit = LimitedTraction::at(oil.limiting_ratio(T));
   return out;
 }
 
@@ -97,7 +97,7 @@ MeasuredFilm measured_film(const Lubricant& oil, double T) {
   MeasuredFilm out;
   out.log_viscosity = fits.log_viscosity;
   out.log_heating = fits.log_heating;
-  out.limit = LimitedTraction::at(oil.limiting_ratio);
+  out.limit = LimitedTraction::at(oil.limiting_ratio(T));
   return out;
 }
 
@@ -105,7 +105,7 @@ ThinningFilm thinning_film(const Lubricant& oil, double T) {
   demand(oil.carreau_a == 2.0, "shear thinning with a = 2");
   const MeasuredFits fits = measured_fits(oil, T);
   return {fits.log_viscosity, fits.log_heating, oil.carreau_G * T / oil.carreau_TR,
-          0.5 * (oil.carreau_n - 1.0), LimitedTraction::at(oil.limiting_ratio)};
+          0.5 * (oil.carreau_n - 1.0), LimitedTraction::at(oil.limiting_ratio(T))};
 }
 
 TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,

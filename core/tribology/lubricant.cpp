@@ -19,6 +19,9 @@ using Json = nlohmann::json;
 constexpr double kSofteningReference = 313.15, kBetaReference = 313.0;
 /// ln(μ/μ0) of Barus' law in visco-elastic films goes no further: e^27.6 is 1e12.
 constexpr double kLogBarusCap = 27.6;
+/// Least Λ: the eighth power of laws/limited.hpp leaves the range of floats below 2e-4. Oils have
+/// 0.03 and more. Only a user's lubricant with a large softening gets there.
+constexpr double kLeastLimit = 1e-3;
 
 double number(const Json& block, const char* key) {
   return block.at(key).at("value").get<double>();
@@ -97,8 +100,11 @@ Lubricant parse(const Json& entry) {
   if (entry.contains("viscosity")) out.pressed = law_of(entry.at("viscosity"), entry);
   out.base = base.at("law") == "fromViscosityLaw" ? out.pressed : law_of(base, entry);
   const Json& traction = entry.at("traction");
-  if (traction.contains("limitingStressRatio"))
-    out.limiting_ratio = number(traction, "limitingStressRatio");
+  if (entry.contains("limitingStress")) {
+    const Json& limit = entry.at("limitingStress");
+    out.limit = {number(limit, "ratio"), number(limit, "softening"), number(limit, "refTemp"),
+                 limit.at("ratio").at("provenance").get<std::string>()};
+  }
   switch (out.model) {
     case LubricantModel::NewtonianThermal:
       out.traction_alpha = number(traction, "alphaT");
@@ -152,6 +158,10 @@ const std::map<int, Lubricant>& table() {
 
 }  // namespace
 
+double StressLimit::at(double temperature) const {
+  return ratio * std::exp(-softening * (temperature - reference));
+}
+
 double LubricantProperty::at(double temperature) const {
   if (T.empty()) {
     if (k1 == 0.0) return k0;
@@ -181,6 +191,12 @@ double Lubricant::pressed_beta(double pressure, double T) const {
   return pressed.temperature_coefficient(pressure, T);
 }
 
+double Lubricant::limiting_ratio(double T) const {
+  if (model != LubricantModel::ViscoElastic)
+    return limit.ratio > 0.0 ? std::max(limit.at(T), kLeastLimit) : 0.0;
+  return sinh_law ? 0.0 : stress_p * std::exp(-softening * (T - kSofteningReference));
+}
+
 const Lubricant& lubricant(int code) {
   const auto found = table().find(code);
   if (found == table().end()) {
@@ -207,12 +223,41 @@ Lubricant user_lubricant(const bearing::UserLubricant& given) {
   out.traction_viscosity = given.traction_viscosity;
   out.traction_reference = given.T0;
   out.traction_decay = out.film_beta = given.traction_beta;
+  out.limit = {given.limit_ratio.value_or(kUserLimit), given.limit_softening, kSofteningReference,
+               given.limit_ratio ? "given" : "estimated"};
   out.provenance = "given";
   return out;
 }
 
 Lubricant lubricant_of(const bearing::Lubrication& lubrication) {
-  return lubrication.user ? user_lubricant(*lubrication.user) : lubricant(lubrication.code);
+  Lubricant out =
+      lubrication.user ? user_lubricant(*lubrication.user) : lubricant(lubrication.code);
+  if (lubrication.recommended && !lubrication.user) {
+    const int code = oil_of(lubrication.code).recommended;
+    if (code != lubrication.code) {
+      Lubricant traction = lubricant(code);  // with the inlet of the code of the deck
+      traction.base = out.base;
+      traction.code = out.code;
+      traction.name = fmt::format("{}, traction law of kTrac {}", out.name, code);
+      out = std::move(traction);
+    }
+  }
+  if (!lubrication.stress_limit) out.limit = {};
+  return out;
+}
+
+Oil oil_of(int code) {
+  static const std::vector<Oil> kOils = [] {
+    std::vector<Oil> out;
+    const Json json = Json::parse(resources::get("lubricants.json"));
+    for (const Json& entry : json.at("oils"))
+      out.push_back({entry.at("name").get<std::string>(), entry.at("codes").get<std::vector<int>>(),
+                     entry.at("recommended").get<int>(), entry.at("why").get<std::string>()});
+    return out;
+  }();
+  for (const Oil& one : kOils)
+    if (std::find(one.codes.begin(), one.codes.end(), code) != one.codes.end()) return one;
+  return {lubricant(code).name, {code}, code, {}};
 }
 
 std::vector<int> lubricant_codes() {

@@ -37,6 +37,17 @@ struct LubricantSource {
   std::string unit, provenance, source;
 };
 
+/// Limiting shear stress τ_L = Λ(T) p (laws/limited.hpp), T the temperature of the walls:
+/// Λ = ratio exp(-softening (T - reference)). ViscoElastic: the law has its own (stress, stress_p).
+struct StressLimit {
+  double ratio = 0.0;         ///< Λ at the reference; 0: no limit
+  double softening = 0.0;     ///< [1/K]
+  double reference = 313.15;  ///< [K]
+  std::string provenance;     ///< of the ratio
+
+  [[nodiscard]] double at(double temperature) const;
+};
+
 struct Lubricant {
   int code = 0;
   std::string name;
@@ -52,8 +63,7 @@ struct Lubricant {
   // ViscoElastic: G = (G0 + Gp p) e, τ0 = (τ00 + τ0p p) e, e = exp(-bT (T - 313.15 K))
   bool sinh_law = false;  ///< else atanh: τ0 is a limiting stress
   double modulus = 0.0, modulus_p = 0.0, stress = 0.0, stress_p = 0.0, softening = 0.0;
-  /// τ <= Λ p, smooth minimum of fourth order; 0: no limit.
-  double limiting_ratio = 0.0;
+  StressLimit limit;
 
   std::vector<LubricantSource> sources;
   std::string provenance;  ///< weakest word: "seen", "recalled", "estimated"; "given" by the user
@@ -65,13 +75,29 @@ struct Lubricant {
   [[nodiscard]] double pressed_viscosity(double pressure, double T) const;
   /// β of the film's own heating, -∂ln μ/∂T [1/K].
   [[nodiscard]] double pressed_beta(double pressure, double T) const;
+  /// Limiting shear stress over pressure at high pressure, Λ(T); 0: no limit.
+  [[nodiscard]] double limiting_ratio(double T) const;
 };
 
 /// @throws InputError naming the codes of the table
 [[nodiscard]] const Lubricant& lubricant(int code);
+/// Λ at 40 °C of a user's lubricant without one of its own: middle of mineral oils (0.06 to 0.09
+/// between discs, Johnson & Cameron 1967 [recalled, medium]) and esters (0.03 to 0.08) [choice].
+inline constexpr double kUserLimit = 0.07;
 [[nodiscard]] Lubricant user_lubricant(const bearing::UserLubricant& given);
-/// The lubricant of a deck: of the table, or the user's.
+/// The lubricant of a deck: of the table, or the user's, without a stress limit if the run has
+/// none.
 [[nodiscard]] Lubricant lubricant_of(const bearing::Lubrication& lubrication);
+
+/// Codes that describe one oil, and the one whose traction law is recommended.
+struct Oil {
+  std::string name;
+  std::vector<int> codes;  ///< ascending
+  int recommended = 0;
+  std::string why;
+};
+/// The oil of a code of the table; of one that no other code describes the code alone.
+[[nodiscard]] Oil oil_of(int code);
 
 /// All codes of the table, ascending (9, the user's, is not among them).
 [[nodiscard]] std::vector<int> lubricant_codes();

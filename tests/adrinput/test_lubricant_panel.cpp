@@ -17,6 +17,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace adore;
@@ -71,7 +72,7 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   CHECK(panel->chart().chartScene().page().panels.empty());  // hidden: nothing is computed
   dock->show();
   panel->drawNow();
-  CHECK(panel->chart().chartScene().page().panels.size() == 1);
+  CHECK(panel->chart().chartScene().page().panels.size() == 2);
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
   const std::string lubricant = panel->chart().chartScene().page().title;
   const auto whole = desktop::lubricant_pages(*calculators::lubricant_contact(in_oil("4")));
@@ -126,8 +127,24 @@ TEST_CASE("the lubricant of records 10.4 has the charts of a table's one, or say
   const desktop::ChartPage& page = panel.chart().chartScene().page();
   REQUIRE(page.panels.size() == 1);
   CHECK(page.title == "mine");
-  CHECK(page.panels[0].log);  // a law without a limit: hundreds at 2 GPa
-  CHECK_THAT(page.note, Catch::Contains("no limit") && !Catch::Contains("measurements end"));
+  // The limit that is assumed for a user's lubricant; without it hundreds at 2 GPa.
+  const auto most = [](const desktop::ChartPage& of) {
+    double out = 0.0;
+    for (const auto& one : of.panels[0].curves)
+      for (const double y : one.y) out = std::max(out, y);
+    return out;
+  };
+  CHECK_FALSE(page.panels[0].log);
+  CHECK(most(page) <= tribology::kUserLimit);
+  CHECK(most(page) > 0.8 * tribology::kUserLimit);
+  CHECK_THAT(page.note, !Catch::Contains("measurements end"));
+  auto free = calculators::lubricant_contact(deck);
+  REQUIRE(free);
+  free->stress_limit = false;
+  const desktop::ChartPage unlimited =
+      desktop::lubricant_pages(*free, desktop::LubricantTitle::Lubricant).front();
+  CHECK(unlimited.panels[0].log);
+  CHECK_THAT(unlimited.note, Catch::Contains("no limiting shear stress"));
   panel.findChild<QComboBox*>("lubricant-page")->setCurrentIndex(1);
   const auto& curve = panel.chart().chartScene().page().panels[0].curves[1].y;
   // 350 K: the traction's viscosity, of type I.

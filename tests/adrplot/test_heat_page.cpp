@@ -24,9 +24,9 @@ results::StaticTables network(results::UnitSystem units) {
                                 {"inner race at the shaft", 327.0},
                                 {"shaft inside", 321.0}})
     table.add(name, unit::kTemperature, {T});
-  table.add("rolling elements to coolant", unit::kPower, {70.0});
-  table.add("outer raceway to housing", unit::kPower, {30.0});
-  table.add("inner raceway to shaft", unit::kPower, {40.0});
+  table.add("rolling elements to coolant mean", unit::kPower, {70.0});
+  table.add("outer raceway to outer race at the housing", unit::kPower, {30.0});
+  table.add("inner raceway to inner race at the shaft", unit::kPower, {40.0});
   table.add("made at the outer race", unit::kPower, {60.0});
   table.add("made in the pockets", unit::kPower, {0.0});
   table.add("mean of the outer race", unit::kTemperature, {329.0});
@@ -59,21 +59,24 @@ TEST_CASE("the picture of the network has each node with its temperature, each f
     CHECK(curve.x.size() == curve.y.size());
   // Ten squares of six entries each, the last of them a gap; no cage, so none for it.
   CHECK(page->panels[0].curves[0].x.size() == 60);
-  // Three flows: a line from square to square, and a head of two strokes that points where the heat
-  // goes: outward from the outer raceway, and against it when the sign turns.
-  const auto head_of = [](const desktop::ChartPage& of) {  // tip of the first flow's head
+  // Three flows in the order of the table: a line from square to square, and a head of two strokes
+  // that points where the heat goes: from the elements to the coolant, outward from the outer
+  // raceway, and against it when the sign turns.
+  const auto head_of = [](const desktop::ChartPage& of, std::size_t flow) {  // tip of its head
     const desktop::ChartCurve& flows = of.panels[0].curves[1];
     REQUIRE(flows.x.size() == 3 * 7);
-    return std::pair{flows.x[4], flows.y[4]};
+    return std::pair{flows.x[7 * flow + 4], flows.y[7 * flow + 4]};
   };
-  CHECK(head_of(*page).first == Approx(0.0));
-  CHECK(head_of(*page).second == Approx(5.0 - 0.12));
+  CHECK(head_of(*page, 0).first == Approx(5.2 - 0.12));
+  CHECK(head_of(*page, 0).second == Approx(3.0));
+  CHECK(head_of(*page, 1).first == Approx(0.0));
+  CHECK(head_of(*page, 1).second == Approx(5.0 - 0.12));
   results::StaticTables turned = network(results::UnitSystem::SI);
   for (results::StaticColumn& column : turned.tables[0].columns)
-    if (column.name == "outer raceway to housing") column.values = {-30.0};
+    if (column.name == "outer raceway to outer race at the housing") column.values = {-30.0};
   const auto inward = desktop::heat_page(turned);
   REQUIRE(inward);
-  CHECK(head_of(*inward).second == Approx(4.0 + 0.12));
+  CHECK(head_of(*inward, 1).second == Approx(4.0 + 0.12));
   CHECK(says(*inward, "30 W"));
   const auto english = desktop::heat_page(network(results::UnitSystem::English));
   REQUIRE(english);

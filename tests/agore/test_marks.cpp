@@ -258,7 +258,9 @@ TEST_CASE("marks: no path hides the mark that turns with an element", "[gui][ago
     const int whole = inked(false);
     INFO(type);
     CHECK(whole > 20);
-    CHECK(inked(true) == whole);
+    // Edges of a path that blend with the mark may add some pixels of its color, never take any.
+    CHECK(inked(true) >= whole);
+    CHECK(inked(true) <= whole + whole / 50);
   }
 }
 

@@ -1,54 +1,62 @@
 #pragma once
 
+#include "bearing/material.hpp"
+#include "contact/damping_law.hpp"
 #include "dynamics/effect.hpp"
-#include "scene/user_laws.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
-/// Effect "contact damping" (contact_damping.cpp has the law), and how the effects whose normal
-/// forces may be another's ask for it.
+/// Effect "contact damping": energy loss of normal contacts (contact/damping_law.hpp), which every
+/// block of contacts takes into its own normal force.
+///
+/// One choice for every kind of contact: friction, pressure, life, wear and stored loads are of the
+/// total force F; the stored elastic energy is that of the elastic one. What damping takes, (F - Q)
+/// δ̇ >= 0, is an item of the ledger for each kind of contact.
+/// Elements in force balance (modes 1 and 2) have no rate of approach on their races: no part
+/// there.
 namespace adore::dynamics {
 
-/// Hunt and Crossley's law where a routine of the user could stand (user_forces.hpp).
-class DampedForce final : public scene::UserForce {
- public:
-  void set(double d) noexcept { d_ = d; }
-  bool forces(double, const Contacts& c) noexcept override {
-    for (std::size_t k = 0; k < c.n; ++k)
-      c.force[k] = c.built_in[k] * std::max(1.0 - d_ * c.gap_rate[k], 0.0);
-    return true;
-  }
+/// Of a contact of two bodies that share the mass [kg]; none where the scene has no damping.
+/// @param share_of_length 1/L of slices of a line [1/m]; else 1
+[[nodiscard]] contact::DampingLaw<> damping_law(const SceneBuilder& scene,
+                                                const bearing::Material& a,
+                                                const bearing::Material& b, double mass,
+                                                double share_of_length = 1.0);
+/// Of elements on race j: an element vibrates on its outer and inner contact. With the squeeze of
+/// the oil film (contact/film_squeeze.hpp) of the most loaded contact of the race at the start.
+[[nodiscard]] contact::DampingLaw<> race_damping(const ScenePlan& plan,
+                                                 const bearing::Bearing& bearing,
+                                                 const SystemOptions& options,
+                                                 const statics::StaticSolution& start,
+                                                 std::size_t j);
 
- private:
-  double d_ = 0.0;  ///< [s/m]
-};
+/// One body between two: 1/(1/a + 1/b).
+[[nodiscard]] inline double reduced_mass(double a, double b) noexcept { return a * b / (a + b); }
 
-class ContactDamping final : public SceneEffect {
- public:
-  void declare(SceneBuilder& scene) override;
-  /// Of pockets, guide lands and flanges, and what it takes of them all now [W].
-  [[nodiscard]] scene::UserForce& law() noexcept { return law_; }
-  [[nodiscard]] double& heat_beside_races() noexcept { return heat_beside_races_; }
-
- private:
-  DampedForce law_;
-  std::array<double, 2> heat_{};  ///< on races now [W]
-  double heat_beside_races_ = 0.0;
-};
-
-/// What makes the normal forces of a kind of contact beside the built-in law.
-struct OtherForce {
-  scene::UserForce* routine = nullptr;  ///< null: nothing
-  double* elsewhere = nullptr;  ///< takes its power along the normal, an item of its own in the
-                                ///< ledger (damping); null: heat of the kind of contact [W]
-  bool of_user = false;
-  std::string_view cost;  ///< where the cost ledger books it
-};
-/// A routine of the user, or else damping.
-/// @param user routine of the user, or null; cost: of such a routine
-[[nodiscard]] OtherForce other_force(const SceneBuilder& scene, scene::UserForce* user,
-                                     std::string_view cost);
+/// Power that damping takes in one kind of contact.
+inline constexpr LedgerTerm kRaceDamping{LedgerKind::Heat,
+                                         "contact_damping",
+                                         "damping of the race contacts",
+                                         {"damping at the outer race", "damping at the inner race"},
+                                         "dissipated since the start"};
+inline constexpr LedgerTerm kFlangeDamping{
+    LedgerKind::Heat,
+    "flange_damping",
+    "damping at the flanges",
+    {"damping at the outer race flanges", "damping at the inner race flanges"},
+    "dissipated since the start"};
+inline constexpr LedgerTerm kPocketDamping{LedgerKind::Heat,
+                                           "pocket_damping",
+                                           "damping in the pockets",
+                                           {"damping in the cage pockets"},
+                                           "dissipated since the start"};
+inline constexpr LedgerTerm kLandDamping{LedgerKind::Heat,
+                                         "land_damping",
+                                         "damping at the guide lands",
+                                         {"damping at the guide lands"},
+                                         "dissipated since the start"};
+inline constexpr LedgerTerm kElementDamping{LedgerKind::Heat,
+                                            "element_damping",
+                                            "damping between elements",
+                                            {"damping between elements"},
+                                            "dissipated since the start"};
 
 }  // namespace adore::dynamics

@@ -12,21 +12,15 @@ namespace adore::dynamics {
 struct HeatByPart {
   double sum = 0.0;          ///< [W]
   std::vector<double> part;  ///< [W]; sized before the first evaluation
+  double damping = 0.0;      ///< heat of contact damping, a separate ledger item [W]
 
   void none() noexcept {
-    sum = 0.0;
+    sum = damping = 0.0;
     std::fill(part.begin(), part.end(), 0.0);
   }
   void add(std::size_t i, double watts) noexcept {
     sum += watts;
     part[i] += watts;
-  }
-  /// What a normal force of another takes along the normal (OtherForce::elsewhere).
-  void add_along(double* elsewhere, std::size_t i, double watts) noexcept {
-    if (elsewhere != nullptr)
-      *elsewhere += watts;
-    else
-      add(i, watts);
   }
 };
 

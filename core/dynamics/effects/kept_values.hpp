@@ -21,6 +21,11 @@ struct KeptValues {
   }
   void none() noexcept { std::fill(at.begin(), at.end(), 0.0); }
   void add(std::size_t i, std::size_t k, double value) noexcept { at[i * row + k] += value; }
+  /// Forces of one pocket or element to its contacts in a snapshot.
+  template <class Contacts>
+  void give(std::size_t i, Contacts& contacts) const {
+    for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k].force = at[i * row + k];
+  }
 };
 
 /// Pockets of all elements, and the last halves of segments in the order of the segments.

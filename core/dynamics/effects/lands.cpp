@@ -23,7 +23,8 @@
 /// guidance): slip = race point - cage point velocity, its part along e removed; N κ(s)/s u on
 /// the cage, s the rounded slip (tribology/rounded_law.hpp), the opposite on the race at the same
 /// point. Heat = friction · u. Tilt enters through
-/// the slice centres; second order in tilt.
+/// the slice centres; second order in tilt. With damping (contact_damping.hpp) N is the total
+/// force.
 ///
 /// A segment has an arc of the circle only: s = e·d, d the unit vector of the arc (signed by its
 /// side) with the largest s, takes the place of |e|; inside the arc d = e/|e| and s = |e|. At an
@@ -40,7 +41,7 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "heat at the guide lands",
                            {"guide lands"},
                            "dissipated since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kHeat};
+constexpr const LedgerTerm* kTerms[] = {&kHeat, &kLandDamping};
 
 /// Where a slice is nearest to the race.
 struct Nearest {
@@ -99,20 +100,22 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices, d
   return lands;
 }
 
+/// dN/de of a slice [N/m].
+double stiffness_of(const LandModel& land, double eccentricity) noexcept {
+  return contact::land_slope_per_length(land.law, eccentricity) * land.slice_length;
+}
+
 /// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
-/// @param more force beyond the built-in one [N]
+/// @param force of the evaluation made last [N]
 LandSnapshot report_of(const LandModel& land, const Evaluation& e, const BodyState& cage,
-                       double half_angle, const Vec3& more) {
+                       double half_angle, const Vec3& force) {
   LandSnapshot result;
   const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-  Vec3 force = more;
   double largest = -std::numeric_limits<double>::infinity();
   for (const double x : land.slice_x) {
     const Vec3 eccentricity = locate(x, cage, race).eccentricity;
     const Nearest at = nearest_on_arc(eccentricity, land.side, half_angle, cage, race.axis());
     const double size = at.size;
-    if (size > 0.0)
-      force -= contact::land_load_per_length(land.law, size) * land.slice_length * at.direction;
     if (size <= largest) continue;
     largest = size;
     result.gap = land.law.clearance - size;
@@ -137,8 +140,8 @@ class LandBlock final : public EffectBlock {
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     kept_.none();
+    heat_.none();
     law_.visit_rounded([&](const auto& friction_per_slip) {
-      if constexpr (Traction) heat_.none();
       in_passes(
           asked_, friction_per_slip,
           [&](const auto& law) {
@@ -188,7 +191,13 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
         size = std::sqrt(e2);
         direction = slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
       }
-      const double N = contact::land_load_per_length(land.law, size) * land.slice_length;
+      double N = contact::land_load_per_length(land.law, size) * land.slice_length;
+      if (contact::is_damped(land.damping)) {
+        const double elastic = N,
+                     rate = (cage.velocity_at(acts_at) - race.velocity_at(acts_at)).dot(direction);
+        N = contact::damped_load(land.damping, elastic, stiffness_of(land, size), size - c, rate);
+        if constexpr (!kOnlyNotes<Friction>) heat_.damping += (N - elastic) * rate;
+      }
       if constexpr (!kOnlyNotes<Friction>) {
         cage.add_force(-N * direction, acts_at);
         race.add_force(N * direction, acts_at);
@@ -220,12 +229,12 @@ struct UserLandTouch {
 };
 using UserLandForces = UserForces<UserLandTouch>;
 
-/// ADRX4 or damping (user_forces.hpp).
+/// ADRX4 (user_forces.hpp).
 class UserLandBlock final : public EffectBlock {
  public:
   UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
                 const tribology::TractionLaw& law, UserLandForces& forces, HeatByPart& heat,
-                LandForces& kept, double* elsewhere)
+                LandForces& kept)
       : lands_(lands),
         half_angle_(half_angle),
         traction_(traction),
@@ -233,7 +242,6 @@ class UserLandBlock final : public EffectBlock {
         forces_(forces),
         heat_(heat),
         kept_(kept),
-        elsewhere_(elsewhere),
         race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
@@ -241,21 +249,20 @@ class UserLandBlock final : public EffectBlock {
       in_passes(
           asked_, friction, [&](const auto& law) { collect_all(law, e); }, race_);
     });
-    const bool valid = forces_.ask(
-        e.t, [&](const UserLandTouch& touch, double more, double difference, double rate) {
-          BodyState& cage = e.segments[touch.segment];
-          RaceBody& race = e.race[static_cast<std::size_t>(lands_[touch.land].race)];
-          const Vec3 normal = -difference * touch.direction, friction = more * touch.friction;
-          cage.add_force(normal, touch.acts_at);
-          race.add_force(-normal, touch.acts_at);
-          cage.add_force(friction, touch.point);
-          race.add_force(-friction, touch.point);
-          cage.load_slip += difference * touch.slip;
-          const std::size_t part = touch.segment * lands_.size() + touch.land;
-          kept_.at[part] += normal;
-          heat_.add(part, more * touch.heat);
-          heat_.add_along(elsewhere_, part, -difference * rate);
-        });
+    const bool valid = forces_.ask(e.t, [&](const UserLandTouch& touch, const UserDifference& by) {
+      BodyState& cage = e.segments[touch.segment];
+      RaceBody& race = e.race[static_cast<std::size_t>(lands_[touch.land].race)];
+      const Vec3 normal = -by.force * touch.direction, friction = by.ratio * touch.friction;
+      cage.add_force(normal, touch.acts_at);
+      race.add_force(-normal, touch.acts_at);
+      cage.add_force(friction, touch.point);
+      race.add_force(-friction, touch.point);
+      cage.load_slip += by.force * touch.slip;
+      const std::size_t part = touch.segment * lands_.size() + touch.land;
+      kept_.at[part] += normal;
+      heat_.add(part, by.ratio * touch.heat + by.heat);
+      heat_.damping += by.damping;
+    });
     if (!valid) e.valid = false;
   }
 
@@ -297,8 +304,10 @@ class UserLandBlock final : public EffectBlock {
       touch.heat = touch.friction.dot(slip);
     }
     const Vec3 apart = cage.velocity_at(touch.acts_at) - race.velocity_at(touch.acts_at);
-    forces_.collect(touch, k, static_cast<std::size_t>(land.race), c - at.size,
-                    -apart.dot(at.direction), N);
+    const double rate = apart.dot(at.direction);
+    forces_.collect(
+        touch, k, static_cast<std::size_t>(land.race), c - at.size, -rate, N,
+        damped_contact(land.damping, N, stiffness_of(land, at.size), at.size - c, rate));
   }
 
   const std::vector<LandModel>& lands_;
@@ -309,7 +318,6 @@ class UserLandBlock final : public EffectBlock {
   UserLandForces& forces_;
   HeatByPart& heat_;
   LandForces& kept_;
-  double* elsewhere_;
   int race_;
 };
 
@@ -332,10 +340,16 @@ class LandContact final : public SceneEffect {
         traction
             ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
             : tribology::TractionLaw();
-    const OtherForce other = other_force(
-        scene, scene.options.user ? scene.options.user->land : nullptr, "user routine ADRX4");
-    if (other.of_user && !traction)
-      scene.block<NoHeatOfParts>(Phase::Force, "land contacts", {}, heat_);
+    scene::UserForce* const user = scene.options.user ? scene.options.user->land : nullptr;
+    std::size_t slices = 0;  // of one segment, which share its mass
+    for (const LandModel& land : lands_) slices += land.slice_x.size();
+    for (LandModel& land : lands_)
+      if (slices > 0)
+        land.damping =
+            damping_law(scene, scene.bearing.cage->material,
+                        scene.bearing.race_material[static_cast<std::size_t>(land.race)],
+                        scene.bearing.cage->inertia.mass, 1.0 / static_cast<double>(slices));
+    const bool damped = scene.plan.has(Effect::ContactDamping);
     const bool any_uneven = std::any_of(lands_.begin(), lands_.end(), [](const LandModel& land) {
       return land.uneven.has_value();
     });
@@ -355,16 +369,14 @@ class LandContact final : public SceneEffect {
         scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
                                             heat_, kept_);
     }
-    if (other.routine != nullptr) {
-      demand(!other.of_user || !any_uneven, "ADRX4 knows no lands with shape errors");
-      std::size_t most = 0;
-      for (const LandModel& land : lands_)
-        most += land.slice_x.size() * static_cast<std::size_t>(cut.count);
-      forces_.emplace(*other.routine, most);
-      scene.block<UserLandBlock>(Phase::Force, other.cost, {}, lands_, half_angle_, traction, law,
-                                 *forces_, heat_, kept_, other.elsewhere);
+    if (user != nullptr) {
+      demand(!any_uneven, "ADRX4 knows no lands with shape errors");
+      forces_.emplace(*user, slices * static_cast<std::size_t>(cut.count));
+      scene.block<UserLandBlock>(Phase::Force, "user routine ADRX4", {}, lands_, half_angle_,
+                                 traction, law, *forces_, heat_, kept_);
     }
-    if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_.sum);
+    if (traction || user != nullptr) scene.energy("lands.heat", kHeat, &heat_.sum);
+    if (damped) scene.energy("lands.damping", kLandDamping, &heat_.damping);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
@@ -372,14 +384,10 @@ class LandContact final : public SceneEffect {
     for (std::size_t k = 0; k < e.segments.size(); ++k)
       for (std::size_t i = 0; i < lands_.size(); ++i) {
         const LandModel& land = lands_[i];
-        Vec3 more = Vec3::Zero();
-        if (forces_)
-          forces_->for_differences([&](const UserLandTouch& touch, std::size_t, double difference) {
-            if (touch.segment == k && touch.land == i) more -= difference * touch.direction;
-          });
+        const Vec3& force = kept_.at[k * lands_.size() + i];
         snapshot.cages[k].lands.push_back(
-            land.uneven ? report_of_uneven(land, e, e.segments[k], middle_[k])
-                        : report_of(land, e, e.segments[k], half_angle_, more));
+            land.uneven ? report_of_uneven(land, e, e.segments[k], middle_[k], force)
+                        : report_of(land, e, e.segments[k], half_angle_, force));
         snapshot.cages[k].lands.back().heat = heat_.part[k * lands_.size() + i];
       }
   }

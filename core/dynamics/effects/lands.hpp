@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/conformal.hpp"
+#include "contact/damping_law.hpp"
 #include "contact/uneven_land.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
@@ -21,6 +22,7 @@ struct LandModel {
   double side = 1.0;         ///< +1 outer guidance, -1 inner guidance
   double cage_radius = 0.0;  ///< R_c [m]
   contact::LandLaw law;
+  contact::DampingLaw<> damping;
   double slice_length = 0.0;                  ///< [m]
   std::vector<double> slice_x;                ///< mid planes in the cage frame [m]
   std::optional<contact::UnevenLand> uneven;  ///< shape errors of the cage or of the race
@@ -88,7 +90,9 @@ extern template class UnevenLandBlock<false>;
 extern template class UnevenLandBlock<true>;
 
 /// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
+/// @param force of the evaluation made last [N]
 [[nodiscard]] scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
-                                                   const BodyState& segment, double middle);
+                                                   const BodyState& segment, double middle,
+                                                   const Vec3& force);
 
 }  // namespace adore::dynamics

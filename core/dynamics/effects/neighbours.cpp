@@ -25,15 +25,15 @@
 ///   r_j): u = velocity of j less that of i there, its part along n removed; N κ(s)/s u on i, the
 ///   opposite on j, s the rounded slip (tribology/rounded_law.hpp). One point for both, so that
 ///   angular momentum is conserved.
-/// Heat = friction · u >= 0. N is minus the gradient of law.energy over both centres: without
-/// friction energy is conserved. Zero load and zero heat without overlap.
-/// Limits: an overlap of half the sum of the radii is no valid state. With two balls there is one
-/// contact. The spacing of the static solution decides who touches whom first.
-/// Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
+/// Heat = friction · u >= 0. With damping (contact_damping.hpp) N is the total force. Without, N is
+/// minus the gradient of law.energy over both centres: without friction energy is conserved. Zero
+/// load and zero heat without overlap. Limits: an overlap of half the sum of the radii is no valid
+/// state. With two balls there is one contact. The spacing of the static solution decides who
+/// touches whom first. Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
 namespace adore::dynamics {
 namespace {
 
-constexpr const LedgerTerm* kTerms[] = {&kElementHeat};
+constexpr const LedgerTerm* kTerms[] = {&kElementHeat, &kElementDamping};
 
 using Pair = NeighbourPair;
 
@@ -51,6 +51,7 @@ struct PairOfBalls : Pair {
   double reach = 0.0;  ///< r_i + r_j [m]
   double share = 0.5;  ///< r_i/(r_i + r_j)
   contact::CappedHertz law;
+  contact::DampingLaw<> damping;
 };
 
 /// Velocity of the other ball less that of i where they touch, across n.
@@ -67,10 +68,11 @@ template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
   PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat,
-            KeptValues& kept)
-      : pairs_(pairs), law_(law), heat_(heat), kept_(kept) {}
+            double& damping, KeptValues& kept)
+      : pairs_(pairs), law_(law), heat_(heat), damping_(damping), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
+    damping_ = 0.0;
     law_.visit_rounded([&](const auto& friction) {
       in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
     });
@@ -84,6 +86,7 @@ class PairBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
+  double& damping_;
   KeptValues& kept_;
 };
 
@@ -97,7 +100,14 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
     const double overlap = pair.reach - c.distance;
     if (!(overlap > 0.0)) continue;
     e.valid = e.valid && overlap < 0.5 * pair.reach;
-    const double N = contact::load(pair.law, overlap);
+    double N = contact::load(pair.law, overlap);
+    if (contact::is_damped(pair.damping)) {
+      const double elastic = N,
+                   rate = (e.element_velocity(pair.i) - e.element_velocity(pair.other)).dot(c.n);
+      N = contact::damped_load(pair.damping, elastic, contact::slope(pair.law, overlap), overlap,
+                               rate);
+      if constexpr (!kOnlyNotes<Friction>) damping_ += (N - elastic) * rate;
+    }
     Vec3 on_first = -N * c.n;
     if constexpr (!kOnlyNotes<Friction>) e.elastic += contact::energy(pair.law, overlap);
     if constexpr (Traction) {
@@ -121,13 +131,17 @@ class Neighbours final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
+    const double mass = bearing.element_inertia.mass;
+    const contact::DampingLaw<> damping = damping_law(
+        scene, bearing.element_material, bearing.element_material, reduced_mass(mass, mass));
     for (const Pair& pair : neighbour_pairs(static_cast<std::size_t>(bearing.element_count()))) {
       const double mine = bearing::element_radius(bearing, pair.i);
       const double other = bearing::element_radius(bearing, pair.other);
       pairs_.push_back({pair, mine + other, mine / (mine + other),
                         contact::ball_pocket_law(bearing.element_material, bearing.element_material,
                                                  2.0 * mine, {1.0 / other, 1.0 / other})
-                            .law});
+                            .law,
+                        damping});
     }
     kept_.size(pairs_.size(), 1);
     constexpr std::string_view kCost = "contacts between elements";
@@ -135,12 +149,13 @@ class Neighbours final : public SceneEffect, public ElementSupport {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
       scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, friction_of(scene), heat_,
-                                   kept_);
+                                   damped_, kept_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<PairBlock<false>>(Phase::Force, kCost, {}, pairs_, tribology::TractionLaw(),
-                                    heat_, kept_);
+                                    heat_, damped_, kept_);
     }
+    if (contact::is_damped(damping)) scene.energy("elements.damping", kElementDamping, &damped_);
     scene.neighbours_meet();
     scene.supports(*this);
     if (scene.plan.has(Effect::ElementTraction)) friction_.emplace(friction_of(scene));
@@ -193,7 +208,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     for (const PairOfBalls& pair : pairs_) {
       const double gap = pair_contact(e, pair).distance - pair.reach;
-      snapshot.elements[pair.i].to_next = {contact::load(pair.law, -gap), gap};
+      snapshot.elements[pair.i].to_next = {kept_.at[pair.i], gap};
     }
   }
 
@@ -203,7 +218,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
   std::vector<PairOfBalls> pairs_;
   KeptValues kept_;
   std::optional<tribology::TractionLaw> friction_;
-  double heat_ = 0.0;  ///< now [W]
+  double heat_ = 0.0, damped_ = 0.0;  ///< now [W]
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 
 /// Elements that touch the ones before and after them in a bearing without cage.
 namespace adore::dynamics {

@@ -135,13 +135,14 @@ std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
 
 namespace {
 
-constexpr const LedgerTerm* kTerms[] = {&kPocketHeat};
+constexpr const LedgerTerm* kTerms[] = {&kPocketHeat, &kPocketDamping};
 
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat, KeptValues& kept)
-      : set_(set), law_(law), heat_(heat), kept_(kept) {
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law,
+              const contact::DampingLaw<>& damping, HeatByPart& heat, KeptValues& kept)
+      : set_(set), law_(law), damping_(damping), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
   }
   void apply(Evaluation& e) noexcept override {
@@ -164,6 +165,7 @@ class PocketBlock final : public EffectBlock {
 
   PocketSet& set_;
   tribology::TractionLaw law_;
+  contact::DampingLaw<> damping_;
   GatheredTraction asked_;
   HeatByPart& heat_;
   KeptValues& kept_;
@@ -178,7 +180,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   BodyState& cage = set_.body(e, i);
   const std::size_t ball = set_.element(i);
   const PocketAction action =
-      pocket_action(law, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
+      pocket_action(law, damping_, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
   if constexpr (kOnlyNotes<Friction>) return;
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
@@ -188,6 +190,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   e.add_force(ball, e.to_cylindrical(ball, action.on_ball));
   cage.add_force(-action.on_ball, action.point);
   e.elastic += contact::energy(law, overlap);
+  heat_.damping += action.damping;
   kept_.add(i, surface, action.N);
 }
 
@@ -222,35 +225,36 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
   }
 }
 
-/// ADRX3 or damping (user_forces.hpp).
+/// ADRX3 (user_forces.hpp).
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, HeatByPart& heat, KeptValues& kept, double* elsewhere)
+                  const contact::DampingLaw<>& damping, UserPocketForces& forces, HeatByPart& heat,
+                  KeptValues& kept)
       : set_(set),
         friction_(friction),
+        damping_(damping),
         forces_(forces),
         heat_(heat),
-        kept_(kept),
-        elsewhere_(elsewhere) {}
+        kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
                  [&](const auto& law) { collect_all(law, e); });
-    const bool valid = forces_.ask(
-        e.t, [&](const UserPocketTouch& touch, double more, double difference, double rate) {
+    const bool valid =
+        forces_.ask(e.t, [&](const UserPocketTouch& touch, const UserDifference& by) {
           const std::size_t ball = set_.element(touch.pocket);
           BodyState& cage = set_.body(e, touch.pocket);
-          const Vec3 on_ball = more * touch.action.on_ball;
+          const Vec3 on_ball = by.ratio * touch.action.on_ball;
           e.add_force(ball, e.to_cylindrical(ball, on_ball));
           cage.add_force(-on_ball, touch.action.point);
           if (friction_) {
-            const Vec3 friction = more * touch.action.friction;
+            const Vec3 friction = by.ratio * touch.action.friction;
             e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
-            cage.load_slip += difference * touch.action.slip;
+            cage.load_slip += by.force * touch.action.slip;
           }
-          heat_.add(ball, more * touch.action.heat);
-          heat_.add_along(elsewhere_, ball, -difference * rate);
-          kept_.add(touch.pocket, touch.surface, difference);
+          heat_.add(ball, by.ratio * touch.action.heat + by.heat);
+          heat_.damping += by.damping;
+          kept_.add(touch.pocket, touch.surface, by.force);
         });
     if (!valid) e.valid = false;
   }
@@ -274,20 +278,21 @@ class UserPocketBlock final : public EffectBlock {
     const std::size_t ball = set_.element(i);
     const UserPocketTouch touch{
         i, k,
-        pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
-    if (!(touch.action.N > 0.0)) return;
-    const Vec3 apart = cage.velocity_at(touch.action.point) - e.element_velocity(ball) -
-                       e.element_omega(ball).cross(touch.action.arm);
-    forces_.collect(touch, ball, k, wall.gap, apart.dot(m), touch.action.N);
+        pocket_action(set_.law(i), {}, friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
+    const double N = touch.action.N, rate = touch.action.rate;
+    if (!(N > 0.0)) return;
+    forces_.collect(
+        touch, ball, k, wall.gap, -rate, N,
+        damped_contact(damping_, N, contact::slope(set_.law(i), -wall.gap), -wall.gap, rate));
   }
 
   PocketSet& set_;
   const std::optional<tribology::TractionLaw>& friction_;
+  contact::DampingLaw<> damping_;
   GatheredTraction asked_;
   UserPocketForces& forces_;
   HeatByPart& heat_;
   KeptValues& kept_;
-  double* elsewhere_;
 };
 
 }  // namespace
@@ -297,7 +302,7 @@ void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, KeptValues& k
   const auto add = [&]<bool Traction, bool Shaped>() {
     scene.block<PocketBlock<Traction, Shaped>>(
         Phase::Force, "pocket contacts", Partners(std::move(partners)), set,
-        Traction ? *friction_ : tribology::TractionLaw(), heat_, kept);
+        Traction ? *friction_ : tribology::TractionLaw(), damping_, heat_, kept);
   };
   if (!friction_)
     set.shaped() ? add.operator()<false, true>() : add.operator()<false, false>();
@@ -314,9 +319,12 @@ void PocketContact::declare(SceneBuilder& scene) {
     friction_.emplace(
         traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction));
   }
-  const OtherForce other = other_force(
-      scene, scene.options.user ? scene.options.user->pocket : nullptr, "user routine ADRX3");
-  if (friction_ || other.of_user)
+  const bearing::Cage& cage = *scene.bearing.cage;
+  damping_ = damping_law(scene, scene.bearing.element_material, cage.material,
+                         reduced_mass(scene.bearing.element_inertia.mass, cage.inertia.mass));
+  scene::UserForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
+  const bool damped = contact::is_damped(damping_);
+  if (friction_ || user != nullptr || damped)
     scene.block<NoHeatOfParts>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
@@ -328,16 +336,17 @@ void PocketContact::declare(SceneBuilder& scene) {
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
-    if (other.routine == nullptr) return add_block(scene, *set, kept, std::move(partners));
+    if (user == nullptr) return add_block(scene, *set, kept, std::move(partners));
     Partners same{std::vector<BodyId>(partners)};
     add_block(scene, *set, kept, std::move(partners));
-    forces.emplace(*other.routine, set->size() * kMostWalls);
-    scene.block<UserPocketBlock>(Phase::Force, other.cost, std::move(same), *set, friction_,
-                                 *forces, heat_, kept, other.elsewhere);
+    forces.emplace(*user, set->size() * kMostWalls);
+    scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
+                                 friction_, damping_, *forces, heat_, kept);
   };
   add(set_, pieces.pockets, forces_[0], kept_[0]);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1], kept_[1]);
-  if (friction_ || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
+  if (friction_ || user != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
+  if (damped) scene.energy("pockets.damping", kPocketDamping, &heat_.damping);
   scene.supports(*this);
 }
 
@@ -378,7 +387,7 @@ void PocketContact::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& da
       const BodyState& cage = set.body(e, pocket);
       friction_->visit_rounded([&](const auto& friction) {
         const PocketAction a =
-            pocket_action(set.law(pocket), friction, e, i, cage, set.ball_radius(pocket),
+            pocket_action(set.law(pocket), {}, friction, e, i, cage, set.ball_radius(pocket),
                           set.to_base(pocket, wall.m, cage.to_base), -wall.gap);
         const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();
         damping += a.friction_per_slip * (Eigen::Matrix2d::Identity() - m * m.transpose());
@@ -406,25 +415,17 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     snapshot.elements[i].pocket = set_->report(i);
+    kept_[0].give(i, snapshot.elements[i].pocket);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
     snapshot.elements[i].pocket_heat = heat_.part[i];
   }
-  const auto add_user = [](const std::optional<UserPocketForces>& forces, const auto& pocket) {
-    if (forces)
-      forces->for_differences(
-          [&](const UserPocketTouch& touch, std::size_t surface, double difference) {
-            pocket(touch.pocket).at(surface).force += difference;
-          });
-  };
-  add_user(
-      forces_[0], [&](std::size_t i) -> auto& { return snapshot.elements[i].pocket; });
   if (!last_halves_) return;
   snapshot.cages.resize(last_halves_->size());
-  const auto last_half = [&](std::size_t i) -> auto& {
-    return snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half;
-  };
-  for (std::size_t i = 0; i < last_halves_->size(); ++i) last_half(i) = last_halves_->report(i);
-  add_user(forces_[1], last_half);
+  for (std::size_t i = 0; i < last_halves_->size(); ++i) {
+    auto& half = snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half;
+    half = last_halves_->report(i);
+    kept_[1].give(i, half);
+  }
 }
 
 void PocketContact::look(const Evaluation&, Look& out) const {

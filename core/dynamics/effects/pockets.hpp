@@ -3,6 +3,7 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
+#include "contact/damping_law.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/heat_by_part.hpp"
@@ -27,6 +28,7 @@
 /// ball velocity there, its part along m removed; friction on the ball N κ(s)/s u, s the rounded
 /// slip (tribology/rounded_law.hpp); opposite force on the cage at the same point of space. Heat =
 /// friction · u. The force is minus the gradient of law.energy with respect to ball and cage pose.
+/// With damping (contact_damping.hpp) N is the total force, and friction goes with it.
 /// Limit: the ball centre is inside the hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
@@ -135,7 +137,9 @@ inline constexpr std::size_t kMostWalls = std::tuple_size_v<decltype(contact::Wa
 
 /// One contact of a ball with its pocket wall, base axes.
 struct PocketAction {
-  double N = 0.0;                 ///< normal force [N]
+  double N = 0.0;                 ///< normal force, damping included [N]
+  double rate = 0.0;              ///< of approach, where there is damping or traction [m/s]
+  double damping = 0.0;           ///< power that damping takes [W]
   double friction_per_slip = 0;   ///< friction force over slip speed [N s/m], 0 without traction
   double slip = 0.0, heat = 0.0;  ///< [m/s, W]
   Vec3 m, arm, point;             ///< normal into the wall; ball centre -> contact; contact
@@ -147,6 +151,7 @@ struct PocketAction {
 /// nullptr without traction
 template <class Friction>
 [[nodiscard]] inline PocketAction pocket_action(const contact::CappedHertz& law,
+                                                const contact::DampingLaw<>& damping,
                                                 const Friction& friction, const Evaluation& e,
                                                 std::size_t i, const BodyState& cage,
                                                 double ball_radius, const Vec3& m,
@@ -156,10 +161,16 @@ template <class Friction>
   a.m = m;
   a.arm = ball_radius * a.m;
   a.point = e.element_centre(i) + a.arm;
+  Vec3 slip = cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
+  a.rate = -slip.dot(a.m);
+  if (contact::is_damped(damping)) {
+    const double elastic = a.N;
+    a.N = contact::damped_load(damping, elastic, contact::slope(law, overlap), overlap, a.rate);
+    a.damping = (a.N - elastic) * a.rate;
+  }
   a.on_ball = -a.N * a.m;
   if constexpr (!std::is_null_pointer_v<Friction>) {
-    Vec3 slip = cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
-    slip -= slip.dot(a.m) * a.m;
+    slip += a.rate * a.m;
     const double square = slip.squaredNorm();
     a.slip = std::sqrt(square);
     a.friction_per_slip = friction_over_slip(friction, a.N, square);
@@ -207,6 +218,7 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   std::optional<PocketSet> set_;
   std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
+  contact::DampingLaw<> damping_;
   std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
   std::array<KeptValues, 2> kept_;                         ///< likewise, by pocket and surface
   HeatByPart heat_;                                        ///< now, of the pocket of each element

@@ -9,6 +9,7 @@ namespace adore::dynamics {
 struct RaceAccount {
   double power = 0.0;      ///< that the race exerts on elements and cage [W]
   double heat = 0.0;       ///< [W]
+  double damping = 0.0;    ///< power that damping takes [W]
   double rolling = 0.0;    ///< rolling resistance of rollers, of the films of their traction [W]
   double load_slip = 0.0;  ///< ∫ p u dA [W]
   double load_slip_element1 = 0.0;

@@ -4,6 +4,7 @@
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/hertz_limit.hpp"
 #include "dynamics/rigid_body.hpp"
@@ -93,6 +94,7 @@ void RaceBooks::book(Evaluation& e, const RaceSums& sums) noexcept {
   race.moment += sums.moment;
   e.elastic += sums.elastic_energy;
   sums_.heat = sums.heat;
+  sums_.damping = sums.damping;
   sums_.load_slip = sums.load_slip;
   sums_.load_slip_element1 = e.load_slip[j][0];
   bool doubtful = false;
@@ -240,6 +242,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
       model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
                                             model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
+    model.damping = race_damping(scene.plan, scene.bearing, scene.options, scene.statics, j);
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.surface = scene.options.surface;
     model.rule = rule;
@@ -335,6 +338,10 @@ void Races::declare(SceneBuilder& scene) {
     RaceAccount& account = account_[j];
     if (work && !plan.race_motions.free[j])
       scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
+    const bool damped = rollers_ ? contact::is_damped((*rollers_)[j].slices.front().damping)
+                                 : contact::is_damped(contacts_[j].damping);
+    if (damped)
+      scene.energy(name + ".damping", kRaceDamping, &account.damping, static_cast<int>(j));
     if (!traction) continue;
     scene.energy(name + ".heat", kHeat, &account.heat, static_cast<int>(j));
     if (!wear) continue;

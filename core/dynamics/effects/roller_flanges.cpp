@@ -26,7 +26,8 @@
 /// contact, so that the force has the potential 0.4 K δ^2.5. Friction of
 /// record 10.2: slip u = v_race(X) - v_roller(X) without its part along n, Q κ(s)/s u on the
 /// roller, s the rounded slip (tribology/rounded_law.hpp); the opposite of both on the race at the
-/// same point of space. Heat = friction · u. Limits: one contact of an end and a flange; spin in
+/// same point of space. Heat = friction · u. With damping (contact_damping.hpp) Q of force and
+/// friction is the total force. Limits: one contact of an end and a flange; spin in
 /// the contact is left out.
 namespace adore::dynamics {
 namespace {
@@ -36,7 +37,7 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "heat at the flanges",
                            {"outer race flanges", "inner race flanges"},
                            "dissipated since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kHeat};
+constexpr const LedgerTerm* kTerms[] = {&kHeat, &kFlangeDamping};
 
 /// Contact of one roller end, base axes.
 struct FlangeAction {
@@ -44,6 +45,11 @@ struct FlangeAction {
   Vec3 point = Vec3::Zero();
   Vec3 force = Vec3::Zero();  ///< on the roller [N]
   double load = 0.0, energy = 0.0, slip = 0.0, heat = 0.0;
+  double opens = 0.0;    ///< d(gap)/dt, as the power of the force has it [m/s]
+  double damping = 0.0;  ///< power that damping takes [W]
+
+  /// dQ/dδ of the elastic load.
+  [[nodiscard]] double stiffness(double elastic) const { return 1.5 * elastic / -contact.gap; }
 };
 
 /// A roller as its race sees it.
@@ -76,7 +82,8 @@ SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double
 
 template <class Friction>
 FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
-                 std::size_t i, const RaceBody& race, const Friction& friction) {
+                 std::size_t i, const RaceBody& race, const contact::DampingLaw<>& damping,
+                 const Friction& friction) {
   FlangeAction out;
   out.contact = contact::flange_overlap(pair.face, pair.end, roller.centre(), roller.axis);
   if (!(out.contact.gap < 0.0)) return out;
@@ -85,10 +92,17 @@ FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, cons
   out.energy = -0.4 * gradient * out.contact.gap;
   const Vec3 n = roller.to_base(out.contact.normal);
   out.point = race.position + roller.to_base(out.contact.point);
-  out.force = out.load * n;
   Vec3 u = race.velocity_at(out.point) - e.element_velocity(i) -
            e.element_omega(i).cross(out.point - e.element_centre(i));
-  u -= u.dot(n) * n;
+  out.opens = -u.dot(n);
+  u += out.opens * n;
+  if (contact::is_damped(damping)) {
+    const double elastic = out.load;
+    out.load = contact::damped_load(damping, elastic, out.stiffness(elastic), -out.contact.gap,
+                                    -out.opens);
+    out.damping = (elastic - out.load) * out.opens;
+  }
+  out.force = out.load * n;
   const double square = u.squaredNorm();
   out.slip = std::sqrt(square);
   if constexpr (!std::is_null_pointer_v<Friction>) {
@@ -100,19 +114,21 @@ FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, cons
 }
 
 struct FlangeAccount {
-  double heat = 0.0, load_slip = 0.0;  ///< now [W]
+  double heat = 0.0, load_slip = 0.0, damping = 0.0;  ///< now [W]
   double load_slip_element1 = 0.0;
 };
 
 class FlangeBlock final : public EffectBlock {
  public:
   FlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
-              double mass_offset, const tribology::TractionLaw* friction, FlangeAccount& account,
-              KeptValues& kept, KeptValues& slip)
+              double mass_offset, const tribology::TractionLaw* friction,
+              const contact::DampingLaw<>& damping, FlangeAccount& account, KeptValues& kept,
+              KeptValues& slip)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
+        damping_(damping),
         account_(account),
         kept_(kept),
         slip_(slip) {}
@@ -133,8 +149,8 @@ class FlangeBlock final : public EffectBlock {
       const SeenRoller roller = seen(e, i, race, mass_offset_);
       for (const statics::FlangePair& pair : pairs) {
         if (static_cast<std::size_t>(pair.race) != race_ || pair.surely_open(roller.p)) continue;
-        const FlangeAction a = act(pair, roller, e, i, race, friction);
-        if (kOnlyNotes<Friction> || !(a.load > 0.0)) continue;
+        const FlangeAction a = act(pair, roller, e, i, race, damping_, friction);
+        if (kOnlyNotes<Friction> || !(a.energy > 0.0)) continue;
         e.add_force(i, e.to_cylindrical(i, a.force));
         e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(a.force)));
         race.add_force(-a.force, a.point);
@@ -142,6 +158,7 @@ class FlangeBlock final : public EffectBlock {
         kept_.add(i, static_cast<std::size_t>(pair.side), a.load);
         slip_.add(i, static_cast<std::size_t>(pair.side), a.slip);
         account_.heat += a.heat;
+        account_.damping += a.damping;
         account_.load_slip += a.load * a.slip;
         if (i == 0) account_.load_slip_element1 += a.load * a.slip;
       }
@@ -152,6 +169,7 @@ class FlangeBlock final : public EffectBlock {
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
+  contact::DampingLaw<> damping_;
   GatheredTraction asked_;
   FlangeAccount& account_;
   KeptValues& kept_;
@@ -166,38 +184,38 @@ struct UserFlangeTouch {
 };
 using UserFlangeForces = UserForces<UserFlangeTouch>;
 
-/// ADRX2 or damping (user_forces.hpp), of the flanges of one race.
+/// ADRX2 (user_forces.hpp), of the flanges of one race.
 class UserFlangeBlock final : public EffectBlock {
  public:
   UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
-                  UserFlangeForces& forces, FlangeAccount& account, KeptValues& kept,
-                  double* elsewhere)
+                  const contact::DampingLaw<>& damping, UserFlangeForces& forces,
+                  FlangeAccount& account, KeptValues& kept)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
+        damping_(damping),
         forces_(forces),
         account_(account),
-        kept_(kept),
-        elsewhere_(elsewhere) {}
+        kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[race_];
     in_passes_of(
         asked_, friction_, [&](const auto& law) { collect_all(law, e); }, static_cast<int>(race_));
-    const bool valid = forces_.ask(
-        e.t, [&](const UserFlangeTouch& touch, double more, double difference, double rate) {
+    const bool valid =
+        forces_.ask(e.t, [&](const UserFlangeTouch& touch, const UserDifference& by) {
           const FlangeAction& a = touch.action;
           const std::size_t i = touch.roller;
-          const Vec3 force = more * a.force;
+          const Vec3 force = by.ratio * a.force;
           e.add_force(i, e.to_cylindrical(i, force));
           e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(force)));
           race.add_force(-force, a.point);
-          kept_.add(i, static_cast<std::size_t>(touch.side), difference);
-          account_.heat += more * a.heat;
-          (elsewhere_ != nullptr ? *elsewhere_ : account_.heat) -= difference * rate;
-          account_.load_slip += difference * a.slip;
-          if (i == 0) account_.load_slip_element1 += difference * a.slip;
+          kept_.add(i, static_cast<std::size_t>(touch.side), by.force);
+          account_.heat += by.ratio * a.heat + by.heat;
+          account_.damping += by.damping;
+          account_.load_slip += by.force * a.slip;
+          if (i == 0) account_.load_slip_element1 += by.force * a.slip;
         });
     if (!valid) e.valid = false;
   }
@@ -217,25 +235,23 @@ class UserFlangeBlock final : public EffectBlock {
   template <class Friction>
   void collect(const Friction& friction, const statics::FlangePair& pair, const SeenRoller& roller,
                const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
-    const FlangeAction a = act(pair, roller, e, i, race, friction);
+    const FlangeAction a = act(pair, roller, e, i, race, {}, friction);
     if (!(a.load > 0.0)) return;
-    const Vec3 apart = e.element_velocity(i) +
-                       e.element_omega(i).cross(a.point - e.element_centre(i)) -
-                       race.velocity_at(a.point);
-    forces_.collect({i, static_cast<int>(pair.side), a}, i,
-                    2 * race_ + static_cast<std::size_t>(pair.side), a.contact.gap,
-                    apart.dot(roller.to_base(a.contact.normal)), a.load);
+    forces_.collect(
+        {i, static_cast<int>(pair.side), a}, i, 2 * race_ + static_cast<std::size_t>(pair.side),
+        a.contact.gap, a.opens, a.load,
+        damped_contact(damping_, a.load, a.stiffness(a.load), -a.contact.gap, -a.opens));
   }
 
   const std::vector<std::vector<statics::FlangePair>>& pairs_;
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
+  contact::DampingLaw<> damping_;
   GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
   KeptValues& kept_;
-  double* elsewhere_;
 };
 
 class RollerFlanges final : public SceneEffect {
@@ -260,21 +276,27 @@ class RollerFlanges final : public SceneEffect {
         kept->size(static_cast<std::size_t>(scene.bearing.element_count()), 2);
       if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
       const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
+      // Flanges are part of the balance of tapered rollers (held_elements.hpp).
+      if (!scene.plan.has(Effect::ElementBalance) || scene.bearing.type != bearing::Type::Tapered)
+        damping_[j] =
+            damping_law(scene, scene.bearing.element_material, scene.bearing.race_material[j],
+                        scene.bearing.element_inertia.mass);
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
-                               account_[j], kept_[j], slip_[j]);
-      const OtherForce other = other_force(scene, user, "user routine ADRX2");
-      if (other.routine != nullptr) {
+                               damping_[j], account_[j], kept_[j], slip_[j]);
+      if (user != nullptr) {
         constexpr std::size_t kFlanges = 2;  // of a race
-        forces_[j].emplace(*other.routine,
+        forces_[j].emplace(*user,
                            kFlanges * static_cast<std::size_t>(scene.bearing.element_count()));
-        scene.block<UserFlangeBlock>(Phase::Force, other.cost,
+        scene.block<UserFlangeBlock>(Phase::Force, "user routine ADRX2",
                                      BodyId{BodyId::Kind::Race, static_cast<int>(j)}, pairs_, j,
-                                     mass_offset_, traction ? &friction_ : nullptr, *forces_[j],
-                                     account_[j], kept_[j], other.elsewhere);
+                                     mass_offset_, traction ? &friction_ : nullptr, damping_[j],
+                                     *forces_[j], account_[j], kept_[j]);
       }
-      if (traction || other.of_user)
+      if (traction || user != nullptr)
         scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
+      if (contact::is_damped(damping_[j]))
+        scene.energy(name + ".damping", kFlangeDamping, &account_[j].damping, static_cast<int>(j));
       if (!traction) continue;
       if (!scene.plan.has(Effect::WearIntegrals)) continue;
       scene.integral(load_slip_[j], name + ".load_slip", "J", &account_[j].load_slip);
@@ -298,26 +320,18 @@ class RollerFlanges final : public SceneEffect {
         FlangeAction a;
         if (!pair.surely_open(roller.p))
           a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
-            return act(pair, roller, e, i, race, friction);
+            return act(pair, roller, e, i, race, damping_[j], friction);
           })
-                            : act(pair, roller, e, i, race, nullptr);
-        if (!(a.load > 0.0))
+                            : act(pair, roller, e, i, race, damping_[j], nullptr);
+        const double load = kept_[j].at[2 * i + static_cast<std::size_t>(pair.side)];
+        if (a.energy > 0.0) {  // with what a routine makes of it
+          if (a.load > 0.0) a.heat *= load / a.load;
+          a.load = load;
+        } else
           a.contact = contact::flange_contact(pair.face, pair.end, roller.centre(), roller.axis);
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
             true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
       }
-    }
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (!forces_[j]) continue;
-      forces_[j]->for_differences(
-          [&](const UserFlangeTouch& touch, std::size_t, double difference) {
-            auto& flange =
-                snapshot.elements[touch.roller].flange[j][static_cast<std::size_t>(touch.side)];
-            const double ratio = 1.0 + difference / touch.action.load;
-            flange.force *= ratio;
-            flange.heat *= ratio;
-            flange.load_slip *= ratio;
-          });
     }
   }
 
@@ -336,6 +350,7 @@ class RollerFlanges final : public SceneEffect {
   double mass_offset_ = 0.0;                             ///< s_G [m]
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
+  std::array<contact::DampingLaw<>, 2> damping_;
   std::array<FlangeAccount, 2> account_;
   std::array<KeptValues, 2> kept_, slip_;                              ///< forces, slips by race
   std::array<std::optional<UserFlangeForces>, 2> forces_;              ///< ADRX2 by race

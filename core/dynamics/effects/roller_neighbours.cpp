@@ -27,7 +27,9 @@
 ///   friction at the point X = p + (ρ/(ρ + ρ')) d m, where both have their share of the distance: u
 ///   = velocity of the other roller less that of the slice's, its part along m removed; Q κ(s)/s u
 ///   on the slice's roller, the opposite on the other, s the rounded slip.
-/// Heat = friction · u >= 0. Without friction energy is kept. Limits: ends and corners of rollers
+/// Heat = friction · u >= 0. Damping (contact_damping.hpp) multiplies all forces of a slice by the
+/// ratio of the total force N to the elastic one; dE/dt over the latter is its rate of approach.
+/// Without friction energy is kept. Limits: ends and corners of rollers
 /// do not touch neighbours; an overlap of a radius is no valid state.
 namespace adore::dynamics {
 namespace {
@@ -43,6 +45,7 @@ struct RingModel {
   std::vector<SlicedRoller> rollers;  ///< one for all, or one by roller
   std::vector<NeighbourPair> pairs;
   contact::PowerLaw law;
+  contact::DampingLaw<> damping;
   double mass_offset = 0.0, diameter = 0.0;
 
   [[nodiscard]] const SlicedRoller& roller(std::size_t i) const noexcept {
@@ -88,10 +91,11 @@ template <bool Traction>
 class RingBlock final : public EffectBlock {
  public:
   RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat,
-            KeptValues& kept)
-      : model_(model), law_(law), heat_(heat), kept_(kept) {}
+            double& damping, KeptValues& kept)
+      : model_(model), law_(law), heat_(heat), damping_(damping), kept_(kept) {}
   void apply(Evaluation& e) noexcept override {
     kept_.none();
+    damping_ = 0.0;
     if constexpr (Traction) heat_ = 0.0;
     law_.visit_rounded([&](const auto& friction) {
       in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
@@ -122,12 +126,22 @@ class RingBlock final : public EffectBlock {
         model_, one, at, other, there,
         [&](const contact::RollerSlice& slice, const contact::PairSlice& c, const Vec3& p,
             double load, double energy) {
-          if (!(load > 0.0)) return;
+          if (!(c.fraction * load > 0.0)) return;
           e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
-          const double N = c.fraction * load;
-          normal += N;
+          double N = c.fraction * load;
           if constexpr (!kOnlyNotes<Friction>) e.elastic += c.fraction * energy;
-          const Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
+          Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
+          if (contact::is_damped(model_.damping)) {
+            const double elastic = N, k = (10.0 / 9.0) * elastic / c.overlap;
+            const Vec3 together = e.element_velocity(i) + e.element_omega(i).cross(p - centre_i) -
+                                  e.element_velocity(j) - e.element_omega(j).cross(p - centre_j);
+            const double rate = -f.dot(together) / elastic;
+            N = contact::damped_load(model_.damping, elastic, one.slice_width * c.fraction * k,
+                                     c.overlap, rate);
+            f *= N / elastic;
+            if constexpr (!kOnlyNotes<Friction>) damping_ += (N - elastic) * rate;
+          }
+          normal += N;
           force += f;
           moment_i += (p - centre_i).cross(f);
           moment_j -= (p - centre_j).cross(f);
@@ -158,6 +172,7 @@ class RingBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   double& heat_;
+  double& damping_;
   KeptValues& kept_;
 };
 
@@ -173,6 +188,10 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
     const double E_star =
         bearing::contact_modulus(bearing.element_material, bearing.element_material);
     model_.law = contact::power_law(contact::line_constant(E_star), rollers.length);
+    // Each pair of slices twice, with half the load.
+    const double mass = bearing.element_inertia.mass;
+    model_.damping = damping_law(scene, bearing.element_material, bearing.element_material,
+                                 reduced_mass(mass, mass), 0.5 / rollers.length);
     const std::size_t shapes =
         rollers.deviation.empty() ? 1 : static_cast<std::size_t>(rollers.count);
     for (std::size_t i = 0; i < shapes; ++i)
@@ -186,12 +205,14 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
       scene.block<RingBlock<true>>(
           Phase::Force, kCost, {}, model_,
           traction_of(scene, tribology::TractionKind::ElementElement, *bearing.element_traction),
-          heat_, kept_);
+          heat_, damped_, kept_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<RingBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
-                                    heat_, kept_);
+                                    heat_, damped_, kept_);
     }
+    if (contact::is_damped(model_.damping))
+      scene.energy("elements.damping", kElementDamping, &damped_);
     scene.neighbours_meet();
     scene.supports(*this);
   }
@@ -224,8 +245,10 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
-    for (const NeighbourPair& pair : model_.pairs)
+    for (const NeighbourPair& pair : model_.pairs) {
       snapshot.elements[pair.i].to_next = contact_of(e, pair);
+      snapshot.elements[pair.i].to_next->force = kept_.at[pair.i];
+    }
   }
 
   void look(const Evaluation&, Look& out) const override { out[Looked::PairForce] = kept_.at; }
@@ -264,7 +287,7 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
 
   RingModel model_;
   KeptValues kept_;
-  double heat_ = 0.0;  ///< now [W]
+  double heat_ = 0.0, damped_ = 0.0;  ///< now [W]
 };
 
 }  // namespace

@@ -25,30 +25,30 @@ struct RollerPocketTouch {
 };
 using RollerPocketForces = UserForces<RollerPocketTouch>;
 
-/// ADRX3 or damping (user_forces.hpp): every slice, and both ends of a pocket, whose surfaces are
+/// ADRX3 (user_forces.hpp): every slice, and both ends of a pocket, whose surfaces are
 /// numbered behind those of its wall.
 class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
-                        RollerPocketForces& forces, HeatByPart& heat, KeptValues& kept,
-                        double* elsewhere)
-      : set_(set), forces_(forces), heat_(heat), kept_(kept), elsewhere_(elsewhere) {
+                        const RollerPocketDamping& damping, RollerPocketForces& forces,
+                        HeatByPart& heat, KeptValues& kept)
+      : set_(set), damping_(damping), forces_(forces), heat_(heat), kept_(kept) {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
     in_passes_of(asked_, friction_ ? &*friction_ : nullptr,
                  [&](const auto& law) { collect_all(law, e); });
-    const bool valid = forces_.ask(
-        e.t, [&](const RollerPocketTouch& touch, double more, double difference, double rate) {
+    const bool valid =
+        forces_.ask(e.t, [&](const RollerPocketTouch& touch, const UserDifference& by) {
           BodyState& cage = e.segments[set_.segment(touch.pocket)];
-          const Vec3 f = more * touch.friction - difference * touch.normal;
+          const Vec3 f = by.ratio * touch.friction - by.force * touch.normal;
           add(e, cage, touch.roller, f, touch.arm);
           if (!touch.aside.isZero(0.0))
-            add(e, cage, touch.roller, difference * touch.aside, touch.middle);
-          cage.load_slip += difference * touch.slip;
-          heat_.add(touch.roller, more * touch.heat);
-          heat_.add_along(elsewhere_, touch.roller, -difference * rate);
-          if (!touch.at_end) kept_.add(touch.pocket, touch.surface, difference);
+            add(e, cage, touch.roller, by.force * touch.aside, touch.middle);
+          cage.load_slip += by.force * touch.slip;
+          heat_.add(touch.roller, by.ratio * touch.heat + by.heat);
+          heat_.damping += by.damping;
+          if (!touch.at_end) kept_.add(touch.pocket, touch.surface, by.force);
         });
     if (!valid) e.valid = false;
   }
@@ -68,16 +68,17 @@ class UserRollerPocketBlock final : public EffectBlock {
       if (!set_.is_inside(i, at.q)) continue;
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
         if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
-        set_.for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
-          if (load > 0.0 && slice.gap < 0.0)
-            collect(friction, e, i, at, k, slice.m, slice.point, slice.middle, slice.aside,
-                    slice.gap, load);
-        });
+        set_.for_slices(
+            i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double energy) {
+              if (load > 0.0 && slice.gap < 0.0)
+                collect(friction, e, i, at, k, slice.m, slice.point, slice.middle, slice.aside,
+                        slice.gap, load, set_.slice_width(i) * slice.fraction, energy);
+            });
       }
-      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
         const std::size_t surface = set_.surfaces(i) + (touch.out[0] > 0.0 ? 1 : 0);
         collect(friction, e, i, at, surface, touch.out, touch.point, Vec3::Zero(), Vec3::Zero(),
-                touch.gap, load);
+                touch.gap, load, 1.0, energy);
       });
     }
   }
@@ -85,8 +86,8 @@ class UserRollerPocketBlock final : public EffectBlock {
   template <class Friction>
   void collect(const Friction& friction, const Evaluation& e, std::size_t i,
                const RollerPocketSet::Place& at, std::size_t surface, const Vec3& into,
-               const Vec3& point, const Vec3& middle, const Vec3& aside, double gap,
-               double load) noexcept {
+               const Vec3& point, const Vec3& middle, const Vec3& aside, double gap, double load,
+               double weight, double energy) noexcept {
     const BodyState& cage = e.segments[set_.segment(i)];
     const std::size_t roller = set_.element(i);
     const Vec3 to_mass = set_.mass_offset() * e.attitude[roller].col(0);
@@ -115,16 +116,18 @@ class UserRollerPocketBlock final : public EffectBlock {
       t.slip = std::sqrt(square);
       t.heat = per_slip * square;
     }
-    forces_.collect(t, roller, surface, gap, rate, load);
+    const double k = weight * contact::power_stiffness(load, energy, -gap);
+    forces_.collect(t, roller, surface, gap, rate, load,
+                    damped_contact(t.at_end ? damping_.end : damping_.slice, load, k, -gap, -rate));
   }
 
   const RollerPocketSet& set_;
   std::optional<tribology::TractionLaw> friction_;
+  RollerPocketDamping damping_;
   GatheredTraction asked_;
   RollerPocketForces& forces_;
   HeatByPart& heat_;
   KeptValues& kept_;
-  double* elsewhere_;
 };
 
 }  // namespace adore::dynamics

@@ -3,6 +3,7 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
+#include "contact/damping_law.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/roller_flange.hpp"
 #include "contact/roller_pocket.hpp"
@@ -23,14 +24,15 @@
 /// (contact/line_contact.hpp), in round pockets the elastic foundation of contact/conformal.hpp.
 /// Friction at the same point: slip u = cage velocity - roller velocity there without its part
 /// along m, N κ(s)/s u on the roller, s the rounded slip; the cage gets the opposite. Heat =
-/// friction · u.
-/// Ends of the pockets (decision 213): planes across the pocket's x, half of clearance I away from
-/// the ends of the nominal roller in its middle; Hertz load of the corner as a sphere. They keep
-/// the cage on its rollers, and are no guide surfaces of the outputs (N105). Limits: the middle of
-/// the roller stays between faces and ends and within half a diameter of the wall.
-/// A pocket that is cut between two segments is two halves (contact/cage_pieces.hpp): each has the
-/// faces on its side and half the stiffness of both ends; its open side holds nothing. Limit: the
-/// roller stays within a diameter of the middle there.
+/// friction · u. With damping (contact_damping.hpp) N is the total force; of slices d(gap)/dt is
+/// the power of the elastic force over N, what leans included. Ends of the pockets (decision 213):
+/// planes across the pocket's x, half of clearance I away from the ends of the nominal roller in
+/// its middle; Hertz load of the corner as a sphere. They keep the cage on its rollers, and are no
+/// guide surfaces of the outputs (N105). Limits: the middle of the roller stays between faces and
+/// ends and within half a diameter of the wall. A pocket that is cut between two segments is two
+/// halves (contact/cage_pieces.hpp): each has the faces on its side and half the stiffness of both
+/// ends; its open side holds nothing. Limit: the roller stays within a diameter of the middle
+/// there.
 namespace adore::dynamics {
 
 struct RollerPocket {
@@ -51,6 +53,11 @@ struct PocketRoller {
   double slice_width = 0.0;
   std::array<contact::RollerEnd, 2> end;
   std::array<double, 2> end_constant{};  ///< Q = K δ^1.5 at the ends of the pocket [N m^-1.5]
+};
+
+/// Losses of both kinds of contacts in a pocket.
+struct RollerPocketDamping {
+  contact::DampingLaw<> slice, end;
 };
 
 class RollerPocketSet {

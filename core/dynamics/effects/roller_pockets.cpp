@@ -25,9 +25,9 @@ namespace {
 template <bool Traction>
 class RollerPocketBlock final : public EffectBlock {
  public:
-  RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, HeatByPart& heat,
-                    KeptValues& kept)
-      : set_(set), law_(law), heat_(heat), kept_(kept) {
+  RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law,
+                    const RollerPocketDamping& damping, HeatByPart& heat, KeptValues& kept)
+      : set_(set), law_(law), damping_(damping), heat_(heat), kept_(kept) {
     if (law.is_of_user()) asked_.reserve(set.most_contacts());
   }
   void apply(Evaluation& e) noexcept override {
@@ -51,31 +51,47 @@ class RollerPocketBlock final : public EffectBlock {
       }
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
         if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
-        set_.for_slices(i, k, at, 0.0,
-                        [&](const contact::PocketSlice& slice, double load, double energy) {
-                          if (!(load > 0.0)) return;
-                          push(friction, e, i, at, slice.m, slice.point, load, energy);
-                          if constexpr (kOnlyNotes<Friction>) return;
-                          kept_.add(i, k, load);
-                          if (!slice.aside.isZero(0.0)) lean(e, i, at, slice, load);
-                        });
+        const double width = set_.slice_width(i);
+        set_.for_slices(
+            i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double energy) {
+              if (!(load > 0.0)) return;
+              const Vec3* leaning = slice.aside.isZero(0.0) ? nullptr : &slice.aside;
+              const double N =
+                  push(friction, e, i, at,
+                       {slice.m, slice.point, load, energy, -slice.gap, slice.middle, leaning},
+                       damping_.slice, width * slice.fraction);
+              if constexpr (kOnlyNotes<Friction>) return;
+              kept_.add(i, k, N);
+              if (leaning != nullptr) lean(e, i, at, slice, N);
+            });
       }
       set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
-        push(friction, e, i, at, touch.out, touch.point, load, energy);
+        push(friction, e, i, at,
+             {touch.out, touch.point, load, energy, -touch.gap, Vec3::Zero(), nullptr},
+             damping_.end, 1.0);
       });
     }
   }
-  /// A contact of load on roller i at a point, both in the pocket frame.
+  /// In the pocket frame.
+  struct Touch {
+    const Vec3 &into, &point;
+    double load, energy, approach;  ///< elastic
+    const Vec3& middle;
+    const Vec3* aside;  ///< of a leaning slice; else null
+  };
+  /// @param weight of the stiffness: width of a slice, else 1
+  /// @return total normal force [N]
   template <class Friction>
-  void push(const Friction& friction, Evaluation& e, std::size_t i,
-            const RollerPocketSet::Place& at, const Vec3& into, const Vec3& point, double load,
-            double energy) noexcept;
+  double push(const Friction& friction, Evaluation& e, std::size_t i,
+              const RollerPocketSet::Place& at, const Touch& touch,
+              const contact::DampingLaw<>& damping, double weight) noexcept;
   /// What a leaning slice is pushed aside (contact/roller_pocket.hpp).
   void lean(Evaluation& e, std::size_t i, const RollerPocketSet::Place& at,
             const contact::PocketSlice& slice, double load) noexcept;
 
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
+  RollerPocketDamping damping_;
   GatheredTraction asked_;
   HeatByPart& heat_;
   KeptValues& kept_;
@@ -83,21 +99,36 @@ class RollerPocketBlock final : public EffectBlock {
 
 template <bool Traction>
 template <class Friction>
-void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, std::size_t i,
-                                       const RollerPocketSet::Place& at, const Vec3& into,
-                                       const Vec3& point, double load, double energy) noexcept {
+double RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, std::size_t i,
+                                         const RollerPocketSet::Place& at, const Touch& touch,
+                                         const contact::DampingLaw<>& damping,
+                                         double weight) noexcept {
   BodyState& cage = e.segments[set_.segment(i)];
   const std::size_t roller = set_.element(i);
-  const Vec3 m = at.to_base * into;
-  const Vec3 arm = at.to_base * (point - at.q) - set_.mass_offset() * e.attitude[roller].col(0);
+  const Vec3 to_mass = set_.mass_offset() * e.attitude[roller].col(0);
+  const Vec3 m = at.to_base * touch.into;
+  const Vec3 arm = at.to_base * (touch.point - at.q) - to_mass;
   const Vec3 X = e.element_centre(roller) + arm;
+  const auto apart = [&](const Vec3& from) -> Vec3 {  // cage - roller velocity
+    return cage.velocity_at(e.element_centre(roller) + from) - e.element_velocity(roller) -
+           e.element_omega(roller).cross(from);
+  };
+  Vec3 slip = apart(arm);
+  const double opens = slip.dot(m);
+  double load = touch.load;
+  if (contact::is_damped(damping)) {
+    double rate = -opens;
+    if (touch.aside != nullptr)
+      rate += apart(at.to_base * (touch.middle - at.q) - to_mass).dot(at.to_base * *touch.aside);
+    const double k = weight * contact::power_stiffness(load, touch.energy, touch.approach);
+    load = contact::damped_load(damping, touch.load, k, touch.approach, rate);
+    if constexpr (!kOnlyNotes<Friction>) heat_.damping += (load - touch.load) * rate;
+  }
   Vec3 f = -load * m;
   if constexpr (Traction) {
-    Vec3 slip =
-        cage.velocity_at(X) - e.element_velocity(roller) - e.element_omega(roller).cross(arm);
-    slip -= slip.dot(m) * m;
+    slip -= opens * m;
     const double square = slip.squaredNorm(), per_slip = friction_over_slip(friction, load, square);
-    if constexpr (kOnlyNotes<Friction>) return;
+    if constexpr (kOnlyNotes<Friction>) return load;
     f += per_slip * slip;
     heat_.add(roller, per_slip * square);
     cage.load_slip += load * std::sqrt(square);
@@ -105,7 +136,8 @@ void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, 
   e.add_force(roller, e.to_cylindrical(roller, f));
   e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
   cage.add_force(-f, X);
-  e.elastic += energy;
+  e.elastic += touch.energy;
+  return load;
 }
 
 template <bool Traction>
@@ -132,9 +164,16 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     demand(!traction || scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
-    const OtherForce other = other_force(
-        scene, scene.options.user ? scene.options.user->pocket : nullptr, "user routine ADRX3");
-    if (traction || other.of_user) scene.block<NoHeatOfParts>(Phase::Force, kCost, {}, heat_);
+    const bearing::Cage& cage = *scene.bearing.cage;
+    const double mass = reduced_mass(scene.bearing.element_inertia.mass, cage.inertia.mass);
+    const auto law = [&](double share) {
+      return damping_law(scene, scene.bearing.element_material, cage.material, mass, share);
+    };
+    damping_ = {law(1.0 / scene.bearing.rollers()->length), law(1.0)};
+    scene::UserForce* const user = scene.options.user ? scene.options.user->pocket : nullptr;
+    const bool damped = contact::is_damped(damping_.end);
+    if (traction || user != nullptr || damped)
+      scene.block<NoHeatOfParts>(Phase::Force, kCost, {}, heat_);
     std::optional<tribology::TractionLaw> friction;
     if (traction)
       friction =
@@ -152,19 +191,21 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       std::vector<BodyId> same = partners;
       if (friction)
         scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                             *set, *friction, heat_, kept);
+                                             *set, *friction, damping_, heat_, kept);
       else
         scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
-                                              *set, tribology::TractionLaw(), heat_, kept);
-      if (other.routine == nullptr) return;
-      forces.emplace(*other.routine, set->most_contacts());
-      scene.block<UserRollerPocketBlock>(Phase::Force, other.cost, Partners(std::move(same)), *set,
-                                         friction ? &*friction : nullptr, *forces, heat_, kept,
-                                         other.elsewhere);
+                                              *set, tribology::TractionLaw(), damping_, heat_,
+                                              kept);
+      if (user == nullptr) return;
+      forces.emplace(*user, set->most_contacts());
+      scene.block<UserRollerPocketBlock>(
+          Phase::Force, "user routine ADRX3", Partners(std::move(same)), *set,
+          friction ? &*friction : nullptr, damping_, *forces, heat_, kept);
     };
     add(set_, pieces.pockets, forces_[0], kept_[0]);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1], kept_[1]);
-    if (traction || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
+    if (traction || user != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_.sum);
+    if (damped) scene.energy("pockets.damping", kPocketDamping, &heat_.damping);
     if (scene.plan.has(Effect::PocketFilm)) {  // of a cage of one piece
       const bearing::CageFilms& films = *scene.bearing.cage_films;
       oil_.emplace();
@@ -219,26 +260,17 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const RollerPocketSet::Place at = set_->locate(e, i);
       snapshot.elements[i].pocket = set_->report(i, at);
+      kept_[0].give(i, snapshot.elements[i].pocket);
       snapshot.elements[i].pocket_to_centre = at.q;
       snapshot.elements[i].pocket_heat = heat_.part[i] + (oil_ ? film_heat_.part[i] : 0.0);
     }
-    const auto add_user = [](const std::optional<RollerPocketForces>& forces, const auto& pocket) {
-      if (forces)
-        forces->for_differences(
-            [&](const RollerPocketTouch& touch, std::size_t surface, double difference) {
-              if (!touch.at_end) pocket(touch.pocket).at(surface).force += difference;
-            });
-    };
-    add_user(
-        forces_[0], [&](std::size_t i) -> auto& { return snapshot.elements[i].pocket; });
     if (!last_halves_) return;
     snapshot.cages.resize(last_halves_->size());
-    const auto last_half = [&](std::size_t i) -> auto& {
-      return snapshot.cages[last_halves_->segment(i)].last_half;
-    };
-    for (std::size_t i = 0; i < last_halves_->size(); ++i)
-      last_half(i) = last_halves_->report(i, last_halves_->locate(e, i));
-    add_user(forces_[1], last_half);
+    for (std::size_t i = 0; i < last_halves_->size(); ++i) {
+      auto& half = snapshot.cages[last_halves_->segment(i)].last_half;
+      half = last_halves_->report(i, last_halves_->locate(e, i));
+      kept_[1].give(i, half);
+    }
   }
 
   void look(const Evaluation&, Look& out) const override {
@@ -270,7 +302,8 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   std::array<std::optional<RollerPocketForces>, 2> forces_;  ///< ADRX3 of both sets
   std::array<KeptValues, 2> kept_;                           ///< likewise, by pocket and surface
   std::optional<RollerPocketOil> oil_;                       ///< kPocHydro
-  HeatByPart heat_, film_heat_;                              ///< now, of the pocket of each roller
+  RollerPocketDamping damping_;
+  HeatByPart heat_, film_heat_;  ///< now, of the pocket of each roller
 };
 
 }  // namespace

@@ -96,7 +96,8 @@ std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model
     const contact::RollerPose& at = rollers.poses()[i];
     const contact::RaceSlices& slices = rollers.view(i);
     RollerSliceRows row{};
-    if (!at.open) kernel({&slices, &at, row = rows.fresh(slices.count)});
+    const contact::RaceSlope* slope = rollers.slopes() ? rollers.slopes() + i : nullptr;
+    if (!at.open) kernel({&slices, &at, slope, row = rows.fresh(slices.count)});
     out.push_back(contact_of(model, at, model.of(i), row));
     out.back().heat = e.heat[static_cast<std::size_t>(model.race)][i];
   }

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/line_contact.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
 #include "scene/user_laws.hpp"
@@ -21,15 +22,6 @@ RollerKernel kernel_of(InstructionSet set) noexcept {
 #endif
   (void)set;
   return roller_kernel_baseline;
-}
-
-RollerDampingKernel damping_kernel_of(InstructionSet set) noexcept {
-#if defined(__x86_64__)
-  if (set == InstructionSet::Avx512) return roller_damping_avx512;
-  if (set == InstructionSet::Avx2) return roller_damping_avx2;
-#endif
-  (void)set;
-  return roller_damping_baseline;
 }
 
 RollerRollingKernel rolling_kernel_of(InstructionSet set) noexcept {
@@ -109,6 +101,9 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     for (const statics::RollerBody& body : model.bodies)
       of.slices.push_back(contact::roller_race_slices(
           model.race[j], body.slices, model.slicing.width, model.law[j], model.E_star[j]));
+    const contact::DampingLaw<> damping =
+        race_damping(scene.plan, scene.bearing, scene.options, scene.statics, j);
+    for (contact::RollerRaceSlices& one : of.slices) one.damping = damping;
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
     if (!errors.ideal())
       of.wavy = contact::make_wavy_race(errors, model.race[j],
@@ -239,7 +234,7 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
            model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr,
            rolled_.empty() ? nullptr : &model_.rolling, rolled_.data()});
   if (rollers_.slopes() != nullptr) lean();
-  sums_.heat = sums_.load_slip = sums_.rolling = 0.0;
+  sums_.heat = sums_.load_slip = sums_.rolling = sums_.damping = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
@@ -247,38 +242,18 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     fastest_[i] = a.fastest;
     if (load_slip_) e.load_slip[j][i] = a.load_slip;
     e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
-    if (!(a.load > 0.0)) continue;
+    e.elastic += a.energy;
+    sums_.damping += a.damping;
+    if (!(a.energy > 0.0)) continue;
     rollers_.act(e, i, a.force, a.moment);
     if (!rolled_.empty()) {
       rollers_.act(e, i, rolled_[i].force, rolled_[i].moment);
       sums_.rolling += rolled_[i].heat;
     }
-    e.elastic += a.energy;
     sums_.heat += a.heat;
     sums_.load_slip += a.load_slip;
   }
   sums_.load_slip_element1 = actions_.front().load_slip;
-}
-
-RollerRaceDamping::RollerRaceDamping(const RollerRaceModel& model, std::size_t rollers,
-                                     double damping, double& heat)
-    : model_(model),
-      damping_(damping),
-      heat_(heat),
-      kernel_(damping_kernel_of(chosen_instruction_set())),
-      rollers_(model, rollers),
-      actions_(rollers) {}
-
-void RollerRaceDamping::apply(Evaluation& e) noexcept {
-  rollers_.place(e);
-  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
-           rollers_.slopes(), actions_.data(), damping_});
-  heat_ = 0.0;
-  for (std::size_t i = 0; i < actions_.size(); ++i) {
-    if (!(e.load[static_cast<std::size_t>(model_.race)][i] > 0.0)) continue;
-    rollers_.act(e, i, actions_[i].force, actions_[i].moment);
-    heat_ += actions_[i].heat;
-  }
 }
 
 RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers,

@@ -118,23 +118,6 @@ class RollerRaceBlock final : public EffectBlock {
   std::optional<SliceScratch> user_;        ///< of a law of the user
 };
 
-/// Material damping of the same contacts (contact_damping.cpp); after RollerRaceBlock.
-class RollerRaceDamping final : public EffectBlock {
- public:
-  /// @param damping d [s/m]; heat on all rollers now [W]
-  RollerRaceDamping(const RollerRaceModel& model, std::size_t rollers, double damping,
-                    double& heat);
-  void apply(Evaluation& e) noexcept override;
-
- private:
-  const RollerRaceModel& model_;
-  double damping_;
-  double& heat_;
-  RollerDampingKernel kernel_;
-  RollersOnRace rollers_;
-  std::vector<RollerRaceAddition> actions_;
-};
-
 /// Rolling resistance of the same contacts (rolling_resistance.cpp) where the traction has no film.
 class RollerRaceRolling final : public EffectBlock {
  public:

@@ -27,19 +27,11 @@ void ThermalSteps::declare(SceneBuilder& scene) {
                  nullptr);
 }
 
-void ThermalSteps::book(std::span<double> y, double energy, const Momenta& before,
-                        const Momenta& after) const {
-  const auto at = [&y](int index) -> double& { return y[static_cast<std::size_t>(index)]; };
-  at(energy_) += energy;
-  if (impulse_ < 0) return;
-  for (int k = 0; k < 3; ++k) {
-    at(impulse_ + k) += after.linear[k] - before.linear[k];
-    at(angular_impulse_ + k) += after.angular[k] - before.angular[k];
-  }
-}
-
 std::unique_ptr<SceneEffect> make_thermal_steps(const ScenePlan& plan) {
-  if (!plan.has(Effect::ThermalSteps)) return nullptr;
+  const bearing::RaceMotions& motions = plan.race_motions;  // rings grow with their speed
+  const bool grows =
+      motions.ramp[0] || motions.ramp[1] || motions.variation[0] || motions.variation[1];
+  if (!grows && !plan.has(Effect::ThermalSteps)) return nullptr;
   return std::make_unique<ThermalSteps>();
 }
 std::span<const LedgerTerm* const> thermal_step_terms() { return kTerms; }

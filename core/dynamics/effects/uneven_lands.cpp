@@ -13,7 +13,9 @@
 /// so that the moment T g on the segment and -T g on the race are minus the gradient of U, at any
 /// tilt. F acts at the slice centre, -F at the same point of the race: e × F is the moment of the
 /// race that a turn of e in its axes asks for. Friction: as of circular lands, for each stretch of
-/// a spot by itself, at the cage's radius in the direction of its force.
+/// a spot by itself, at the cage's radius in the direction of its force. Damping
+/// (contact_damping.hpp) multiplies all forces of a slice by one ratio, of the load L, the sum over
+/// its stretches: dU/dt = L δ̇, δ = 2U/L the mean overlap, k = L/δ [derived].
 namespace adore::dynamics {
 namespace {
 
@@ -55,28 +57,46 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
   for (const double x : land.slice_x) {
     if (land.uneven->out_of_reach(locate(x, segment, race).eccentricity.squaredNorm())) continue;
     const PlacedSlice slice = place_slice(x, segment, race, middle);
+    double ratio = 1.0;
+    if (contact::is_damped(land.damping)) {
+      double power = 0.0, load = 0.0, energy = 0.0;
+      const Vec3 apart = segment.velocity_at(slice.at.centre) - race.velocity_at(slice.at.centre);
+      const double turns = g.dot(segment.omega - race.omega);
+      land.uneven->visit(slice.place, [&](const contact::UnevenPiece& part) {
+        power -= (race.to_base * Vec3(0.0, part.force[0], part.force[1])).dot(apart) +
+                 part.turning * turns;
+        load += part.load;
+        energy += part.energy;
+      });
+      if (!(load > 0.0)) continue;
+      const double overlap = 2.0 * energy / load, rate = power / load;
+      const double total = contact::damped_load(land.damping, load, load / overlap, overlap, rate);
+      ratio = total / load;
+      if constexpr (!kOnlyNotes<Friction>) heat_.damping += (total - load) * rate;
+    }
     Vec3 force = Vec3::Zero();
     double turning = 0.0;
     land.uneven->visit(slice.place, [&](const contact::UnevenPiece& part) {
-      const Vec3 f = race.to_base * Vec3(0.0, part.force[0], part.force[1]);
+      const Vec3 elastic = race.to_base * Vec3(0.0, part.force[0], part.force[1]);
+      const double N = ratio * part.load;
       if constexpr (!kOnlyNotes<Friction>) {
-        force += f;
-        turning += part.turning;
+        force += ratio * elastic;
+        turning += ratio * part.turning;
         e.elastic += part.energy;
       }
       if constexpr (Traction) {
         // The race pushes the cage inwards where it guides outside, outwards where inside.
-        const Vec3 normal = f / part.load;
+        const Vec3 normal = elastic / part.load;
         const Vec3 point = slice.at.centre - (land.side * land.cage_radius) * normal;
         Vec3 slip = race.velocity_at(point) - segment.velocity_at(point);
         slip -= slip.dot(normal) * normal;
         const double square = slip.squaredNorm();
-        const Vec3 friction = friction_over_slip(friction_per_slip, part.load, square) * slip;
+        const Vec3 friction = friction_over_slip(friction_per_slip, N, square) * slip;
         if constexpr (kOnlyNotes<Friction>) return;
         segment.add_force(friction, point);
         race.add_force(-friction, point);
         heat_.add(piece * lands_.size() + which, friction.dot(slip));
-        segment.load_slip += part.load * std::sqrt(square);
+        segment.load_slip += N * std::sqrt(square);
       }
     });
     if constexpr (kOnlyNotes<Friction>) continue;
@@ -106,22 +126,18 @@ template class UnevenLandBlock<false>;
 template class UnevenLandBlock<true>;
 
 scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
-                                     const BodyState& segment, double middle) {
+                                     const BodyState& segment, double middle, const Vec3& force) {
   scene::LandSnapshot result;
   const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-  std::array<double, 2> force{};
+  result.force = force.norm();
   result.gap = std::numeric_limits<double>::infinity();
   for (const double x : land.slice_x) {
     const PlacedSlice slice = place_slice(x, segment, race, middle);
-    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& piece) {
-      for (const std::size_t k : {0UL, 1UL}) force[k] += piece.force[k];
-    });
     const auto least = land.uneven->least_gap(slice.place);
     if (least.gap >= result.gap) continue;
     result.gap = least.gap;
     result.angle = least.s < 0.0 ? least.s + 2.0 * std::numbers::pi : least.s;
   }
-  result.force = std::hypot(force[0], force[1]);
   return result;
 }
 

@@ -1,24 +1,46 @@
 #pragma once
 
+#include "contact/damping_law.hpp"
 #include "scene/user_laws.hpp"
 
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-/// ADRX2 to ADRX4: what a routine of the user makes of the normal forces of one kind of contact, or
-/// damping in its place (contact_damping.hpp).
+/// ADRX2 to ADRX4: what a routine of the user makes of the normal forces of one kind of contact.
 ///
 /// The built-in block acts as without a routine; a block behind it collects its contacts, asks for
-/// all of them in one call and adds the difference, times F/N of the force asked for and the
-/// built-in one, so that friction goes with the force and a law that is restated changes nothing,
-/// not a bit. Along the normal the difference has the power
-///   (F - N) d(gap)/dt,
-/// without a potential that is known: it is booked with the heat of the kind (damping: by itself),
-/// where a damping law heats and an elastic one gives back what it took. d(gap)/dt must therefore
-/// be the power of the built-in normal force over N. Limit: a contact that the built-in law leaves
-/// open is not asked for.
+/// all of them in one call and adds the difference, times the ratio of the difference to the
+/// built-in elastic force N, so that friction goes with the force and a law that is restated
+/// changes nothing, not a bit. The routine is asked for the elastic force F; damping
+/// (contact/damping_law.hpp) acts in addition to it: the contact has the total force
+///   P(F) = max(0, F + (d F + c) δ̇)  in place of P(N), c of the built-in stiffness.
+/// Along the normal, F - N has the power (F - N) d(gap)/dt, without a potential that is known: it
+/// is booked with the heat of the kind, where a damping law heats and an elastic one gives back
+/// what it took; what damping adds is booked with damping. d(gap)/dt must therefore be the power of
+/// the built-in normal force over N. Limit: a contact that the built-in law leaves open is not
+/// asked for.
 namespace adore::dynamics {
+
+/// A contact as the built-in block damped it.
+struct DampedContact {
+  contact::DampingLaw<> law;
+  double stiffness = 0.0;  ///< as damped_load() takes it
+  double load = 0.0;       ///< P(N) [N]
+};
+[[nodiscard]] inline DampedContact damped_contact(const contact::DampingLaw<>& law, double load,
+                                                  double stiffness, double approach,
+                                                  double rate) noexcept {
+  return {law, stiffness, contact::damped_load(law, load, stiffness, approach, rate)};
+}
+
+/// Changes that a routine makes at a contact.
+struct UserDifference {
+  double ratio = 0.0;    ///< (P(F) - P(N))/N
+  double force = 0.0;    ///< P(F) - P(N) [N]
+  double heat = 0.0;     ///< (N - F) d(gap)/dt [W]
+  double damping = 0.0;  ///< what damping takes more [W]
+};
 
 template <class Touch>
 class UserForces {
@@ -26,20 +48,23 @@ class UserForces {
   /// @param most contacts there can be
   UserForces(scene::UserForce& routine, std::size_t most) : routine_(routine) {
     touches_.reserve(most);
+    damped_.reserve(most);
     for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->reserve(most);
     element_.reserve(most);
     surface_.reserve(most);
   }
   void clear() noexcept {
     touches_.clear();
+    damped_.clear();
     for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->clear();
     element_.clear();
     surface_.clear();
   }
   /// @param load N > 0
   void collect(const Touch& touch, std::size_t element, std::size_t surface, double gap,
-               double rate, double load) {
+               double rate, double load, const DampedContact& damped) {
     touches_.push_back(touch);
+    damped_.push_back(damped);
     element_.push_back(static_cast<int>(element));
     surface_.push_back(static_cast<int>(surface));
     gap_.push_back(gap);
@@ -47,7 +72,7 @@ class UserForces {
     built_in_.push_back(load);
     force_.push_back(load);
   }
-  /// act(touch, (F - N)/N, F - N, d(gap)/dt) of what is not as built in. False: no valid state.
+  /// act(touch, UserDifference) of what is not as built in. False: no valid state.
   template <class Act>
   bool ask(double t, const Act& act) noexcept {
     if (touches_.empty()) return true;
@@ -55,22 +80,22 @@ class UserForces {
                              rate_.data(), built_in_.data(), force_.data()}))
       return false;
     for (std::size_t k = 0; k < touches_.size(); ++k) {
-      const double difference = force_[k] - built_in_[k];
-      if (difference != 0.0) act(touches_[k], difference / built_in_[k], difference, rate_[k]);
+      const double N = built_in_[k], F = force_[k], rate = rate_[k];
+      if (F == N) continue;
+      const DampedContact& built_in = damped_[k];
+      const double total =
+          contact::damped_load(built_in.law, F, built_in.stiffness, -gap_[k], -rate);
+      const double difference = total - built_in.load;
+      act(touches_[k], UserDifference{difference / N, difference, (N - F) * rate,
+                                      (built_in.load - N - (total - F)) * rate});
     }
     return true;
-  }
-  /// visit(touch, surface, F - N) of the last call, for reports.
-  template <class Visit>
-  void for_differences(const Visit& visit) const {
-    for (std::size_t k = 0; k < touches_.size(); ++k)
-      if (force_[k] != built_in_[k])
-        visit(touches_[k], static_cast<std::size_t>(surface_[k]), force_[k] - built_in_[k]);
   }
 
  private:
   scene::UserForce& routine_;
   std::vector<Touch> touches_;
+  std::vector<DampedContact> damped_;
   std::vector<int> element_, surface_;
   std::vector<double> gap_, rate_, built_in_, force_;
 };

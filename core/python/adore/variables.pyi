@@ -29,7 +29,8 @@ class DeckVariables:
     kAGraf: int
     """Record 1. Whether and at which step interval animation data is stored in SOL8."""
     kLifeFreq: int
-    """Record 1. Step interval at which fatigue life is computed."""
+    """Record 1. Step interval at which the fatigue life at the present loads is computed for SOL7. The life of the
+    run uses the loads of every step."""
     kTherm: int
     """Record 1. Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and temperatures
     follow the heat that the run generates."""

@@ -12,8 +12,8 @@
 namespace adore::tribology {
 
 /// Traction of a Newtonian film that its own shear heats (kTrac 1 to 7, 9): τ by newton_film.hpp
-/// with μ = μ* exp(α* p), κ = τ/p, with a limiting stress (limited.hpp) where the lubricant has
-/// one. Limits: those of the formula; walls at the bulk temperatures, no flash. SI.
+/// with μ = μ* exp(α* p), κ = τ/p, with a limiting stress (limited.hpp). Limits: those of the
+/// formula; walls at the bulk temperatures, no flash. SI.
 struct HeatedFilm {
   double viscosity = 0.0;   ///< μ* at the walls' temperature [Pa s]
   double half_alpha = 0.0;  ///< α*/2 [1/Pa]

@@ -5,8 +5,11 @@
 
 namespace adore::tribology {
 
-/// The limiting stress τ <= Λ p of a lubricant as a smooth minimum of fourth order: (κ^-4 +
-/// Λ^-4)^(-1/4) [choice].
+/// Limiting shear stress of a film, τ <= Λ p, as a smooth minimum of eighth order:
+///   κ = κ_law (1 + (κ_law/Λ)^8)^(-1/8),  κ = τ/p [-].
+/// κ <= Λ always; κ_law is changed by 2 % at 0.8 Λ and by 0.05 % at 0.5 Λ (order: [choice], so that
+/// laws keep their values where they were measured). Λ: resources/lubricants.json,
+/// "limitingStress".
 struct LimitedTraction {
   double inverse2 = 0.0;  ///< 1/Λ²; 0: no limit
 
@@ -16,10 +19,11 @@ struct LimitedTraction {
   [[gnu::always_inline]] T of(T kappa) const {
     using M = ScalarMath<T>;
     if (!(inverse2 > 0.0)) return kappa;
-    // What is far beyond the limit is cut: its fourth power would leave the range of a root.
-    kappa = M::min(kappa, T(1e3));
-    const T over = kappa * kappa * inverse2;
-    return kappa * InverseRoots<T>::fourth(1.0 + over * over);
+    // Cut far beyond the limit: the eighth power must stay in the range of the root (1e30).
+    kappa = M::min(kappa, T(10.0));
+    const T over = kappa * kappa * inverse2, over2 = over * over;
+    const T fourth = InverseRoots<T>::fourth(1.0 + over2 * over2);
+    return kappa * (fourth * M::inverse_sqrt(fourth));
   }
 };
 

@@ -31,7 +31,7 @@
 /// for points (test; k 3 and 8, 0.6 to 2 GPa, α 10 and 20/GPa) has 0.97 of it at U = 4e-12, 0.93 at
 /// 4e-11 and 0.76 to 0.88 at 4e-10, between it and strips that resist as lines (0.71, 0.59, 0.4 to
 /// 0.5): outputs say how much it may be too large where strips have less than half (friction.hpp).
-/// No oil shears more than 0.11 of the load (decision 330), as a smooth minimum (limited.hpp): it
+/// No oil shears more than 0.11 of the load, as a smooth minimum of fourth order [choice]: it
 /// counts where an oil is nearly a solid, 200 K below its range.
 /// F has the sign of u and is odd in it, smooth at u = 0; it vanishes with load and film. Limits:
 /// no asperities, no elastic hysteresis; entrainment along the rolling direction only; inlets at

@@ -157,7 +157,7 @@ TEST_CASE("films of balls: nothing without slip or load, odd in slip, bounded, l
         };
         turn(-1.0);
         const test::Outputs back = by(set, scene, 1);
-        const double limit = tribology::lubricant(code).limiting_ratio;
+        const double limit = tribology::lubricant(code).limit.at(360.0);
         double most = 0.0;
         for (std::size_t i = 0; i < scene.n; ++i) {
           CHECK(back.value[kHeat][i] == Approx(forward.value[kHeat][i]).epsilon(1e-6));
@@ -251,7 +251,7 @@ TEST_CASE(
           const double kappa = traction(law, at, slip);
           CHECK(std::isfinite(kappa));
           CHECK(kappa >= 0.0);
-          if (oil.limiting_ratio > 0.0) CHECK(kappa <= oil.limiting_ratio * (1.0 + 1e-6));
+          if (oil.limit.ratio > 0.0) CHECK(kappa <= oil.limit.at(360.0) * (1.0 + 1e-6));
           if (slip <= 1e-3) CHECK(kappa >= last);
           last = kappa;
         }

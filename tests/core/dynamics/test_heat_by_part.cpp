@@ -259,7 +259,7 @@ TEST_CASE("heat of pockets and of lands sums up to the ledger's, whatever roller
             check_sums(at, with == With::Films, with == With::Routines);
             // What damping takes along the normal is an item of its own, in no part; what a
             // routine does is in them.
-            if (with == With::Damping) CHECK(at.energy.rate("damping_beside") > 0.0);
+            if (with == With::Damping) CHECK(at.energy.rate("pocket_damping") > 0.0);
             if (with == With::Routines) {
               // Friction grows as the forces do; what the walls take as rollers near them comes to
               // it.

@@ -9,6 +9,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// Decks that are run through the facade, with what they leave.
 namespace adore::testing {
@@ -19,13 +21,16 @@ struct Ran {
   std::string print;      ///< PRINT.txt
 };
 
-inline Ran run_deck(const deck::Deck& deck, const std::filesystem::path& folder,
-                    bool go_on = false) {
+using Options = std::vector<std::pair<std::string, std::string>>;
+
+inline Ran run_deck(const deck::Deck& deck, const std::filesystem::path& folder, bool go_on = false,
+                    const Options& options = {}) {
   std::filesystem::create_directories(folder);
   deck::write_deck(deck, folder / "DATA.txt");
   facade::RunRequest request;
   request.deck = folder / "DATA.txt";
   request.go_on = go_on;
+  request.options = options;
   Ran out;
   out.outcome = facade::run(request);
   out.report = nlohmann::json::parse(read_bytes(folder / "RUN.json"));

@@ -16,6 +16,8 @@ namespace {
 DeckRequest example(const char* name) {
   DeckRequest request;
   request.text = std::string(deck::template_text(name));
+  // The example of balls is irregular with damped contacts: no error of 15 % can be told of it.
+  request.options = {{"contactDamping", "0"}};
   return request;
 }
 

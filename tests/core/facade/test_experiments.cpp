@@ -16,7 +16,7 @@ using facade::ExperimentRow;
 TEST_CASE("every experiment has a figure in every row, its kind and its certainty",
           "[validation][experiments]") {
   const std::vector<Experiment> all = facade::run_experiments();
-  CHECK(all.size() == 8);
+  CHECK(all.size() == 9);
   const std::set<std::string> kinds{"calibration", "prediction", "part", "bound"};
   for (const Experiment& one : all) {
     CAPTURE(one.id);

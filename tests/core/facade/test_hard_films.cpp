@@ -93,10 +93,23 @@ bool holds_nan(const std::string& text) {
   return text.find("nan") != std::string::npos || text.find("-inf") != std::string::npos;
 }
 
+/// Housing and shaft that give next to nothing to the air around them.
+const testing::Options kInsulated{{"housingCooling", "1.0e-6"}, {"shaftCooling", "1.0e-6"}};
+
+/// "  Power loss     71.26868  W" of the listing's page of the thermal steady state.
+double steady_number_of(const std::string& print, const std::string& label) {
+  const std::size_t page = print.find("THERMAL STEADY STATE");
+  REQUIRE(page != std::string::npos);
+  const std::size_t at = print.find("\n  " + label + "  ", page);
+  REQUIRE(at != std::string::npos);
+  return std::stod(print.substr(at + label.size() + 3));
+}
+
 /// How the deck ends: empty where it is solved, else its sentence.
-std::string end_of(const deck::Deck& deck, const std::filesystem::path& folder) {
+std::string end_of(const deck::Deck& deck, const std::filesystem::path& folder,
+                   const testing::Options& options = {}) {
   try {
-    const testing::Ran ran = testing::run_deck(deck, folder);
+    const testing::Ran ran = testing::run_deck(deck, folder, false, options);
     CHECK_FALSE(holds_nan(ran.print));
     CHECK_FALSE(holds_nan(ran.report.at("summary").dump()));
     if (ran.outcome.status == facade::RunStatus::Done) return {};
@@ -144,18 +157,42 @@ TEST_CASE(
   CHECK(solved >= 45);
 }
 
-TEST_CASE("without coolant temperatures of all types run away, and the end says so",
+// The ladder has no air around it (decision 810).
+TEST_CASE("without coolant and insulated temperatures of all types run away, and the end says so",
           "[validation][film][thermal][slow]") {
   const testing::TemporaryFolder folder;
   int runs = 0;
-  for (const char* type : kTypes)
-    for (const char* mode : {"-1", "0"}) {
-      CAPTURE(type, mode);
-      Sets all = kNoCoolant;
-      all.emplace_back("mode", mode);
-      CHECK_THAT(end_of(oiled(type, "3", all), folder / std::to_string(runs++)),
-                 Catch::Contains("temperatures run away"));
-    }
+  for (const testing::Options& options : {kInsulated, {{"thermalModel", "ladder"}}})
+    for (const char* type : kTypes)
+      for (const char* mode : {"-1", "0"}) {
+        CAPTURE(options.front().first, type, mode);
+        Sets all = kNoCoolant;
+        // A thermal step moves a part by at most 40 K: 18 of them to 1000 K.
+        for (const auto& [name, value] : Sets{{"mode", mode}, {"maxStps", "40"}, {"nStps", "1"}})
+          all.emplace_back(name, value);
+        CHECK_THAT(end_of(oiled(type, "3", all), folder / std::to_string(runs++), options),
+                   Catch::Contains("temperatures run away"));
+      }
+}
+
+TEST_CASE("without coolant the air around housing and shaft takes the heat of all types",
+          "[validation][film][thermal][slow]") {
+  const testing::TemporaryFolder folder;
+  for (const char* type : kTypes) {
+    CAPTURE(type);
+    Sets all = kNoCoolant;
+    all.emplace_back("mode", "-1");
+    const testing::Ran ran = testing::run_deck(oiled(type, "3", all), folder / type);
+    INFO(ran.outcome.message);
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    const double made = steady_number_of(ran.print, "Power loss");
+    CHECK(made > 10.0);
+    // The rest, below 1 mW, is what the trickle of coolant takes.
+    CHECK(steady_number_of(ran.print, "Leaves to ambient") == Approx(made).epsilon(1e-4));
+    const double hot = steady_number_of(ran.print, "inner raceway");
+    CHECK(hot > steady_number_of(ran.print, "ambient"));
+    CHECK(hot < 450.0);
+  }
 }
 
 // The pressed oil is a solid: its traction over slip is what limits the steps. At a tolerance of

@@ -122,9 +122,10 @@ struct Followed {
 };
 
 /// `steps` classical Runge-Kutta steps of `size` time scales from the deck's start.
-Followed follow(const deck::Deck& deck, int steps, double size) {
+Followed follow(const deck::Deck& deck, int steps, double size, const char* damping = "material") {
   facade::LoadedDeck input;
   input.deck = deck;
+  input.option_values["contactDamping"] = damping;
   const facade::Prepared prepared = facade::prepare(std::move(input));
   dynamics::System system = facade::make_system(prepared);
   std::vector<double> y = system.initial_state();
@@ -233,7 +234,8 @@ Mat3 about_x(double angle) {
 
 /// Runs `check` on random decks; decks that are refused are counted, and most must not be.
 template <class Check>
-void over_random_decks(const std::string& type, unsigned seed, const Check& check) {
+void over_random_decks(const std::string& type, unsigned seed, const Check& check,
+                       const char* damping = "material") {
   Dice dice(seed);
   int ran = 0, refused = 0;
   std::set<std::string> sentences;
@@ -244,7 +246,7 @@ void over_random_decks(const std::string& type, unsigned seed, const Check& chec
     for (const auto& [name, value] : deck.sets) story += fmt::format(" {}={}", name, value);
     INFO(story);
     try {
-      const Followed plain = follow(deck.deck(), kSteps, kStep);
+      const Followed plain = follow(deck.deck(), kSteps, kStep, damping);
       check(deck, plain, dice);
       ++ran;
     } catch (const InputError& error) {
@@ -303,31 +305,38 @@ TEST_CASE("random decks in the other units move likewise", "[physics][invariance
 
 TEST_CASE("random bearings: steps that are halved come to one motion",
           "[physics][invariance][slow]") {
-  int followed = 0, stray = 0;
-  std::string strays;
-  for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
-    over_random_decks(type, 14, [&](const RandomDeck& deck, const Followed& plain, Dice&) {
-      const auto same = [](int i) { return i; };
-      const auto difference = [&](const Followed& one, const Followed& other) {
-        return compare(one, other, Mat3::Identity(), 0.0, 1e5, same);
-      };
-      const Followed half = follow(deck.deck(), 2 * kSteps, 0.5 * kStep);
-      const Followed quarter = follow(deck.deck(), 4 * kSteps, 0.25 * kStep);
-      const Difference first = difference(plain, half), second = difference(half, quarter);
-      INFO(first.what);
-      INFO(second.what);
-      CHECK(second.worst < 1.0);
-      // Fourth order between impacts; where a step meets one (an element into a pocket, on to a
-      // raceway), its error hangs on where in the step it lies, and may grow when the step is
-      // halved: 6 of 1,250 decks. Differences below a ten thousandth of the loads and spins come
-      // from both.
-      ++followed;
-      if (second.worst < std::max(0.4 * first.worst, 1e-2)) return;
-      ++stray;
-      strays +=
-          fmt::format("{} {}: {} after {}\n", deck.type, second.what, second.worst, first.worst);
-    });
-  INFO(strays);
-  CHECK(followed > 2 * decks_of_each_type());
-  CHECK(50 * stray <= followed);
+  // Fourth order between impacts; where a step meets one (an element into a pocket, on to a
+  // raceway), its error hangs on where in the step it lies, and may grow when the step is halved: 6
+  // of 1,250 elastic decks. Damped contacts touch and part more sharply (the loss of the material
+  // is there within 2e-6 of the radius, a small part of a step; a load that would pull is cut off):
+  // 7 of 150, all of them balls that strike or leave their pocket shortly before the end.
+  // Differences below a ten thousandth of the loads and spins come from both.
+  for (const auto& [damping, one_in] : {std::pair{"0", 50}, std::pair{"material", 15}}) {
+    int followed = 0, stray = 0;
+    std::string strays;
+    for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
+      over_random_decks(
+          type, 14,
+          [&](const RandomDeck& deck, const Followed& plain, Dice&) {
+            const auto same = [](int i) { return i; };
+            const auto difference = [&](const Followed& one, const Followed& other) {
+              return compare(one, other, Mat3::Identity(), 0.0, 1e5, same);
+            };
+            const Followed half = follow(deck.deck(), 2 * kSteps, 0.5 * kStep, damping);
+            const Followed quarter = follow(deck.deck(), 4 * kSteps, 0.25 * kStep, damping);
+            const Difference first = difference(plain, half), second = difference(half, quarter);
+            INFO(first.what);
+            INFO(second.what);
+            CHECK(second.worst < 1.0);
+            ++followed;
+            if (second.worst < std::max(0.4 * first.worst, 1e-2)) return;
+            ++stray;
+            strays += fmt::format("{} {}: {} after {}\n", deck.type, second.what, second.worst,
+                                  first.worst);
+          },
+          damping);
+    CAPTURE(damping, strays);
+    CHECK(followed > 2 * decks_of_each_type());
+    CHECK(one_in * stray <= followed);
+  }
 }

@@ -67,9 +67,13 @@ TEST_CASE("Nodes that cannot see a film follow the pressure are warned of", "[fa
   CAPTURE(usual.off);
   CHECK(std::abs(usual.off) < 0.02);  // decision 328
   CHECK_FALSE(usual.warned);
-  CHECK(std::abs(run_with(deck, {{"ellipseMinor", "4"}}).off) < 0.01);  // 15 x 4
+  // 15 x 4 follow the pressure of the classic law; the limiting stress gives its stress a shoulder
+  // at each end of the width, which needs more nodes (1.5 % off with 4, 0.4 % with 8).
+  const Options classic{{"ellipseMinor", "4"}, {"filmStressLimit", "off"}};
+  CHECK(std::abs(run_with(deck, classic).off) < 0.01);
+  CHECK(std::abs(run_with(deck, {{"ellipseMinor", "8"}}).off) < 0.01);
   CHECK(usual.print.find("of the heat of the races") != std::string::npos);
-  // One node across is 54 % off, two 7 %.
+  // One node across is 67 % off, two 9 %.
   for (const char* few : {"1", "2"}) {
     const Told told = run_with(deck, {{"ellipseMinor", few}});
     CAPTURE(few, told.off);

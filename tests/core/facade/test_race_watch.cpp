@@ -99,8 +99,9 @@ TEST_CASE("a race in balance is off by more than a tenth, at tiny steps, before 
 }
 
 // Deck 18 of seed 8 of tests/hardcases/random_decks.py: the rollers weigh and rub more than the
-// race presses on them.
-TEST_CASE("mode 2 of rollers that barely touch ends soon, with that cause",
+// race presses on them. Damped contacts and the friction of the balanced race (decisions 800 and
+// 825) keep its balance; elastic ones without that friction left it after 0.8 ms.
+TEST_CASE("mode 2: rollers that barely touch → the inner race stays in balance",
           "[validation][constrained][rollers][slow]") {
   const auto at = [](const char* substeps) {
     return run("tapered",
@@ -133,14 +134,12 @@ TEST_CASE("mode 2 of rollers that barely touch ends soon, with that cause",
                 {"endTime2", "0.00287212598"}},
                "2.1e-3s");
   };
-  const facade::RunOutcome end = at("1"), counted_in_fifties = at("50");
-  INFO(end.message);
-  CHECK(end.status == facade::RunStatus::Failed);
-  CHECK_THAT(end.message, Catch::Contains("the inner race is not in balance"));
-  CHECK(end.time < 8e-4);  // before the steps shrink
-  // Steps that nStps counts as one are looked at one by one.
-  CHECK(counted_in_fifties.message.substr(counted_in_fifties.message.find("asked")) ==
-        end.message.substr(end.message.find("asked")));
+  for (const char* substeps : {"1", "50"}) {
+    const facade::RunOutcome end = at(substeps);
+    INFO(end.message);
+    CHECK(end.status == facade::RunStatus::Done);
+    CHECK(end.time == Approx(2.1e-3));
+  }
 }
 
 TEST_CASE(

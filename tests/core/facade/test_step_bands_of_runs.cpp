@@ -157,8 +157,10 @@ TEST_CASE("a pocket force has peaks between stored steps that only its band tell
           "[physics][step-band]") {
   testing::TemporaryFolder folder;
   const Case ball{"ball", "ball", {}};
-  (void)testing::run_deck(deck_of(ball, "1", "400"), folder / "every");
-  const auto ran = testing::run_deck(deck_of(ball, "10", "400"), folder / "tenth");
+  // Elastic contacts: damped vibrations leave no peaks between stored steps after the start.
+  const testing::Options elastic{{"contactDamping", "0"}};
+  (void)testing::run_deck(deck_of(ball, "1", "400"), folder / "every", false, elastic);
+  const auto ran = testing::run_deck(deck_of(ball, "10", "400"), folder / "tenth", false, elastic);
   CHECK(ran.report["plan"]["estimates"]["fastest_frequency_Hz"].get<double>() ==
         Approx(2.628e4).epsilon(1e-3));  // `adore plan` of this deck
   const results::H5Reader all(folder / "every" / "RESULTS.h5"),

@@ -112,7 +112,8 @@ TEST_CASE("every stored velocity is the rate of the stored position", "[validati
     for (const auto& [name, value] : sets) scene += fmt::format(" {}={}", name, value);
     INFO(scene);
     const testing::TemporaryFolder folder;
-    (void)testing::run_deck(deck, folder / "run");
+    // Growth of the rings moves bodies between steps in a ramp (decision 816), without a velocity.
+    (void)testing::run_deck(deck, folder / "run", false, {{"centrifugalGrowth", "0"}});
     const results::H5Reader file(folder / "run/RESULTS.h5");
     const std::vector<double> time = file.read("time");
     REQUIRE(time.size() == 41);

@@ -122,45 +122,53 @@ TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]
   CHECK_THROWS_AS(facade::what_if(request, {}, {}), InputError);
 }
 
-TEST_CASE(
-    "contact damping is asked for by an option, shown by plan and ledger, and refused where "
-    "nothing vibrates",
-    "[unit][facade][damping]") {
-  const facade::Prepared elastic = facade::prepare(ball());
-  CHECK_FALSE(elastic.plan.has(Effect::ContactDamping));
-  const std::string says = entry(elastic, "contact damping").because;
-  CHECK(says.find("do not decay") != std::string::npos);
-  CHECK(says.find("spectra") != std::string::npos);
-  // Named is what there is: no flanges of balls, no pockets without a cage.
-  const auto damped = [](const char* sets) {
-    DeckRequest request = ball({{"contactDamping", "0.2"}});
-    if (*sets != '\0')
-      for (const auto& [variable, value] :
-           {std::pair{"nCseg", sets}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}})
-        request.sets.emplace_back(variable, value);
-    return entry(facade::prepare(request), "contact damping").because;
+TEST_CASE("contactDamping: default, a number, 0 and modes in balance -> plan and notes say which",
+          "[unit][facade][damping]") {
+  const auto prepared = [](const std::string& value, const std::string& variable = "",
+                           const std::string& set = "") {
+    DeckRequest request = value.empty() ? ball() : ball({{"contactDamping", value}});
+    if (!variable.empty()) request.sets.emplace_back(variable, set);
+    if (variable == "nCseg")
+      for (const auto& [name, one] : {std::pair{"kNumPltElem", "1"}, {"kPltElemInd", "1"}})
+        request.sets.emplace_back(name, one);
+    return facade::prepare(request);
   };
-  CHECK_THAT(damped(""), Catch::Contains("in pockets") && !Catch::Contains("flanges") &&
-                             !Catch::Contains("neighbours"));
-  CHECK_THAT(damped("0"), !Catch::Contains("in pockets") && Catch::Contains("neighbours"));
+  const auto reason = [](const facade::Prepared& of) {
+    return entry(of, "contact damping").because;
+  };
+  const auto notes = [](const facade::Prepared& of) {
+    std::string out;
+    for (const Issue& issue : of.input.warnings)
+      if (issue.severity == Severity::Note) out += issue.message + "\n";
+    return out;
+  };
+  const facade::Prepared usual = prepared("");
+  CHECK(usual.plan.has(Effect::ContactDamping));
+  CHECK_THAT(reason(usual), Catch::Contains("= material") &&
+                                Catch::Contains("races: loss factor") &&
+                                Catch::Contains("pockets") && !Catch::Contains("flanges") &&
+                                !Catch::Contains("neighbors"));
+  CHECK_THAT(notes(usual), !Catch::Contains("amping"));
+  CHECK_THAT(reason(prepared("", "nCseg", "0")),
+             !Catch::Contains("pockets") && Catch::Contains("neighbors"));
+  CHECK_THAT(reason(prepared("0.2")), Catch::Contains("= 0.2 (in s/m)"));
+  const facade::Prepared elastic = prepared("0");
+  CHECK_FALSE(elastic.plan.has(Effect::ContactDamping));
+  CHECK_THAT(reason(elastic), Catch::Contains("do not decay"));
+  CHECK_THAT(notes(elastic), Catch::Contains("contact damping is off"));
   // The option is in s/m whatever the units of the deck are.
   DeckRequest english = ball({{"contactDamping", "0.2"}});
   english.text = deck::write_deck(deck::new_deck("ball-english"));
-  CHECK(entry(facade::prepare(english), "contact damping").because.find("= 0.2 (in s/m)") !=
-        std::string::npos);
-  const auto said = [](DeckRequest request) -> std::string {
-    try {
-      (void)facade::prepare(request);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "was accepted";
-  };
-  for (const char* value : {"-0.1", "101", "nan", "much", ""})
-    CHECK(said(ball({{"contactDamping", value}})).find("contactDamping") != std::string::npos);
-  for (const auto& [variable, value] : {std::pair{"mode", "1"}, {"mode", "2"}, {"qFac", "0.05"}}) {
-    DeckRequest request = ball({{"contactDamping", "0.2"}});
-    request.sets.emplace_back(variable, value);
-    CHECK(said(request).find(std::string(variable) + " = " + value) != std::string::npos);
+  CHECK(reason(facade::prepare(english)).find("= 0.2 (in s/m)") != std::string::npos);
+  for (const char* value : {"-0.1", "101", "nan", "much", ""}) {
+    DeckRequest request = ball({{"contactDamping", value}});
+    CHECK_THROWS_WITH(facade::prepare(request), Catch::Contains("contactDamping"));
   }
+  // Elements in balance: no part on the races; the run goes on.
+  for (const char* mode : {"1", "2"}) {
+    CHECK_THAT(reason(prepared("", "mode", mode)),
+               Catch::Contains("none on the races") && Catch::Contains("pockets"));
+    CHECK_THAT(notes(prepared("0.2", "mode", mode)), Catch::Contains("no part at the races"));
+  }
+  CHECK_THAT(reason(prepared("0.2", "qFac", "0.05")), Catch::Contains("qFac = 0.05"));
 }

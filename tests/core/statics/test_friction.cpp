@@ -1,4 +1,5 @@
 #include "ball_bearings.hpp"
+#include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "contact/elliptic.hpp"
 #include "deck/reader.hpp"
@@ -144,7 +145,7 @@ TEST_CASE("rolling of balls is doubted in thick oil at speed, beside strips that
   // Thin and slow: where the law agrees with measured torques (theory/tribology.md 2a).
   CHECK(ratio(400.0, 0.05) > 0.9);
   CHECK(ratio(400.0, 0.05) < 1.7);
-  CHECK(ratio(290.0, 1.0) > statics::kTrustedOverStrips);
+  CHECK(ratio(290.0, 1.0) > validity::range("rolling.strips").bounds.most);
   CHECK(ratio(290.0, 1.0) < 4.0);
   CHECK(ratio(350.0, 1.0) > ratio(350.0, 0.1));
   CHECK(ratio(330.0, 1.0) > ratio(380.0, 1.0));
@@ -161,48 +162,4 @@ TEST_CASE("the doubt of the rolling law of points bounds what was solved", "[uni
     CHECK(statics::rolling_excess(1.0 / strips) < 1.2 / solution);
   }
   CHECK(statics::rolling_excess(0.5) == 1.0);
-}
-
-TEST_CASE("friction beyond what was measured of the lubricant is said to be extrapolated",
-          "[physics][statics][lubricants]") {
-  Bearing ball = from_deck("deep-groove-6205"), roller = from_deck("cylindrical-nu209");
-  const statics::StaticSolution balls = statics::solve_ball_statics(ball);
-  const statics::RollerSolution rollers = statics::solve_roller_statics(roller);
-  // Notes of friction whose contacts have these peak pressures by race.
-  const auto notes = [&](int code, std::array<double, 2> peak, bool of_balls) {
-    Bearing& b = of_balls ? ball : roller;
-    b.lubrication = bearing::Lubrication{code, 1e-8, 10.0, {}};
-    statics::StaticSolution at_balls = balls;
-    statics::RollerSolution at_rollers = rollers;
-    for (std::size_t j = 0; j < 2; ++j) {
-      for (statics::StaticBall& one : at_balls.balls) one.p_max[j] = peak[j];
-      for (statics::StaticRoller& one : at_rollers.rollers) one.race[j].peak_pressure = peak[j];
-    }
-    std::string out;
-    const statics::FrictionEstimate friction = of_balls ? statics::friction_estimate(b, at_balls)
-                                                        : statics::friction_estimate(b, at_rollers);
-    for (const std::string& note : friction.notes)
-      if (note.find("measured") != std::string::npos) out += note + "\n";
-    return out;
-  };
-  for (const int code : tribology::lubricant_codes()) {
-    // Surfaces of visco-elastic films take a second each, and nothing here depends on them.
-    if (tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic) continue;
-    CAPTURE(code);
-    const tribology::PressureRange& range = tribology::pressure_range(code);
-    const double end = range.measured_to.value_or(1e9);
-    for (const bool of_balls : {true, false}) {
-      const std::string within = notes(code, {0.9 * end, end}, of_balls),
-                        outside = notes(code, {0.9 * end, 1.2 * end}, of_balls);
-      if (!range.measured_to) {
-        CHECK_THAT(within, Catch::Contains("not known") && Catch::Contains(range.source));
-        continue;
-      }
-      CHECK(within.empty());
-      CHECK_THAT(outside, Catch::Contains("inner race") && !Catch::Contains("outer race") &&
-                              Catch::Contains(fmt::format("to {:.3g} GPa; ", 1.2e-9 * end)) &&
-                              Catch::Contains(fmt::format("to {:.3g} GPa (", 1e-9 * end)));
-    }
-  }
-  CHECK(tribology::lubricant_codes().size() == 19);
 }

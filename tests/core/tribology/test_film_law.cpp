@@ -41,6 +41,12 @@ TractionLaw law_of(const bearing::TractionCurve& metal, int code, double critica
   return film_law(metal, lubricant(code), lubrication(code, critical, meniscus), surface(T));
 }
 
+Lubricant without_limit(int code) {
+  Lubricant out = lubricant(code);
+  out.limit = {};
+  return out;
+}
+
 HeatedFilmLaw heated(const MetalLaw& metal, int code, double critical, double T = kTemperature) {
   return {metal, film_of_contact(lubricant(code), lubrication(code, critical), surface(T)),
           heated_film(lubricant(code), T)};
@@ -150,7 +156,7 @@ TEST_CASE("film law: the film of the kernels is that of its powers to rounding",
   CHECK(checked == 6 * 2 * 4 * 3 * 5 * 3 * 3);
 }
 
-TEST_CASE("film law: traction is that of the heated film, bounded where the law has a limit",
+TEST_CASE("film law: traction is that of the heated film, bounded by the limiting stress",
           "[physics][film_law]") {
   for (const int code : {1, 3, 4, 5, 6, 7}) {
     const HeatedFilmLaw law = heated({}, code, 0.0);
@@ -165,10 +171,11 @@ TEST_CASE("film law: traction is that of the heated film, bounded where the law 
                                 oil.traction_alpha, oil.pressed_beta(0.0, kTemperature),
                                 oil.conductivity.at(kTemperature)};
         double expected = film_shear_stress(newton, slip, p) / p;
-        if (oil.limiting_ratio > 0.0) {
-          expected *= std::pow(1.0 + std::pow(expected / oil.limiting_ratio, 4.0), -0.25);
-          CHECK(here(slip, p) <= oil.limiting_ratio);
-        }
+        const double limit = oil.limiting_ratio(kTemperature);
+        REQUIRE(limit > 0.0);
+        expected *= std::pow(1.0 + std::pow(expected / limit, 8.0), -0.125);
+        // Far beyond the limit the law is Λ, to the rounding of the root of eighth order.
+        CHECK(here(slip, p) <= limit * (1.0 + 1e-15));
         CHECK(here(slip, p) == Approx(expected).epsilon(1e-9));
       }
   }
@@ -206,15 +213,18 @@ TEST_CASE("film law: where a heated film shears less when hotter, and where more
           "[physics][film_law]") {
   // theory/tribology.md 5. Of one thickness always less. With the film of its temperature, whose
   // thinning counts the more the larger the slip: as the slopes of viscosity and film say.
-  int less_often = 0, more_often = 0;
-  for (const int code : {1, 3, 4, 5})  // no limiting stress
+  // The limiting stress is off: at the limit the traction falls as Λ does, checked at the end.
+  int less_often = 0, more_often = 0, at_limit = 0;
+  for (const int code : {1, 3, 4, 5})
     for (const double T : {330.0, 360.0, 390.0}) {
       constexpr double kWarmer = 0.1, kPressure = 1e9, kFilm = 3e-7;  // K, Pa, m
       const auto film_at = [&](double temperature) {  // flooded, too slow to heat its inlet
         return law_of(dry_curve(), code, 0.0, 1e4, temperature).film(contact(0.05)).thickness;
       };
-      const HeatedFilm cool = heated_film(lubricant(code), T),
-                       warm = heated_film(lubricant(code), T + kWarmer);
+      const Lubricant oil = without_limit(code);
+      const HeatedFilm cool = heated_film(oil, T), warm = heated_film(oil, T + kWarmer);
+      const HeatedFilm limited = heated_film(lubricant(code), T),
+                       limited_warm = heated_film(lubricant(code), T + kWarmer);
       const double h = film_at(T), thinner = film_at(T + kWarmer);
       CHECK(thinner < h);
       const double of_viscosity = std::log(warm.viscosity / cool.viscosity),
@@ -235,10 +245,16 @@ TEST_CASE("film law: where a heated film shears less when hotter, and where more
         CHECK(change > before);
         before = change;
         ++(change < 0.0 ? less_often : more_often);
+        // At 3 times the limit the smooth minimum passes 1/3^8 of the change of the law.
+        if (kappa(cool, h) < 3.0 * lubricant(code).limiting_ratio(T)) continue;
+        const double at_the_limit = std::log(kappa(limited_warm, thinner) / kappa(limited, h));
+        CHECK(at_the_limit == Approx(-lubricant(code).limit.softening * kWarmer).margin(1e-6));
+        ++at_limit;
       }
     }
   CHECK(less_often > 10);
   CHECK(more_often > 10);
+  CHECK(at_limit > 10);
 }
 
 TEST_CASE("film law: a thin film is a metal contact, without a step", "[physics][film_law]") {
@@ -281,20 +297,33 @@ TEST_CASE("film law: over an ellipse it is odd in the slip and its power is its 
       ellipse_traction(law, ellipse, {0.0, 0.0, 0.0, 0.0, 0.0, 20.0}, rule);
   CHECK(rest.F_t == 0.0);
   CHECK(rest.heat == 0.0);
-  // The converged integral, to what 20 x 8 points give.
-  const EllipseTraction exact = ellipse_traction_converged(law, ellipse, there);
-  CHECK(a.F_t == Approx(exact.F_t).epsilon(1e-3));
-  CHECK(a.heat == Approx(exact.heat).epsilon(1e-3));
+  // The converged integral, to what 20 x 8 points give without a limiting stress.
+  const TractionLaw unlimited =
+      film_law(dry_curve(), without_limit(3), lubrication(3, 1e-8), surface());
+  const EllipseTraction smooth = ellipse_traction(unlimited, ellipse, there, rule),
+                        exact = ellipse_traction_converged(unlimited, ellipse, there);
+  CHECK(smooth.F_t == Approx(exact.F_t).epsilon(1e-3));
+  CHECK(smooth.heat == Approx(exact.heat).epsilon(1e-3));
+  // The limit is reached along a line inside the ellipse: 20 x 8 points miss 1.7e-3, 30 x 24 6e-5.
+  const EllipseTraction limited = ellipse_traction(law, ellipse, there, make_ellipse_rule(30, 24)),
+                        limited_exact = ellipse_traction_converged(law, ellipse, there);
+  CHECK(limited.F_t == Approx(limited_exact.F_t).epsilon(3e-4));
+  CHECK(limited.heat == Approx(limited_exact.heat).epsilon(3e-4));
+  CHECK(limited.heat < 0.99 * smooth.heat);
 }
 
 TEST_CASE("film law: the rule of a run sees the heat of contacts that roll and spin",
           "[physics][film_law]") {
   // Against 150 x 24 nodes, over pressures, spins and places where the rolling slip reverses. The
   // bounds are about 1.5 times the root mean square that each rule has in its worst lubricant
-  // (measured: 3.4 % for kTrac 10 and 1.8 % for the rest, 0.5 %, 0.6 % for whole strips).
-  for (const int code : {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 15, 18, 20}) {
-    const TractionLaw law = law_of(dry_curve(), code, 0.0);
-    const bool strips = lubricant(code).model == LubricantModel::ViscoElastic;
+  // (measured with the limiting stress: 2.6 % for the rule of a run, 0.6 % for 30 x 8 nodes, 0.8 %
+  // for whole strips). 15 x 4 nodes of equal split, which runs do not use, have 2.2 %, and 3.2 to
+  // 3.6 % for kTrac 3, 4, 5 and 10, whose slope changes where the limit is reached inside the
+  // ellipse. Without a limit kTrac 1, 3, 4 and 5 have 1.6 %.
+  const auto check_errors = [](const Lubricant& oil, double most_of_equal) {
+    const int code = oil.code;
+    const TractionLaw law = film_law(dry_curve(), oil, lubrication(code, 0.0), surface());
+    const bool strips = oil.model == LubricantModel::ViscoElastic;
     double of_run = 0.0, of_equal = 0.0, of_fine = 0.0, of_two = 0.0;
     int n = 0;
     for (const double p : {1e9, 2e9, 3e9})
@@ -326,10 +355,16 @@ TEST_CASE("film law: the rule of a run sees the heat of contacts that roll and s
     CAPTURE(code, std::sqrt(of_run / n), std::sqrt(of_equal / n), std::sqrt(of_fine / n),
             std::sqrt(of_two / n));
     CHECK(std::sqrt(of_run / n) < (strips ? 0.01 : code == 10 ? 0.05 : 0.027));
-    CHECK(std::sqrt(of_equal / n) < (strips ? 0.01 : code == 10 ? 0.05 : 0.027));
+    CHECK(std::sqrt(of_equal / n) < most_of_equal);
     CHECK(std::sqrt(of_fine / n) < 0.01);
     CHECK(of_run < of_two);
+  };
+  for (const int code : {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 15, 18, 20}) {
+    const bool strips = lubricant(code).model == LubricantModel::ViscoElastic;
+    const bool limit_inside = code == 3 || code == 4 || code == 5 || code == 10;
+    check_errors(lubricant(code), strips ? 0.01 : limit_inside ? 0.05 : 0.027);
   }
+  for (const int code : {1, 3, 4, 5}) check_errors(without_limit(code), 0.027);
 }
 
 TEST_CASE("film law: the nodes made for films carry the whole load", "[physics][film_law]") {

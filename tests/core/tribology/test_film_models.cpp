@@ -1,4 +1,6 @@
 #include "base/errors.hpp"
+#include "base/simd_inverse_roots.hpp"
+#include "base/simd_single.hpp"
 #include "tribology/film_law.hpp"
 #include "tribology/newton_film.hpp"
 #include "tribology/shear_thinning_film.hpp"
@@ -21,9 +23,16 @@ namespace {
 constexpr double kModulus = 2.26e11, kRadius = 0.0051, kWidthOverPressure = 1.2e-13;
 constexpr std::array kMeasured{10, 11, 13, 14, 15, 16, 17, 18, 19, 20};
 
-TractionLaw law_of(int code, double T, double critical, bool line, bool direct = false) {
+Lubricant without_limit(int code) {
+  Lubricant out = lubricant(code);
+  out.limit = {};
+  return out;
+}
+
+TractionLaw law_of(const Lubricant& oil, double T, double critical, bool line,
+                   bool direct = false) {
   bearing::Lubrication lubrication;
-  lubrication.code = code;
+  lubrication.code = oil.code;
   lubrication.critical_film = critical;
   lubrication.meniscus = 10.0;
   lubrication.direct_strips = direct;
@@ -34,7 +43,10 @@ TractionLaw law_of(int code, double T, double critical, bool line, bool direct =
   surface.wall_temperature = T;
   surface.race_speed = 30.0;
   surface.width_over_pressure = kWidthOverPressure;
-  return film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), lubricant(code), lubrication, surface);
+  return film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
+}
+TractionLaw law_of(int code, double T, double critical, bool line, bool direct = false) {
+  return law_of(lubricant(code), T, critical, line, direct);
 }
 
 ContactPoint<double> point(double p0, double u, double slip) {
@@ -59,7 +71,7 @@ double direct(const Lubricant& oil, double T, double h, double slip, double p) {
   else
     stress = film_shear_stress({h, mu, 0.0, beta, K}, slip, 0.0);
   const double kappa = stress / p;
-  return kappa * std::pow(1.0 + std::pow(kappa / oil.limiting_ratio, 4.0), -0.25);
+  return kappa * std::pow(1.0 + std::pow(kappa / oil.limiting_ratio(T), 8.0), -0.125);
 }
 
 }  // namespace
@@ -210,7 +222,15 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
     for (const double T : {223.15, 300.0, 400.0})  // -50 C
       for (const bool lines : {false, true}) {
         const TractionLaw law = law_of(code, T, 1e-8, lines);
-        const double limit = lubricant(code).limiting_ratio;
+        const Lubricant& oil = lubricant(code);
+        const double limit = oil.limiting_ratio(T);
+        REQUIRE(limit > 0.0);
+        const bool strip = oil.model == LubricantModel::ViscoElastic;
+        // The limit of kTrac 8 and 12 is τ00 + τ0p p: over a strip, of mean pressure π p0/4, τ00
+        // adds its share. Their law is read from a surface, whose largest error is below
+        // 1 % (its own test; measured here: 0.8 %).
+        const double own_stress = strip ? oil.stress * limit / oil.stress_p : 0.0;
+        const double rounding = strip ? 0.01 : 1e-12;
         CHECK(law.rounded());
         law.visit([&](const auto& own) {
           for (const double p0 : {1.0, 1e7, 1e9, 4e9, 6e9})
@@ -232,7 +252,8 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
                   CAPTURE(code, T, lines, p0, u, slip, kappa, film.thickness, film.share);
                   FAIL_CHECK("not a traction");
                 }
-                if (limit > 0.0 && kappa > std::max(limit, 0.12) * (1.0 + 1e-12)) {
+                const double bound = limit + own_stress / (0.25 * 3.14159265358979 * p0);
+                if (kappa > std::max(bound, 0.12) * (1.0 + rounding)) {
                   CAPTURE(code, T, lines, p0, u, slip, kappa);
                   FAIL_CHECK("beyond the limit of the law");
                 }
@@ -242,11 +263,41 @@ TEST_CASE("all lubricants: no state makes a film or a traction that is no number
   CHECK(checked == 19 * 3 * 2 * 5 * 5 * 7);
 }
 
+TEST_CASE("limiting stress: single precision → the law to 3e-7, for every limit",
+          "[physics][film_law]") {
+  using Doubles = stdx::native_simd<double>;
+  using Singles = SingleOf<Doubles>::Type;
+  // The least limit: of a user's lubricant with the largest softening of the run options.
+  bearing::UserLubricant given;
+  given.limit_ratio = 1e-3;
+  given.limit_softening = 0.1;
+  const double least = user_lubricant(given).limiting_ratio(450.0);
+  CHECK(least > 0.0);
+  for (const double limit : {least, 1e-3, 0.01, 0.05, 0.2}) {
+    const LimitedTraction law = LimitedTraction::at(limit);
+    double largest = 0.0, largest_single = 0.0;
+    for (double raw = 1e-4 * limit; raw < 1e6; raw *= 1.01) {
+      const double kappa = static_cast<float>(raw);
+      const double exact = kappa * std::exp(-0.125 * std::log1p(std::pow(kappa / limit, 8.0)));
+      const double by_doubles = law.of(Doubles(kappa))[0];
+      const double by_singles = law.of(Singles(Singles::F(static_cast<float>(raw)))).v[0];
+      REQUIRE(std::isfinite(by_doubles));
+      REQUIRE(std::isfinite(by_singles));
+      largest = std::max(largest, std::abs(by_doubles / exact - 1.0));
+      largest_single = std::max(largest_single, std::abs(by_singles / exact - 1.0));
+    }
+    CAPTURE(limit, largest, largest_single);
+    CHECK(largest < 1e-14);
+    CHECK(largest_single < 3e-7);
+  }
+}
+
 TEST_CASE("all lubricants: the mean over a strip is that of its points", "[physics][film_law]") {
-  // A dense midpoint rule against the six points of the law: 0.1 % where κ varies smoothly along
-  // the strip, up to 2.5 % where its limit is reached inside it (kTrac 18 at 1.5 GPa).
-  for (const int code : {1, 3, 10, 11, 18}) {
-    const TractionLaw law = law_of(code, 360.0, 0.0, true);
+  // A dense midpoint rule against the six points of the law.
+  const auto largest_error = [](const Lubricant& oil) {
+    double largest = 0.0;
+    int checked = 0;
+    const TractionLaw law = law_of(oil, 360.0, 0.0, true);
     law.visit([&](const auto& own) {
       if constexpr (kHasFilm<std::decay_t<decltype(own)>>) {
         if constexpr (!is_of_strip<std::decay_t<decltype(own)>>()) {
@@ -260,13 +311,25 @@ TEST_CASE("all lubricants: the mean over a strip is that of its points", "[physi
                 sum += shape * here(slip, p0 * shape);
               }
               const double mean = sum * (2.0 / kCells) / (0.5 * 3.14159265358979);
-              CAPTURE(code, p0, slip, mean);
-              CHECK(here.strip(p0)(slip) == Approx(mean).epsilon(code == 18 ? 0.03 : 0.01));
+              const double error = std::abs(here.strip(p0)(slip) / mean - 1.0);
+              largest = std::max(largest, error);
+              ++checked;
             }
           }
         }
       }
     });
+    CHECK(checked == 6);
+    return largest;
+  };
+  for (const int code : {1, 3, 10, 11}) {  // κ varies smoothly along the strip
+    CAPTURE(code);
+    CHECK(largest_error(without_limit(code)) < 0.01);
+  }
+  // At 1.5 GPa the limit is reached inside the strip of kTrac 1 and 18: 1.4 % and 1.7 %.
+  for (const int code : {1, 3, 10, 11, 18}) {
+    CAPTURE(code);
+    CHECK(largest_error(lubricant(code)) < (code == 1 || code == 18 ? 0.03 : 0.01));
   }
 }
 
@@ -346,7 +409,8 @@ TEST_CASE("all lubricants: traction falls with temperature at one film, and wher
         CHECK(below == Approx(slopes).margin(1e-3));
       }
       falls_below += below < 0.0 ? 1 : 0;
-      if (oil.model == LubricantModel::NewtonianThermal && !(oil.limiting_ratio > 0.0)) {
+      if (oil.model == LubricantModel::NewtonianThermal &&
+          kappa(warm, thinner, kMuch, kPressure) < 0.4 * oil.limiting_ratio(T)) {
         const double beyond =
             kappa(warm, thinner, kMuch, kPressure) / kappa(cool, h, kMuch, kPressure);
         CHECK(beyond > 1.0);

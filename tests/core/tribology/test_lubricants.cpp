@@ -68,8 +68,8 @@ TEST_CASE("viscosity: pressure coefficients by formula are those of the law",
 
 TEST_CASE("user lubricant: type II for the film and type I for the traction, at one temperature",
           "[unit][lubricants]") {
-  const Lubricant oil =
-      user_lubricant({"mine", 313.0, 0.03, 1.5e-8, 4000.0, 0.14, 900.0, 2000.0, 0.2, 6e-9, 0.03});
+  const Lubricant oil = user_lubricant(
+      {"mine", 313.0, 0.03, 1.5e-8, 4000.0, 0.14, 900.0, 2000.0, 0.2, 6e-9, 0.03, {}, 0.003});
   CHECK(oil.base_viscosity(313.0) == Approx(0.03));
   CHECK(oil.base_beta(350.0) == Approx(4000.0 / (350.0 * 350.0)).epsilon(1e-6));
   CHECK(oil.pressed_viscosity(1e9, 350.0) == Approx(0.2 * std::exp(6.0 - 0.03 * 37.0)));

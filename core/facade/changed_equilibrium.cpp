@@ -1,0 +1,80 @@
+#include "facade/changed_equilibrium.hpp"
+
+#include "facade/kept_races.hpp"
+#include "facade/ring_growth.hpp"
+#include "facade/thermal_run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace adore::facade {
+
+std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause) {
+  if (!change.why_not.empty())
+    return fmt::format(
+        "{}: {}, so the state stays where it is; the next revolutions contain a vibration", cause,
+        change.why_not);
+  const double ratio = change.ratio();
+  if (!(ratio > dynamics::kExcessWarned)) return {};
+  const std::string text = fmt::format(
+      "{}: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} J)",
+      cause, change.excess, 100.0 * ratio, change.elastic);
+  if (ratio > dynamics::kExcessRefused)
+    throw SolverError(text +
+                      ": contact loads after it are those of an impact. Change the bearing in "
+                      "smaller steps, or start from the equilibrium (kIcOpt = 0)");
+  return text + ": loads of the next revolutions contain a vibration";
+}
+
+dynamics::MovingScene moving_scene(const Prepared& prepared, dynamics::System& system) {
+  statics::StaticsOptions balls;
+  balls.curvature = prepared.options.system.moving_angle ? statics::Curvature::Potential
+                                                         : statics::Curvature::Fixed;
+  balls.fixed_angle = prepared.fixed_angle;
+  return {system, prepared.plan, balls, prepared.options.rollers};
+}
+
+void take_state(const results::FinalState& from, const dynamics::System& system,
+                std::vector<double>& y) {
+  std::map<std::string, double> stored;
+  for (std::size_t i = 0; i < from.components.size(); ++i)
+    stored[from.components[i]] = from.state[i];
+  for (int i = 0; i < system.layout().controlled_size(); ++i) {
+    const auto found = stored.find(system.layout().component_name(i));
+    if (found != stored.end()) y[static_cast<std::size_t>(i)] = found->second;
+  }
+}
+
+StoredScene stored_scene(const results::FinalState& stored,
+                         const std::map<std::string, double>& thermal, const Prepared& now,
+                         const std::filesystem::path& file) {
+  deck::ReadResult read = deck::read_deck_text(stored.deck, file.string());
+  if (!read.ok()) throw InputError(std::move(read.issues));
+  LoadedDeck input;
+  input.path = file;
+  input.deck = std::move(read.deck);
+  input.deck.set("kStif", "0");
+  input.option_values = now.input.option_values;
+  input.user = now.input.user;
+  input.routines = now.input.routines;
+  StoredScene out{prepare(std::move(input)), nullptr, stored.time, {}};
+  if (out.prepared.bearing.thermal && !thermal.empty()) {
+    ThermalRun run(out.prepared);
+    if (run.restore(thermal, file)) (void)move_to(out.prepared, run.operating());
+  }
+  out.system = std::make_unique<dynamics::System>(make_system(out.prepared));
+  if (const RingGrowth growth(out.prepared); growth.active()) {
+    const dynamics::PrescribedRaces races =
+        out.system->prescribed_races(out.time, out.system->initial_state());
+    const std::array<double, 2> speed{races[0].speed, races[1].speed};
+    move_to_speeds(out.prepared, nullptr, growth.speeds(growth.levels(speed), speed));
+    out.system = std::make_unique<dynamics::System>(make_system(out.prepared));
+  }
+  out.y = out.system->initial_state();
+  take_state(stored, *out.system, out.y);
+  if (const auto races = kept_races(stored.extras)) out.system->go_on(*races, out.time, out.y);
+  return out;
+}
+
+}  // namespace adore::facade
