@@ -352,7 +352,7 @@ void RunPanel::showListing() {
   desktop::delete_when_done(*window);
   window->setWindowTitle(name);
   desktop::open_at_size(*window, {1080, 760});
-  auto* listing = desktop::make_listing_view(file.fileName(), window);
+  auto* listing = desktop::make_listing_view(name, window);
   listing->setPlainText(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);
   connect(buttons, &QDialogButtonBox::rejected, window, &QDialog::reject);

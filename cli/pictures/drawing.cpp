@@ -112,6 +112,7 @@ void draw_accuracy(const std::filesystem::path& table, const std::filesystem::pa
   std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);
   if (pages.front().x.empty())
     throw InputError(fmt::format("{} holds no run that came to its end", table.string()));
+  desktop::check_replaceable(picture);
   desktop::ensure_headless_application();
   constexpr double kWidth = 1280.0, kHeight = 800.0;
   desktop::ChartScene scene;

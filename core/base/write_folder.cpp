@@ -90,6 +90,14 @@ bool is_plain_name(const std::string& name) {
          name.find('\0') == std::string::npos;
 }
 
+/// The message of a missing folder names the file.
+WriteFolder folder_of(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  if (::access(folder.empty() ? "." : folder.c_str(), F_OK) != 0)
+    fail(file, errno, "opening its folder");
+  return WriteFolder(folder);
+}
+
 /// To look names up: a folder that may be written but not listed will do.
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 
@@ -231,7 +239,7 @@ void WriteFolder::rename(const std::string& name, const WriteFolder& to,
 }
 
 WritePath::WritePath(const fs::path& file, int)
-    : folder_(file.parent_path()), name_(file.filename().string()), path_(file) {}
+    : folder_(folder_of(file)), name_(file.filename().string()), path_(file) {}
 
 WritePath::WritePath(WriteFolder folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)), path_(folder_.path() / name_) {}

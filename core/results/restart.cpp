@@ -249,7 +249,7 @@ MasterState read_master(const std::filesystem::path& path) {
   for (std::size_t left = reader.count("files"); left > 0; --left) {
     auto [bytes, text] = reader.named();
     std::optional<std::uint64_t> sum;
-    if (std::count(text.begin(), text.end(), ' ') == 2) {  // checksum, role and name
+    if (reader.format() >= 4) {  // checksum, role and name
       const std::string first = text.substr(0, text.find(' '));
       std::uint64_t value = 0;
       const char* end = first.data() + first.size();

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 /// Inputs that broke a build once, one test for each kind:
 /// a study folder from a stranger, deep nesting, names that are not UTF-8, devices, state of Slurm,
 /// files that lost steps, killed children, tables with thousands of columns, escape sequences.
@@ -81,7 +83,7 @@ TEST_CASE("devices and pipes as inputs → rejected at once", "[cli]") {
   for (const char* input : {"/dev/zero", "pipe"}) {
     write(folder / "u.json", fmt::format(R"({{"adrx7":{{"element_race":{{"table":"{}"}}}}}})",
                                          input[0] == '/' ? input : (folder / input).string()));
-    for (const std::string words :
+    for (const std::string& words :
          {std::string("run DATA.txt --set kTrac=-1 --user u.json --out r"),
           fmt::format("run DATA.txt --user {} --out r", input), fmt::format("check {}", input),
           fmt::format("show {}", input), fmt::format("convert {} --to csv", input),
@@ -252,7 +254,7 @@ TEST_CASE("escape sequences in names and in result files → visible text", "[cl
   write(folder / "ADORE.json", "{\"\\u001b[31m\":1}");
   const std::string name = "e\x1b[31m\xc2\x9b";
   fs::copy_file(folder / "DATA.txt", folder / name);
-  for (const std::string words :
+  for (const std::string& words :
        {std::string("convert r/RUN.json --to csv"), std::string("convert r/RUN.json --to json"),
         std::string("show r/RUN.json"), std::string("check ."), "check '" + name + "'",
         "check 'no " + name + "'", "run '" + name + "' --set mode=-1 --out q", "new '" + name + "'",

@@ -1,6 +1,5 @@
 #include "cli/driver.hpp"
 
-#include <functional>
 #include <map>
 #include <set>
 #include <sys/stat.h>
@@ -18,7 +17,7 @@ constexpr std::array kObstacles{Obstacle::Link, Obstacle::Pipe, Obstacle::HardLi
 constexpr std::array kNames{"link", "pipe", "hard link", "folder", "foreign file"};
 
 struct Command {
-  std::string words;               ///< run in the folder
+  std::string words;               ///< run in the folder; of `adore`, or beginning with "agore"
   std::vector<std::string> ready;  ///< commands that make its inputs
 };
 
@@ -28,7 +27,10 @@ const std::string kSweep =
         "quantities": ["largest_contact_load_N"]})";
 
 Result run_in(const fs::path& folder, const std::string& words) {
-  return run_shell("cd " + folder.string() + " && timeout 120 " + command_line(words) + " 2>&1");
+  std::string line = command_line(words);
+  for (const std::string app : {"agore", "adrplot", "adrinput"})
+    if (words.starts_with(app + " ")) line = program(app).string() + words.substr(app.size());
+  return run_shell("cd " + folder.string() + " && timeout 120 " + line + " 2>&1");
 }
 
 void prepare(const fs::path& folder, const Command& command) {
@@ -46,6 +48,17 @@ std::set<std::string> listed(const fs::path& folder) {
   std::set<std::string> out;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     out.insert(fs::relative(entry.path(), folder).string());
+  return out;
+}
+
+/// Those, with what changes when a file is replaced or changed in place.
+std::map<std::string, std::array<long, 3>> states(const fs::path& folder) {
+  std::map<std::string, std::array<long, 3>> out;
+  for (const std::string& name : listed(folder)) {
+    struct stat now {};
+    REQUIRE(::lstat((folder / name).c_str(), &now) == 0);
+    out[name] = {static_cast<long>(now.st_ino), now.st_mtim.tv_sec, now.st_mtim.tv_nsec};
+  }
   return out;
 }
 
@@ -103,23 +116,62 @@ bool stands(const fs::path& place, Obstacle obstacle) {
   }
 }
 
+/// Checks what a command did that met an obstacle.
+void try_obstacle(const fs::path& ready, const Command& command, const std::string& name,
+                  Obstacle obstacle) {
+  const Folder folder;
+  fs::copy(ready, folder.path(), fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  const Victim victim;
+  put(folder / name, obstacle, victim);
+  const Result run = run_in(folder.path(), command.words);
+  INFO(command.words << ", " << name << " is a " << kNames.at(static_cast<std::size_t>(obstacle))
+                     << ": exit " << run.code << "\n"
+                     << run.out);
+  CHECK(victim.untouched());
+  CHECK((run.code == 0 || run.code == 2));
+  // Refused and left, or its name was not needed; a hard link may be replaced by a new file.
+  if (obstacle != Obstacle::HardLink) CHECK(stands(folder / name, obstacle));
+  if (run.code == 2) CHECK(contains(run.out, fs::path(name).filename().string()));
+}
+
+/// A folder of the outputs is a link to a folder of the user.
+void try_linked_folder(const fs::path& ready, const Command& command, const std::string& name) {
+  const Folder folder;
+  fs::copy(ready, folder.path(), fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  const Victim victim;
+  fs::create_directories((folder / name).parent_path());
+  fs::remove_all(folder / name);
+  fs::create_directory_symlink(victim.folder.path(), folder / name);
+  const Result run = run_in(folder.path(), command.words);
+  INFO(command.words << ", " << name << " is a link to a folder: exit " << run.code << "\n"
+                     << run.out);
+  // The folder that the command line names may be a link; no other.
+  const bool named = contains(" " + command.words + " ", "--out " + name + " ") ||
+                     contains(" " + command.words + " ", "--render " + name + " ");
+  if (!named) CHECK(victim.untouched());
+  CHECK(read(victim.file) == "precious\n");
+}
+
 void try_all(const Command& command) {
+  const Folder ready;
+  prepare(ready.path(), command);
   std::set<std::string> files, folders;
   {
     const Folder folder;
-    prepare(folder.path(), command);
-    const std::set<std::string> before = listed(folder.path());
+    fs::copy(ready.path(), folder.path(), fs::copy_options::recursive);
+    const auto before = states(folder.path());
     const Result run = run_in(folder.path(), command.words);
     INFO(command.words << ": " << run.out);
     REQUIRE(run.code == 0);
     std::set<std::string> kinds;
-    for (const std::string& name : listed(folder.path())) {
-      if (before.contains(name)) continue;
-      const fs::path path = folder.path() / name;
+    for (const auto& [name, state] : states(folder.path())) {
+      const auto old = before.find(name);
+      const bool is_folder = fs::is_directory(folder / name);
+      if (old != before.end() && (is_folder || old->second == state)) continue;
       // Records of runs, pages and frames: one of each kind.
       std::string kind;
       for (const char c : name) kind += std::isxdigit(static_cast<unsigned char>(c)) != 0 ? '#' : c;
-      if (fs::is_directory(path))
+      if (is_folder)
         folders.insert(name);
       else if (kinds.insert(kind).second)
         files.insert(name);
@@ -127,38 +179,8 @@ void try_all(const Command& command) {
   }
   REQUIRE_FALSE(files.empty());
   for (const std::string& name : files)
-    for (const Obstacle obstacle : kObstacles) {
-      const Folder folder;
-      prepare(folder.path(), command);
-      const Victim victim;
-      put(folder / name, obstacle, victim);
-      const Result run = run_in(folder.path(), command.words);
-      INFO(command.words << ", " << name << " is a "
-                         << kNames.at(static_cast<std::size_t>(obstacle)) << ": exit " << run.code
-                         << "\n"
-                         << run.out);
-      CHECK(victim.untouched());
-      CHECK((run.code == 0 || run.code == 2));
-      // Refused and left, or its name was not needed; a hard link may be replaced by a new file.
-      if (obstacle != Obstacle::HardLink) CHECK(stands(folder / name, obstacle));
-      if (run.code == 2) CHECK(contains(run.out, fs::path(name).filename().string()));
-    }
-  for (const std::string& name : folders) {
-    const Folder folder;
-    prepare(folder.path(), command);
-    const Victim victim;
-    fs::create_directories((folder / name).parent_path());
-    fs::remove_all(folder / name);
-    fs::create_directory_symlink(victim.folder.path(), folder / name);
-    const Result run = run_in(folder.path(), command.words);
-    INFO(command.words << ", " << name << " is a link to a folder: exit " << run.code << "\n"
-                       << run.out);
-    // The folder that the command line names may be a link; no other.
-    const bool named = contains(" " + command.words + " ", "--out " + name + " ");
-    if (!named) CHECK(victim.untouched());
-    CHECK(victim.before.st_ino != 0);
-    CHECK(read(victim.file) == "precious\n");
-  }
+    for (const Obstacle obstacle : kObstacles) try_obstacle(ready.path(), command, name, obstacle);
+  for (const std::string& name : folders) try_linked_folder(ready.path(), command, name);
 }
 
 }  // namespace
@@ -199,6 +221,20 @@ TEST_CASE("outputs of pictures: no obstacle leads a write to another place", "[c
   try_all({"animate r --frame 1 --out p", {run}});
   try_all({"animate r --movie film.gif", {run}});
   try_all({"animate r --movie film.avi", {run}});
+}
+
+TEST_CASE("outputs of accuracy studies: no obstacle leads a write to another place",
+          "[cli][slow]") {
+  try_all({"accuracy DATA.txt --methods rkf3 --tols 1e-3 --turns 0.01 --budget 1 --out a", {}});
+}
+
+TEST_CASE("outputs of the apps: no obstacle leads a write to another place", "[cli][slow]") {
+  if (!fs::exists(program("agore"))) return;  // a build without the apps
+  const std::string run = "run DATA.txt --quiet --until 0.002rev --out r";
+  try_all({"agore r/SOL8 --render p", {run}});
+  try_all({"agore r/SOL8 --render p --movie film.gif", {run}});
+  try_all({"adrplot r/SOL7 --page 1 --render p", {run}});
+  try_all({"adrinput s.json --render p", {}});
 }
 
 TEST_CASE("a study folder that is a link is refused", "[cli]") {

@@ -66,7 +66,8 @@ TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
   MasterState master;
   master.last = state;
   master.averages = {{"average time", 0.125}, {"branch cage.theta[0]", -6.25}};
-  master.files = {{"PRINT", "PRINT.txt", 123456789012ULL}, {"SOL1", "my file with blanks", 42}};
+  master.files = {{"PRINT", "PRINT.txt", 123456789012ULL, {}},
+                  {"SOL1", "my file with blanks", 42, {}}};
   write_master(master, folder / "MASTER");
   const MasterState back = read_master(folder / "MASTER");
   check_equal(back.last, state);
@@ -82,7 +83,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
   MasterState master;
   master.last = make_state();
   master.averages = {{"average time", 0.125}};
-  master.files = {{"PRINT", "PRINT.txt", 10}};
+  master.files = {{"PRINT", "PRINT.txt", 10, {}}};
   write_master(master, folder / "MASTER");
   write_final(make_state(), folder / "FINAL");
   CHECK_THAT(message_of([&] { (void)read_final(folder / "MASTER"); }), Contains("no FINAL file"));
@@ -351,7 +352,7 @@ TEST_CASE("no number of MASTER or FINAL may be not a number, infinite or a word"
   MasterState master;
   master.last = make_state();
   master.averages = {{"average time", 0.125}, {"stepper memory next step", 1e-6}};
-  master.files = {{"PRINT", "PRINT.txt", 10}};
+  master.files = {{"PRINT", "PRINT.txt", 10, {}}};
   write_master(master, folder / "MASTER");
   write_final(make_state(), folder / "FINAL");
   for (const std::string name : {"FINAL", "MASTER"}) {
