@@ -190,6 +190,7 @@ int WriteFolder::create(const std::string& name) const {
 
 int WriteFolder::open_own(const std::string& name) const {
   const fs::path path = path_ / name;
+  if (!is_plain_name(name)) fail(path, EISDIR, "opening");
   const int file =
       ::openat(descriptor(), name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) {
@@ -226,11 +227,12 @@ int WriteFolder::open_lock(const std::string& name) const noexcept {
 }
 
 void WriteFolder::remove(const std::string& name) const noexcept {
-  (void)::unlinkat(descriptor(), name.c_str(), 0);
+  if (is_plain_name(name)) (void)::unlinkat(descriptor(), name.c_str(), 0);
 }
 
 void WriteFolder::rename(const std::string& name, const WriteFolder& to,
                          const std::string& new_name) const {
+  if (!is_plain_name(name) || !is_plain_name(new_name)) fail(path_ / name, EISDIR, "moving");
   if (::renameat(descriptor(), name.c_str(), to.descriptor(), new_name.c_str()) != 0)
     fail(path_ / name,
          fmt::format("the file cannot be moved to {} ({})", (to.path_ / new_name).string(),
