@@ -219,4 +219,12 @@ std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const 
   return out;
 }
 
+std::optional<validity::Finding> MotionWatch::cage_yield() const {
+  if (cage_.steps == 0) return std::nullopt;
+  const validity::Range& range = validity::range("cage.yield");
+  return validity::Finding{
+      &range,      cage_.value / cage_limit_,   range.bounds, "cage, " + cage_.where, cage_.time,
+      cage_.steps, bearing_.cage->material.name};
+}
+
 }  // namespace adore::facade

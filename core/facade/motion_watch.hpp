@@ -1,11 +1,13 @@
 #pragma once
 
+#include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "life/contact_strength.hpp"
 #include "results/quantities.hpp"
 #include "scene/snapshot.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,8 @@ class MotionWatch {
   void look(const scene::Snapshot& at);
   /// Sentences; empty: no limit was passed.
   [[nodiscard]] std::vector<std::string> warnings(results::UnitSystem units) const;
+  /// For the register of validity, range "cage.yield".
+  [[nodiscard]] std::optional<validity::Finding> cage_yield() const;
 
  private:
   struct Worst {
