@@ -13,9 +13,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// Compares the state of a bearing with the register of validity (base/validity.hpp): of the
 /// quasi-static solution and, at stored steps, of a motion. Films are judged at contacts that carry
@@ -50,6 +53,9 @@ class LawRanges {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Findings without those of the ranges that more detailed remarks describe.
+[[nodiscard]] std::vector<validity::Finding> without(
+    std::vector<validity::Finding> findings, std::initializer_list<std::string_view> described);
 /// Why the results are not trusted: a finding of that grade; empty: none.
 [[nodiscard]] std::string untrusted(std::span<const validity::Finding> findings);
 /// For RUN.json.
