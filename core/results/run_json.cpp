@@ -2,6 +2,7 @@
 
 #include "base/arithmetic.hpp"
 #include "base/checksum.hpp"
+#include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/own_files.hpp"
@@ -237,6 +238,16 @@ RunMark read_run_mark(const std::filesystem::path& path) {
         *value = line.substr(start.size(), line.find('"', start.size()) - start.size());
     }
   return out;
+}
+
+nlohmann::json read_run_member(const std::filesystem::path& path, const char* name) {
+  if (!is_own_file(path)) return {};
+  try {
+    const auto run = parse_json(read_text_file(path), path.string());
+    return run.is_object() ? run.value(name, nlohmann::json()) : nlohmann::json();
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 std::string own_checksum(std::string text) {
