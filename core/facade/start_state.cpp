@@ -26,8 +26,15 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
       free[k] = !race->translation_held[k];
   }
   (void)dynamics::balance_race(system, out.y, prepared.start.stiffness.topLeftCorner<3, 3>(), free);
-  if (balls) return out;
   const std::size_t left = found.rollers - found.balanced;
+  if (balls) {
+    if (left > 0)
+      out.remark = fmt::format(
+          "{} of {} balls start in pure rolling, because no balance of friction was found for "
+          "them: the first revolutions contain their way to it",
+          left, found.rollers);
+    return out;
+  }
   if (left == 0 && found.largest_skew < kAligned)
     out.remark = "the rollers start in balance of friction, without skew";
   else if (left == 0)

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::facade {
 namespace {
@@ -56,6 +57,7 @@ ThermalRun::ThermalRun(const Prepared& prepared)
   relaxation_.least = 0.2;
   relaxation_.most = 1.0;
   relaxation_.quiet = 0.5;
+  relaxation_.averages = true;
   const auto field = now_.list();
   history_.emplace_back(field.begin(), field.end());
 }
@@ -96,6 +98,10 @@ void ThermalRun::start(double time, const scene::EnergyLedger& energy) {
   before_ = sources(energy);
 }
 
+bool ThermalRun::lasting() const noexcept {
+  return settled_ || steps_ >= static_cast<int>(kJudged);
+}
+
 bool ThermalRun::due(double time) const noexcept {
   constexpr double kRounding = 1e-9;
   return time - begun_ >= as_built_.thermal->average_time * (1.0 - kRounding) && time > begun_;
@@ -124,6 +130,14 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
   node_state_ = out.heat.state;
   ++steps_;
   out.number = steps_;
+  hot_ = thermal::hot_node(out.heat);
+  out.window = at.time - begun_;
+  const double orbit = std::abs(cage_speed(at));
+  if (orbit > 0.0) out.passing = 2.0 * std::numbers::pi / (orbit * as_built_.element_count());
+  constexpr double kLeast = 0.2, kLeastOfShort = 0.02, kMemory = 0.3;
+  relaxation_.least = out.window < out.passing
+                          ? std::clamp(kMemory * out.window / out.passing, kLeastOfShort, kLeast)
+                          : kLeast;
   now_ = transient_
              ? out.heat.bulk
              : thermal::BulkTemperatures::of(relaxation_.step(now_.list(), out.heat.bulk.list()));
@@ -143,22 +157,27 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
   // Slow changes of a transient are not a steady state, growing ones no instability.
   if (transient_ && out.judged.reason != "limit")
     out.judged.verdict = thermal::StepVerdict::Undecided;
-  settled_ = out.judged.verdict == thermal::StepVerdict::Stable;
+  double drift = 0.0;
+  const double fresh = std::max(relaxation_.least, 1.0 / steps_);
+  for (std::size_t k = 0; k < drift_.size(); ++k) {
+    drift_[k] += fresh * (relaxation_.residual[k] - drift_[k]);
+    drift = std::max(drift, std::abs(drift_[k]));
+  }
+  constexpr double kDrift = 2.0;  // [K]
+  settled_ = out.judged.verdict == thermal::StepVerdict::Stable && drift < kDrift;
   if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
     throw SolverError(fmt::format(
         "at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher baseTemp or "
         "another place for it (kBaseTemp), or less load or speed",
         at.time, steps_, cold));
   const std::string hot = thermal::runaway(now_);
-  if (!hot.empty() || out.judged.verdict == thermal::StepVerdict::Divergent)
+  if (!hot.empty() || out.judged.reason == "limit")
     throw SolverError(fmt::format(
         "at t = {:.9g} s, thermal step {}: temperatures run away ({}); heat {:.4g} W, outer race "
         "{:.4g} K, inner race {:.4g} K, elements {:.4g} K. Give more coolant (cFlowRate), more "
         "clearance or less interference (freeIntCls, raceFit1, raceFit2), less load or speed; or "
         "a longer aveTime when heat only settles",
-        at.time, steps_,
-        !hot.empty() ? hot : std::string("their changes have grown over four thermal steps"),
-        out.heat.sources.total(), now_.race[0], now_.race[1], now_.element));
+        at.time, steps_, hot, out.heat.sources.total(), now_.race[0], now_.race[1], now_.element));
   return out;
 }
 
@@ -183,6 +202,8 @@ void ThermalRun::save(std::map<std::string, double>& state) const {
   for (std::size_t k = 0; k < node_state_.size(); ++k) state[key("node", k)] = node_state_[k];
   state["thermal.relaxation"] = relaxation_.factor;
   state["thermal.relaxed"] = relaxation_.begun ? 1.0 : 0.0;
+  state["thermal.turns"] = relaxation_.turns;
+  for (std::size_t k = 0; k < drift_.size(); ++k) state[key("drift", k)] = drift_[k];
   for (std::size_t k = 0; k < now.size(); ++k) state[key("residual", k)] = relaxation_.residual[k];
   const auto heat = list_of(before_);
   for (std::size_t k = 0; k < heat.size(); ++k) state[key("heat", k)] = heat[k];
@@ -228,6 +249,8 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
     node_state_[k] = get(key("node", k), -kMost, kMost);
   relaxation_.factor = get("thermal.relaxation", 0.0, 1.0);
   relaxation_.begun = get("thermal.relaxed", 0.0, 1.0) > 0.5;
+  relaxation_.turns = static_cast<int>(get("thermal.turns", 0.0, 1e9));
+  for (std::size_t k = 0; k < drift_.size(); ++k) drift_[k] = get(key("drift", k), -kMost, kMost);
   for (std::size_t k = 0; k < now.size(); ++k)
     relaxation_.residual[k] = get(key("residual", k), -kMost, kMost);
   std::array<double, 8> heat{};

@@ -20,6 +20,8 @@
 /// state, not a warming-up in time. Where heat falls as the oil warms, full steps would overshoot
 /// and alternate: the parts go the relaxed way (relaxation.hpp, factor 0.2 to 1), and what is shown
 /// is the network's answer to the mean heat of the window, whose balance is closed at every step.
+/// Windows shorter than the passing of an element see fluctuating heat: the factor then goes down
+/// to 0.3 window/passing, at least 0.02, so that temperatures follow the mean of passings [choice].
 namespace adore::facade {
 
 class ThermalRun {
@@ -36,9 +38,11 @@ class ThermalRun {
     int number = 0;
     bool geometry = false;  ///< changes with this step
     thermal::StepSequence judged;
+    double passing = 0.0;  ///< of one element, at the mean orbital speed; 0: they rest [s]
+    double window = 0.0;   ///< [s]
   };
   /// Closes the window at this instant. @throws SolverError where temperatures run away, or heat
-  /// finds no way
+  /// finds no way. Changes that grow are judged, not thrown: heat may grow for other reasons.
   /// @param contact conductances of the race contacts at the present equilibrium
   [[nodiscard]] Step close(const scene::Snapshot& at, const thermal::RaceConductance& contact);
   /// The bearing at work after the last step.
@@ -51,6 +55,10 @@ class ThermalRun {
   [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept { return now_; }
   [[nodiscard]] int steps() const noexcept { return steps_; }
   [[nodiscard]] bool settled() const noexcept { return settled_; }
+  /// Node outside the range of the network in the last step, in words; empty: none.
+  [[nodiscard]] const std::string& hot() const noexcept { return hot_; }
+  /// The last steps are an answer to the mean heat, no longer of a cold start.
+  [[nodiscard]] bool lasting() const noexcept;
 
   /// For MASTER, and back; false: there is nothing of a thermal analysis.
   void save(std::map<std::string, double>& state) const;
@@ -67,6 +75,8 @@ class ThermalRun {
   thermal::HeatSources before_;               ///< heat until then [J]
   int steps_ = 0;
   bool settled_ = false;
+  std::string hot_;
+  thermal::Relaxation::Field drift_{};  ///< mean residual of the last steps [K]
   thermal::Relaxation relaxation_;
   bool transient_;                            ///< heat capacities act
   double acceleration_;                       ///< thermal over mechanical time

@@ -123,9 +123,7 @@ void TimeRun::thermal_step() {
   const bool settled = thermal.settled();
   const ThermalRun::Step done =
       thermal.close(system().snapshot(t, y), race_conductance(parts_.prepared));
-  if (thermal.settled() && !settled)
-    parts_.outputs.remark(fmt::format(
-        "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
+  remark_thermal(done, thermal.settled() && !settled);
   try {
     const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
     for (const std::string& text : doubts)
@@ -144,6 +142,27 @@ void TimeRun::thermal_step() {
   }
   parts_.outputs.thermal_step(done, t);
   start_anew(y);
+}
+
+void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
+  const double t = parts_.stepper.time();
+  if (settles)
+    parts_.outputs.remark(fmt::format(
+        "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
+  if (done.number == 1 && done.window < done.passing)
+    parts_.outputs.remark(fmt::format(
+        "thermal analysis: aveTime = {:.3g} ms is shorter than the passing of one element ({:.3g} "
+        "ms), so the heat of a thermal step fluctuates. Temperatures of the bearing follow its "
+        "mean; printed networks are those of single steps",
+        1e3 * done.window, 1e3 * done.passing));
+  if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
+      !grown_) {
+    grown_ = true;
+    add_remark(parts_.prepared, Severity::Warning,
+               fmt::format("thermal analysis: changes of temperature grew over four thermal steps "
+                           "up to step {}, t = {:.6g} s, heat {:.4g} W",
+                           done.number, t, done.heat.sources.total()));
+  }
 }
 
 void TimeRun::move_into(dynamics::System next, double t, std::span<double> y,
@@ -301,6 +320,15 @@ void TimeRun::close(RunEnd& end) {
       !why.empty() && status_ == RunStatus::Done) {
     status_ = RunStatus::Untrusted;
     message_ = std::move(why);
+  }
+  if (parts_.thermal != nullptr && !parts_.thermal->hot().empty()) {
+    const std::string hot = "thermal analysis, last thermal step: " + parts_.thermal->hot();
+    if (parts_.thermal->lasting() && status_ == RunStatus::Done) {
+      status_ = RunStatus::Untrusted;
+      message_ = hot;
+    } else {
+      add_remark(parts_.prepared, Severity::Warning, hot);
+    }
   }
   if (tight_time_ > 0.0 && end.point.time > 0.0)
     parts_.outputs.remark(film_tolerance_text(parts_.prepared.control.tolerance, tightest_,

@@ -70,6 +70,7 @@ class TimeRun {
   /// Thermal analysis: the window is full; the state goes on in the new geometry, and the stepper
   /// starts anew.
   void thermal_step();
+  void remark_thermal(const ThermalRun::Step& done, bool settles);
   void start_anew(std::span<const double> y);
   /// Continues y in the system of a changed bearing, moved to its equilibrium. @throws SolverError
   void move_into(dynamics::System next, double t, std::span<double> y, const std::string& cause);
@@ -104,6 +105,7 @@ class TimeRun {
   integrators::Counters counters_;
   long held_changes_;
   bool films_doubted_ = false;        ///< by the last thermal step
+  bool grown_ = false;                ///< a remark said that temperature changes grow
   double error_sum_, error_largest_;  ///< in tolerances of the deck
   double tight_time_, tightest_;      ///< Resume
 

@@ -221,6 +221,7 @@ StaticTable network_table(const thermal::BearingHeat& heat) {
     out.add(fmt::format("{} to {}", flow.from, flow.to), unit::kPower, {flow.heat});
   for (const thermal::NodeFlow& flow : heat.leaving)
     out.add(fmt::format("leaves to {}", flow.to), unit::kPower, {flow.heat});
+  if (heat.stored != 0.0) out.add("stays in the parts", unit::kPower, {heat.stored});
   out.add("mean of the outer race", unit::kTemperature, {heat.bulk.race[0]});
   out.add("mean of the inner race", unit::kTemperature, {heat.bulk.race[1]});
   const thermal::HeatSources& q = heat.sources;

@@ -497,4 +497,14 @@ std::string runaway(const BulkTemperatures& bulk) {
   return {};
 }
 
+std::string hot_node(const BearingHeat& heat) {
+  const auto hottest = std::max_element(heat.nodes.begin(), heat.nodes.end(),
+                                        [](const NodeTemperature& a, const NodeTemperature& b) {
+                                          return a.temperature < b.temperature;
+                                        });
+  if (hottest == heat.nodes.end() || hottest->temperature <= kHottest) return {};
+  return fmt::format("{} at {:.4g} K, above {:g} K, where the thermal network is not valid",
+                     hottest->name, hottest->temperature, kHottest);
+}
+
 }  // namespace adore::thermal

@@ -119,6 +119,8 @@ struct HeatStep {
 
 /// What of a temperature field no bearing survives, in words; empty: none.
 [[nodiscard]] std::string runaway(const BulkTemperatures& bulk);
+/// The hottest node above kHottest, films included, in words; empty: none.
+[[nodiscard]] std::string hot_node(const BearingHeat& heat);
 /// Above it a field counts as running away [choice] [K].
 inline constexpr double kHottest = 1000.0;
 

@@ -8,6 +8,9 @@
 /// factor f after Irons & Tuck (1969) from the last two residuals, f = -f r·d/d·d, d = r' - r, held
 /// between two limits. No part moves more than kLargestStride: the heat of cold oil is several
 /// times that of the steady state, and its steady temperatures would leave the range of any law.
+/// Heat that fluctuates (`averages`): the factor is at most 1/(1 + n) after n turns of the
+/// residual against the one before (Kesten 1958) [recalled, high], so that temperatures settle at
+/// the mean. `least` bounds the memory.
 namespace adore::thermal {
 
 struct Relaxation {
@@ -16,6 +19,8 @@ struct Relaxation {
 
   double least = 0.05, most = 3.0;  ///< of the factor
   double quiet = 0.0;               ///< largest residual that changes no factor [K]
+  bool averages = false;
+  int turns = 0;  ///< of the residual
   double factor = 1.0;
   bool begun = false;
   Field residual{};   ///< of the last step
@@ -39,6 +44,8 @@ struct Relaxation {
       const double wanted = -factor * rd / dd;
       factor = wanted > 0.0 ? std::clamp(wanted, least, most) : std::min(1.0, most);
     }
+    if (begun && rr + rd < 0.0) ++turns;
+    if (averages) factor = std::clamp(1.0 / (1.0 + turns), least, std::max(factor, least));
     begun = true;
     residual = r;
     if (largest > 0.0) factor = std::min(factor, kLargestStride / largest);

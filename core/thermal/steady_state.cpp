@@ -145,6 +145,8 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
     if (out.change < kTolerance) {
       if (const std::string cold = too_cold(now.heat); !cold.empty())
         give_up(cold, pass, last, out.gain);
+      if (const std::string hot = hot_node(now.heat); !hot.empty())
+        give_up(hot, pass, last, out.gain);
       out.heat = std::move(now.heat);
       out.friction = std::move(now.friction);
       out.as_built = as_built;

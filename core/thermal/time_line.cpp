@@ -65,7 +65,9 @@ TimeLine solve_time_line(const bearing::Bearing& as_built, const statics::Roller
     bulk = next.bulk;
     stored = next.stored;
     step.before = std::move(next.state);
-    if (const std::string hot = runaway(bulk); !hot.empty()) {
+    std::string hot = runaway(bulk);
+    if (hot.empty()) hot = hot_node(next);
+    if (!hot.empty()) {
       out.end = fmt::format("temperatures run away after {:.4g} s ({})", time, hot);
       return out;
     }

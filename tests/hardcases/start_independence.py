@@ -3,32 +3,35 @@
 
     start_independence.py PROGRAM [--small] [--types T,T] [--modes M,M] [--jumps J,J] [--opt NAME=VALUE]... [--table FILE]
 
-PROGRAM is `adore`. Jumps: thermal (cold start of a deck with kTherm 1), load (continuation with twice the load), speed (continuation with
+PROGRAM is `adore`. Jumps: thermal (cold start of a deck with kTherm 1), oil (the same with a film of oil), load (continuation with twice the load), speed (continuation with
 1.3 times the speed), mode (start from FINAL of another mode), orbit (record 9.5 from the first step). For each type and mode:
   peak   largest contact load of the run <= 1.2 of the larger of both equilibria, or of the clean start if that is larger
   load   mean largest load of the window within 5 % of the clean start
   life   run_life_hours of the window within 5 % of the clean start
   exit   0
 The window follows the revolution after the jump; its life comes from the damage of two runs (t2/L2 - t1/L1).
-A thermal jump is compared with starts at two other temperatures; the temperatures at the end agree within 0.5 K.
+  kelvin temperatures of the bearing at the end within 0.5 K (thermal, oil)
+A thermal jump is compared with starts at two other temperatures.
 Exit code 1: a row fails.
 """
 
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
 TYPES = ["ball", "cylindrical", "spherical", "tapered", "spherical-tapered"]
-JUMPS = ["load", "speed", "mode", "thermal", "orbit"]
+JUMPS = ["load", "speed", "mode", "thermal", "oil", "orbit"]
 # Revolutions before the jump, of settling after it, and of the window.
 SPANS = {"ball": (0.5, 0.5, 1.0), "cylindrical": (0.2, 0.2, 0.4), "spherical": (0.1, 0.1, 0.3), "tapered": (0.1, 0.1, 0.3),
          "spherical-tapered": (0.1, 0.1, 0.3)}
 THERMAL = {"kTherm": 1, "kCoolant": 14, "kBaseTemp": 3, "kHTC": 0, "kGeoMod": 1, "kMatPropMod": 1, "baseTemp": 320, "cFlowRate": 2e-5,
            "aveTime": 2e-4, "skipTime": 0}
+OIL = {"kTrac": 4, "reRaceFilm": 1e-8, "strParam": 10}
 TEMPERATURES = ["hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp"]
 STARTS = [293.15, 320.0, 350.0]  # [K]
 ORBIT = {"kRotFrame": 1, "brgOrbitRad": 0.1, "brgAngPos": 0, "brgAngVel": 2000, "brgLoadFrac1": 0, "brgLoadFrac2": 0}
@@ -62,6 +65,12 @@ class Bench:
     def fresh(self):
         self.count += 1
         return os.path.join(self.folder, f"run{self.count}")
+
+
+def bearing_temperatures(out):
+    """That the bearing works with, by part [K]."""
+    with open(os.path.join(out, "MASTER"), encoding="utf-8") as file:
+        return {name: float(value) for value, name in re.findall(r"(\S+) (thermal\.now\.\d+)\n", file.read())}
 
 
 def window(first, second):
@@ -142,18 +151,19 @@ def jump(bench, kind, mode, which):
     rows = []
     results = []
     for kelvin in STARTS:
-        sets = {**start, **THERMAL, **{name: kelvin for name in TEMPERATURES}}
+        sets = {**start, **THERMAL, **(OIL if which == "oil" else {}), **{name: kelvin for name in TEMPERATURES}}
         out = bench.fresh()
         steps = 4 * spans[0]
         first = bench.run(kind, sets, steps + spans[1], out)
         second = bench.run(kind, sets, steps + spans[1] + spans[2], out, ["--continue"])
-        results.append((window(first, second), second))
+        results.append((window(first, second), second, bearing_temperatures(out)))
     loads = [one[0][0] for one in results]
     lives = [one[0][1] for one in results]
     peaks = [one[1]["peak_load_N"] for one in results]
     rows.append(("peak", max(peaks) / (1.2 * max(min(peaks), max(loads))), 1.0))
     rows.append(("load", max(loads) / min(loads) - 1, 0.05))
     rows.append(("life", max(lives) / min(lives) - 1, 0.05))
+    rows.append(("kelvin", max(max(one[2][name] for one in results) - min(one[2][name] for one in results) for name in results[0][2]), 0.5))
     return rows
 
 

@@ -5,6 +5,7 @@
 #include "support/paths.hpp"
 #include "thermal/bearing_heat.hpp"
 #include "thermal/operating.hpp"
+#include "thermal/relaxation.hpp"
 #include "thermal/steady_state.hpp"
 #include "tribology/fluid.hpp"
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace adore;
@@ -371,4 +373,49 @@ TEST_CASE(
     }
   CHECK(found > 0);
   CHECK(refused > 0);
+}
+
+TEST_CASE("relaxation: fluctuating heat → the mean; heat that falls steeply → the root",
+          "[unit][thermal]") {
+  using Field = thermal::Relaxation::Field;
+  const auto run = [](bool averages, double gain, double amplitude) {
+    thermal::Relaxation relaxation;
+    relaxation.least = 0.02;
+    relaxation.most = 1.0;
+    relaxation.averages = averages;
+    Field at;
+    at.fill(320.0);
+    double largest = 0.0;  // departure over the last period
+    constexpr int kPeriod = 12, kSteps = 300;
+    for (int n = 0; n < kSteps; ++n) {
+      Field found;
+      found.fill(300.0 + gain * (at[0] - 300.0) +
+                 amplitude * std::cos(2.0 * std::numbers::pi * n / kPeriod));
+      at = relaxation.step(at, found);
+      if (n >= kSteps - kPeriod) largest = std::max(largest, std::abs(at[0] - 300.0));
+    }
+    return largest;
+  };
+  CHECK(run(true, -0.3, 20.0) < 2.0);
+  CHECK(run(false, -0.3, 20.0) > 8.0);
+  CHECK(run(true, -6.0, 0.0) < 0.01);
+}
+
+TEST_CASE("hot_node: a film above 1000 K → its name, whatever the parts are at",
+          "[unit][thermal]") {
+  thermal::BearingHeat heat;
+  heat.nodes = {{"outer raceway", 400.0}, {"film of the pockets", 2.8e5}, {"ambient", 293.0}};
+  CHECK(thermal::hot_node(heat).find("film of the pockets") == 0);
+  heat.nodes[1].temperature = 999.0;
+  CHECK(thermal::hot_node(heat).empty());
+}
+
+TEST_CASE("network: pocket heat between bodies that hardly conduct → a film out of range",
+          "[physics][thermal]") {
+  Bearing b = example();
+  HeatSources sources;
+  sources.element_cage = 500.0;
+  b.cage->material.conductivity = 0.05;
+  b.element_material.conductivity = 0.05;
+  CHECK(thermal::hot_node(thermal::solve_bearing_heat(b, sources, 400.0)).find("film of the") == 0);
 }
