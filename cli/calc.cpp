@@ -2,7 +2,7 @@
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
-#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "cli/commands.hpp"
 #include "cli/streams.hpp"
@@ -114,6 +114,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto list = std::make_shared<bool>(false);
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
+    auto markdown = std::make_shared<bool>(false);
     std::vector<std::string> names;
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       names.push_back(info.name);
@@ -124,7 +125,7 @@ void add_calc(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_flag("--list", *list, "list the calculators");
     command->add_flag("--describe", *describe,
-                      "inputs and results of the calculator with units, and an example");
+                      "inputs with ranges, codes and defaults, results with units, and an example");
     // Elsewhere --json is a flag; here a file may follow, as it did before there was `input`.
     command
         ->add_option_function<std::vector<std::string>>(
@@ -137,6 +138,7 @@ void add_calc(CLI::App& app, int& exit_code) {
         ->expected(0, 1)
         ->type_name("FILE");
     command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
+    command->add_flag("--markdown", *markdown, "--list with all inputs, as a page in Markdown");
     command->footer(
         "Examples\n"
         "  adore calc --list\n"
@@ -144,6 +146,11 @@ void add_calc(CLI::App& app, int& exit_code) {
         "  adore calc hertz input.json\n"
         "  echo '{\"code\": 100}' | adore calc material");
     command->callback([=] {
+      if (*markdown) {
+        if (!*list) throw InputError("--markdown belongs to --list");
+        fmt::print("{}", calculators::calculators_markdown());
+        return;
+      }
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
       if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
       calc(calculator(*name).name, *source);

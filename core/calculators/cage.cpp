@@ -48,9 +48,21 @@ Json pocket_frame_case(const Json& in) {
           {"wall_z_high", height[1]}};
 }
 
+/// A pocket wall has a height, and only a cone turns over with the sign of its clearance.
+void check_pocket(const Json& in, bool conical) {
+  require(get(in, "wall_z_low") < get(in, "wall_z_high"),
+          fmt::format("wall_z_low = {} m is not below wall_z_high = {} m. Exchange them.",
+                      get(in, "wall_z_low"), get(in, "wall_z_high")));
+  require(
+      conical || get(in, "bPocCls1") >= 0.0,
+      fmt::format("bPocCls1 = {} m: only a conical pocket has a negative value. Enter 0 or more.",
+                  get(in, "bPocCls1")));
+}
+
 std::optional<Json> ball_pocket_case(const Json& in) {
   const auto shape = pocket_shape(in);
   if (!shape) return std::nullopt;
+  check_pocket(in, *shape == PocketShape::Conical);
   const double sigma = get(in, "rotation_sign");
   const contact::BallPocket pocket{*shape,
                                    get(in, "ball_diameter"),
@@ -74,6 +86,7 @@ std::optional<Json> ball_pocket_case(const Json& in) {
 }
 
 Json half_pocket_case(const Json& in) {
+  check_pocket(in, false);
   const double r_b = 0.5 * get(in, "ball_diameter");
   const contact::CylindricalPocket pocket{r_b + 0.5 * get(in, "bPocCls1"), get(in, "wall_z_low"),
                                           get(in, "wall_z_high")};
@@ -134,10 +147,12 @@ PocketRoller pocket_roller(const Json& in) {
 }
 
 std::vector<contact::PocketFace> pocket_faces(const Json& in) {
-  if (in.at("pocket").get<std::string>() == "rectangular")
+  if (in.at("pocket").get<std::string>() == "rectangular") {
+    check_pocket(in, false);
     return contact::window_faces(get(in, "roller_diameter") + get(in, "bPocCls1"),
                                  get(in, "wall_z_low"), get(in, "wall_z_high"),
                                  get(in, "rotation_sign"));
+  }
   std::vector<bearing::RollerPocketFace> given;
   for (const Json& pair : in.at("surface_pairs"))
     given.push_back({vec3(pair.at("bPocGsAng_deg")) * kDegree, vec3(pair.at("bPocGsCen")),
@@ -180,6 +195,7 @@ Json roller_pocket_case(const Json& in) {
 }
 
 Json round_roller_pocket_case(const Json& in) {
+  check_pocket(in, false);
   const PocketRoller roller = pocket_roller(in);
   const contact::RoundPocket pocket{0.5 * (get(in, "roller_diameter") + get(in, "bPocCls1")),
                                     get(in, "wall_z_low"), get(in, "wall_z_high")};
@@ -343,6 +359,8 @@ std::optional<Json> inertia_case(const Json& the_case) {
   solid.pockets = whole(in, "nRe", 1, kMostElements);
   solid.element_diameter = get(in, "element_diameter");
   solid.pitch_diameter = get(in, "pitch_diameter");
+  require(*shape == PocketShape::Conical || get(in, "bPocCls1") >= 0.0,
+          "bPocCls1 is below 0: only a conical pocket has a negative value. Enter 0 or more.");
   solid.clearance_1 = get(in, "bPocCls1");
   solid.clearance_2 = get(in, "bPocCls2");
   solid.roller_length = in.value("roller_length", 0.0);

@@ -2,7 +2,8 @@
 
 #include "base/errors.hpp"
 #include "calculators/adapters.hpp"
-#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculator_description.hpp"
+#include "calculators/calculator_gate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -129,14 +130,14 @@ std::string quoted(std::string_view text) {
                                         : std::string(text.substr(first + 1, last - first - 1));
 }
 
-/// A sentence for what the JSON library says: a key that is not there, or a value of another type.
-std::string misfit(std::string_view name, std::string_view family,
-                   const nlohmann::json::exception& error) {
+/// A sentence for an error of the JSON library: a missing key, or a value of another type. Only
+/// inputs that the schema cannot require come here, and families without a schema.
+std::string misfit(std::string_view name, const nlohmann::json::exception& error) {
   constexpr int kNoSuchKey = 403;
   const std::string key = quoted(error.what());
   if (error.id == kNoSuchKey && !key.empty())
-    return fmt::format("calculator {}: the input {} is missing; {}", name,
-                       paths_of_key(family, key), see_description(name));
+    return fmt::format("calculator {}: the input {} is missing; {}", name, key,
+                       see_description(name));
   return fmt::format("calculator {}: an input is missing or of the wrong type; {}", name,
                      see_description(name));
 }
@@ -169,15 +170,13 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
   if (!the_case.at("inputs").is_object())
     throw InputError(fmt::format("calculator {}: \"inputs\" must be one JSON object", name));
   if (!the_case.contains("id")) the_case["id"] = name;
-  if (!the_case.contains("kind") && named != table.end() && !named->kind.empty())
-    the_case["kind"] = named->kind;
-  check_calculator_inputs(family, the_case.at("inputs"));
+  the_case = check_inputs(family, named != table.end() ? named->kind : std::string(), the_case);
   std::optional<nlohmann::json> result;
   try {
     for (const Adapter& adapter : adapters)
       if (!result) result = adapter.run(the_case);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(misfit(name, family, error));
+    throw InputError(misfit(name, error));
   } catch (const std::logic_error& error) {
     // The numbers go straight to the library, so a precondition that fails there is theirs.
     throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
@@ -195,6 +194,7 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
   if (!result)
     throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
                                  name, see_description(name)));
+  check_results(family, name, *result);
   nlohmann::json units = result_units(family, *result);
   if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);
   return *result;

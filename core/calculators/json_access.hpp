@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -57,25 +57,19 @@ inline constexpr int kMostElements = 10'000, kMostSlices = 1'000;
                                   int most) {
   return inputs.contains(key) ? whole(inputs, key, least, most) : fallback;
 }
-/// A number that must be finite and above 0. @throws InputError saying so
-inline double above_zero(const Json& inputs, const char* key) {
-  const double value = get(inputs, key);
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
-  return value;
+/// A condition between several inputs, which the schema of one input cannot state.
+/// @throws InputError with the text
+inline void require(bool condition, const std::string& text) {
+  if (!condition) throw InputError(text);
 }
-inline void above_zero(const Json& inputs, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) above_zero(inputs, key);
-}
-/// The same for one that may be 0.
-inline double not_negative(const Json& inputs, const char* key) {
-  const double value = get(inputs, key);
-  if (!(value >= 0.0 && std::isfinite(value)))
-    throw InputError(fmt::format("{} is {}; give a finite value of at least 0", key, value));
-  return value;
-}
-inline void not_negative(const Json& inputs, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) not_negative(inputs, key);
+
+/// Z elements of diameter D on the pitch diameter d_m touch when d_m sin(π/Z) = D.
+inline void require_elements_fit(int count, double diameter, double pitch_diameter) {
+  const double chord = pitch_diameter * std::sin(kPi / std::max(count, 2));
+  require(diameter <= chord * (1.0 + 1e-9),
+          fmt::format("{} elements of diameter {:.4g} do not fit on the pitch diameter {:.4g}: at "
+                      "most {:.4g} each; enter fewer or smaller elements",
+                      count, diameter, pitch_diameter, chord));
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {
   return the_case.value("kind", std::string());

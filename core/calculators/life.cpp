@@ -52,6 +52,7 @@ std::optional<Json> capacity_case(const Json& the_case) {
   g.gamma = in.contains("gamma") ? get(in, "gamma")
                                  : 1e-3 * get(in, "D") * g.cos_alpha / (1e-3 * get(in, "dm"));
   g.count = whole(in, "Z", 1, kMostElements);
+  if (in.contains("dm")) require_elements_fit(g.count, get(in, "D"), get(in, "dm"));
   const double fco = in.value("fco", 1.0);
   const double factor = in.value("lam", 1.0) * fco;
   const bool line = in.contains("l");
@@ -123,6 +124,7 @@ Geometry geometry(const Json& geo) {
   out.life.count = whole(geo, "Z", 1, kMostElements);
   out.life.diameter = get(geo, "D");
   out.life.pitch_diameter = get(geo, "dm");
+  require_elements_fit(out.life.count, out.life.diameter, out.life.pitch_diameter);
   out.alpha = geo.value("alpha", 0.0) * kDegree;
   out.life.nominal_angle = out.alpha;
   out.life.length = geo.value("l", 0.0);

@@ -28,6 +28,8 @@ IsoGeometry iso_geometry(const Json& in) {
   g.length = in.value("Lwe", 0.0);
   g.pitch_diameter = in.value("Dpw", 0.0);
   g.count = whole_or(in, "Z", 0, 0, kMostElements);
+  if (g.count > 0 && g.element_diameter > 0.0 && g.pitch_diameter > 0.0)
+    require_elements_fit(g.count, g.element_diameter, g.pitch_diameter);
   g.rows = whole_or(in, "i", 1, 1, 100);
   g.contact_angle = in.value("alpha_deg", 0.0) * kDegree;
   const life::LifeConstants& c = life::constants();
@@ -66,11 +68,23 @@ std::optional<Json> table_case(const Json& in) {
   return Json{{"fc", life::iso_fc(g)}};
 }
 
+/// X and Y of the table act above Fa/Fr = e only; below, P = Fr. P = X_applied Fr + Y_applied Fa.
+void add_applied_factors(Json& out, double Fr, double Fa) {
+  const bool radial = Fa <= get(out, "e") * Fr;
+  out["X_applied"] = radial ? 1.0 : get(out, "X");
+  out["Y_applied"] = radial ? 0.0 : get(out, "Y");
+}
+
 std::optional<Json> equivalent_case(const Json& in) {
   IsoGeometry g = iso_geometry(in);
+  constexpr double kTableFrom = 20.0 * kDegree;  // below, e and Y follow from f0 Fa/C0
+  require(g.type != IsoType::RadialBall || g.contact_angle >= kTableFrom - 1e-9 || g.count > 0,
+          "Dw, Dpw and Z are missing: below a contact angle of 20 degrees the factors of a ball "
+          "bearing depend on its static rating. Enter all three");
   const auto load = life::iso_equivalent_load(g, get(in, "Fr"), get(in, "Fa"));
-  if (!load) return Json{{"P", nullptr}};
+  require(load.has_value(), "Fr: a thrust bearing carries no radial load. Enter 0");
   Json out{{"P", load->P}, {"X", load->X}, {"Y", load->Y}, {"e", load->e}};
+  add_applied_factors(out, get(in, "Fr"), get(in, "Fa"));
   // The rows of 5 and 10 degrees are not held (iso281.hpp).
   if (const double angle = in.value("alpha_deg", 0.0);
       g.type == IsoType::RadialBall && angle > 0.0 && angle < 15.0 - 1e-9)
@@ -87,11 +101,13 @@ std::optional<Json> deep_groove_case(const Json& in) {
   const double Fr = get(in, "Fr"), Fa = get(in, "Fa");
   const auto load = life::iso_equivalent_load(g, Fr, Fa * own / given);
   const bool radial = Fa <= load->e * Fr;
-  return Json{{"f0", f0},
-              {"X", load->X},
-              {"Y", load->Y},
-              {"e", load->e},
-              {"P", radial ? Fr : load->X * Fr + load->Y * Fa}};
+  Json out{{"f0", f0},
+           {"X", load->X},
+           {"Y", load->Y},
+           {"e", load->e},
+           {"P", radial ? Fr : load->X * Fr + load->Y * Fa}};
+  add_applied_factors(out, Fr, Fa);
+  return out;
 }
 
 Json rating(const Json& in) {
@@ -204,8 +220,7 @@ Json ball_reference(const Json& in) {
 std::optional<Json> iso16281_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   if (in.contains("Q_roller")) return roller_reference(in);
-  if (in.contains("Qi") || in.contains("load_law")) return ball_reference(in);
-  return std::nullopt;
+  return ball_reference(in);
 }
 
 }  // namespace

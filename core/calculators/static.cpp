@@ -28,6 +28,7 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 /// Undefined quantities are NaN in the library and null in the cases.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// Number, or the text "inf" (the gate allows no other).
 double radius(const Json& j) {
   return j.is_string() ? std::numeric_limits<double>::infinity() : j.get<double>();
 }
@@ -42,6 +43,16 @@ bearing::Material material(const Json& j) {
 
 // ---- A_hertz_point
 
+/// The load, or the load that gives one of its results: Q = K δ^(3/2), p0 = 3 Q/(2 π a b) with
+/// a b = â b̂ Q^(2/3), a = â Q^(1/3).
+double hertz_load(const Json& in, const contact::HertzConstants& h) {
+  if (in.contains("approach")) return h.K * std::pow(get(in, "approach"), 1.5);
+  if (in.contains("pressure"))
+    return std::pow(get(in, "pressure") * kPi * h.a_hat * h.b_hat / 1.5, 3.0);
+  if (in.contains("half_axis")) return std::pow(get(in, "half_axis") / h.a_hat, 3.0);
+  return get(in, "load");
+}
+
 std::optional<Json> hertz_case(const Json& the_case) {
   if (kind_of(the_case) != "hertz_point") return std::nullopt;
   const Json& in = the_case.at("inputs");
@@ -52,7 +63,7 @@ std::optional<Json> hertz_case(const Json& the_case) {
   const auto [low, high] = std::minmax(along_x, along_y);
   const double E_star = bearing::contact_modulus(material(one), material(two));
   const contact::HertzConstants h = contact::hertz_constants({low, high}, E_star);
-  const double Q = get(in, "load");
+  const double Q = hertz_load(in, h);
   const double nu = get(in, "stress_poisson");
   const double a = h.a_hat * std::cbrt(Q);
   const double b = h.b_hat * std::cbrt(Q);
@@ -60,7 +71,8 @@ std::optional<Json> hertz_case(const Json& the_case) {
   const double delta = std::cbrt((Q / h.K) * (Q / h.K));
   const contact::SubsurfaceStress s = contact::subsurface_stress(a, b, p_max, nu);
   const contact::AxisStress axis = contact::axis_stress(a, b, p_max, nu, 0.5 * b);
-  return Json{{"E_star", E_star},
+  return Json{{"load", Q},
+              {"E_star", E_star},
               {"curvature_sum", low + high},
               {"curvature_difference", (high - low) / (low + high)},
               {"ellipticity_k", h.kappa},
@@ -96,6 +108,7 @@ bearing::BallGeometry geometry(const Json& g) {
   balls.count = whole(g, "Z", 1, kMostElements);
   balls.diameter = get(g, "D");
   balls.pitch_diameter = get(g, "dm");
+  require_elements_fit(balls.count, balls.diameter, balls.pitch_diameter);
   balls.groove_factor = {get(g, "fo"), get(g, "fi")};
   balls.contact_angle = g.value("alpha0_deg", 0.0) * kDegree;
   balls.clearance = g.value("Pd", 0.0);
@@ -110,6 +123,9 @@ bearing::Bearing ball_bearing(const Json& in) {
   const double D = b.balls().diameter;
   const double volume = kPi * D * D * D / 6.0;
   b.element_inertia.mass = in.value("ball_mass", b.element_material.density * volume);
+  require(
+      b.element_inertia.mass > 0.0 || in.contains("ball_mass") || in.value("speed_rpm", 0.0) == 0.0,
+      "the mass of a ball is missing: give ball_mass or material.ball.rho when the race turns");
   b.element_inertia.moments = bearing::Vec3::Constant(0.1 * b.element_inertia.mass * D * D);
   b.speed = {0.0, in.value("speed_rpm", 0.0) * kRpm};
   const Json prescribed = in.value("prescribed_displacement", Json::object());
@@ -222,6 +238,7 @@ Json frequencies(const statics::EpicyclicSpeeds& s, double scale) {
 std::optional<Json> kinematics_case(const Json& the_case) {
   if (kind_of(the_case) != "kinematics") return std::nullopt;
   const Json& in = the_case.at("inputs");
+  require_elements_fit(whole(in, "Z", 1, kMostElements), get(in, "D"), get(in, "dm"));
   const double inner = get(in, "inner_speed_rpm") * kRpm;
   const double outer = get(in, "outer_speed_rpm") * kRpm;
   const auto s =

@@ -22,10 +22,10 @@ std::string kind(const Json& the_case) {
 }
 
 NetworkRing ring(const Json& in) {
-  const NetworkRing out{above_zero(in, "r_in"), above_zero(in, "r_out"), above_zero(in, "w"),
-                        above_zero(in, "k")};
-  if (!(out.outer > out.inner))
-    throw InputError(fmt::format("r_out is {}; give more than r_in = {}", out.outer, out.inner));
+  const NetworkRing out{get(in, "r_in"), get(in, "r_out"), get(in, "w"), get(in, "k")};
+  require(out.outer > out.inner,
+          fmt::format("r_out is {} m: not above r_in = {} m. Enter a larger outer radius.",
+                      out.outer, out.inner));
   return out;
 }
 
@@ -67,13 +67,12 @@ Json ladder_case(const Json& in) {
   const HeatSources heat = sources(in.at("heat"));
   ladder.flows = share_out(heat, split(in.at("split")));
   const Json& coolant = in.at("coolant");
-  ladder.capacity_flow =
-      above_zero(coolant, "rho") * above_zero(coolant, "cp") * not_negative(coolant, "flow");
-  ladder.element_film = above_zero(in, "h_re") * above_zero(in, "area_re");
-  ladder.cage_film = above_zero(in, "h_cage") * above_zero(in, "area_cage");
+  ladder.capacity_flow = get(coolant, "rho") * get(coolant, "cp") * get(coolant, "flow");
+  ladder.element_film = get(in, "h_re") * get(in, "area_re");
+  ladder.cage_film = get(in, "h_cage") * get(in, "area_cage");
   constexpr int kLastBase = 5;
   ladder.base = static_cast<BaseNode>(whole(in, "kBaseTemp", 0, kLastBase));
-  ladder.base_temperature = above_zero(in, "base_temp");
+  ladder.base_temperature = get(in, "base_temp");
   const LadderResult result = solve_ladder(ladder);
   return {{"resistances",
            {{"outer", ladder.rings.outer.resistance()},
@@ -96,11 +95,11 @@ Json nodal_case(const Json& in) {
   const HeatSources heat = sources(in.at("heat"));
   network.flows = share_out(heat, split(in.at("split")));
   network.churning = heat.churning;
-  network.capacity_flow = not_negative(in, "mdot_cp");
-  network.element_film = not_negative(in, "hA_re");
-  network.cage_film = not_negative(in, "hA_cage");
-  network.contact = {not_negative(in, "G_re_outer"), not_negative(in, "G_re_inner")};
-  network.race_film = {not_negative(in, "hA_outer"), not_negative(in, "hA_inner")};
+  network.capacity_flow = get(in, "mdot_cp");
+  network.element_film = get(in, "hA_re");
+  network.cage_film = get(in, "hA_cage");
+  network.contact = {get(in, "G_re_outer"), get(in, "G_re_inner")};
+  network.race_film = {get(in, "hA_outer"), get(in, "hA_inner")};
   const Json& fixed = in.at("fixed");
   network.housing = get(fixed, "housing_od");
   network.shaft = get(fixed, "shaft_id");
@@ -116,9 +115,8 @@ Json nodal_case(const Json& in) {
 
 std::optional<Json> convection_case(const Json& in) {
   const Json& f = in.at("fluid");
-  const ConvectionFluid fluid{above_zero(f, "rho"), above_zero(f, "mu"), above_zero(f, "cp"),
-                              above_zero(f, "k")};
-  const double diameter = above_zero(in, "diameter"), speed = get(in, "speed");
+  const ConvectionFluid fluid{get(f, "rho"), get(f, "mu"), get(f, "cp"), get(f, "k")};
+  const double diameter = get(in, "diameter"), speed = get(in, "speed");
   const std::string shape = in.at("shape");
   if (shape == "sphere") return Json{{"h", sphere_convection(fluid, diameter, speed)}};
   if (shape == "cylinder") return Json{{"h", cylinder_convection(fluid, diameter, speed)}};
@@ -137,12 +135,8 @@ std::optional<Json> network_case(const Json& the_case) {
 
 Json windows_case(const Json& in) {
   constexpr int kMostSteps = 1'000'000;
-  HeatWindow window(above_zero(in, "aveTime"), not_negative(in, "skipTime"),
-                    whole(in, "kGeoMod", 0, kMostSteps));
+  HeatWindow window(get(in, "aveTime"), get(in, "skipTime"), whole(in, "kGeoMod", 0, kMostSteps));
   const Json &times = in.at("end_times"), &steps = in.at("step_sizes"), &heat = in.at("heat");
-  if (!times.is_array() || !steps.is_array() || !heat.is_array() || times.size() != steps.size() ||
-      times.size() != heat.size())
-    throw InputError("end_times, step_sizes and heat must be lists of one length");
   Json closed = Json::array();
   for (std::size_t i = 0; i < times.size(); ++i)
     if (const auto one =
@@ -157,7 +151,7 @@ Json windows_case(const Json& in) {
 Json sequence_case(const Json& in) {
   constexpr int kMostSteps = 1'000'000;
   StepRules rules;
-  rules.tolerance = not_negative(in, "tol");
+  rules.tolerance = get(in, "tol");
   rules.converged = whole(in, "n_converged", 1, kMostSteps);
   rules.divergent = whole(in, "n_divergent", 1, kMostSteps);
   if (in.contains("limit") && !in.at("limit").is_null()) rules.limit = get(in, "limit");

@@ -31,7 +31,6 @@ std::array<double, 4> four_values(const Json& tc) {
 /// κ is odd in the slip there; the keys A, B, C (and D) are the coefficients of the law.
 std::optional<Json> hypothetical_traction(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  if (!in.contains("type") || !in.contains("tc") || !in.contains("slip")) return std::nullopt;
   TractionCurve curve;
   try {
     curve = tribology::traction_curve(in.at("type"), four_values(in.at("tc")));
@@ -43,8 +42,12 @@ std::optional<Json> hypothetical_traction(const Json& the_case) {
   result["kappaAtZeroPlus"] = tribology::traction_coefficient(curve, 0.0);
   result["kappa"] = Json::array();
   for (const double slip : in.at("slip")) {
-    result["kappa"].push_back(
-        std::copysign(tribology::traction_coefficient(curve, std::abs(slip)), slip));
+    const double kappa = tribology::traction_coefficient(curve, std::abs(slip));
+    require(kappa >= 0.0,
+            fmt::format("the traction coefficient is {:.4g} at a slip of {} m/s: below "
+                        "0. Change the constants tc.",
+                        kappa, slip));
+    result["kappa"].push_back(std::copysign(kappa, slip));
   }
   return result;
 }

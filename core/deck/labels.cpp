@@ -36,6 +36,33 @@ std::string_view strip_prefix(std::string_view text) {
   return text.substr(digit);
 }
 
+/// The id of a record that a label may name: "Rec 7.2.1: land" -> "7.2.1".
+std::string_view id_of(std::string_view text) {
+  text = strip_prefix(text);
+  const auto end = std::find_if(text.begin(), text.end(),
+                                [](unsigned char c) { return !std::isalnum(c) && c != '.'; });
+  std::string_view id = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  while (id.ends_with('.')) id.remove_suffix(1);
+  return id;
+}
+
+/// 0 for the id of the record; with `instances` also 7.2 (0) and 7.2.3 (3) for 7.2.i.
+std::optional<int> named_instance(std::string_view id, const RecordSpec& spec, bool instances) {
+  if (spec.id == "12") return std::nullopt;
+  if (!instances) return equal_ignoring_case(id, spec.id) ? std::optional<int>(0) : std::nullopt;
+  if (spec.repeat.empty()) return std::nullopt;
+  const std::string_view base = spec.id.substr(0, spec.id.rfind('.'));
+  if (equal_ignoring_case(id, base)) return 0;
+  if (id.size() <= base.size() + 1 || !id.starts_with(base) || id[base.size()] != '.')
+    return std::nullopt;
+  const std::string_view number = id.substr(base.size() + 1);
+  int instance = 0;
+  const auto [stop, error] =
+      std::from_chars(number.data(), number.data() + number.size(), instance);
+  const bool is_number = error == std::errc() && stop == number.data() + number.size();
+  return is_number && instance > 0 ? std::optional<int>(instance) : std::nullopt;
+}
+
 /// Counts the values after the label that `scanner` has just passed, without running into the next
 /// label.
 int count_values(Scanner& scanner) {
@@ -53,28 +80,24 @@ int count_values(Scanner& scanner) {
 }  // namespace
 
 std::optional<LabelHint> parse_label(std::string_view text) {
-  text = strip_prefix(text);
-  const auto end = std::find_if(text.begin(), text.end(),
-                                [](unsigned char c) { return !std::isalnum(c) && c != '.'; });
-  std::string_view id = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-  while (id.ends_with('.')) id.remove_suffix(1);
+  const std::string_view id = id_of(text);
   if (id.empty()) return std::nullopt;
   const std::span<const RecordSpec> records = schema();
-  for (std::size_t i = 0; i < records.size(); ++i)
-    if (records[i].id != "12" && equal_ignoring_case(id, records[i].id)) return LabelHint{i, 0};
-  for (std::size_t i = 0; i < records.size(); ++i) {  // an instance: 7.2.3 of 7.2.i, or 7.2 itself
-    if (records[i].repeat.empty() || records[i].id == "12") continue;
-    const std::string_view base = records[i].id.substr(0, records[i].id.rfind('.'));
-    if (equal_ignoring_case(id, base)) return LabelHint{i, 0};
-    if (id.size() <= base.size() + 1 || !id.starts_with(base) || id[base.size()] != '.') continue;
-    const std::string_view number = id.substr(base.size() + 1);
-    int instance = 0;
-    const auto [stop, error] =
-        std::from_chars(number.data(), number.data() + number.size(), instance);
-    if (error == std::errc() && stop == number.data() + number.size() && instance > 0)
-      return LabelHint{i, instance};
-  }
+  for (const bool instances : {false, true})
+    for (std::size_t i = 0; i < records.size(); ++i)
+      if (const auto instance = named_instance(id, records[i], instances))
+        return LabelHint{i, *instance};
   return std::nullopt;
+}
+
+std::string other_record_named(std::string_view text, const RecordSpec& spec, int instance) {
+  const std::string_view id = id_of(text);
+  if (id.empty() || !parse_label(text)) return {};
+  for (const bool instances : {false, true})
+    if (const auto named = named_instance(id, spec, instances);
+        named && (*named == 0 || *named == instance))
+      return {};
+  return std::string(id);
 }
 
 Labels::Labels(const Scanner& scanner) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "deck/scanner.hpp"
+#include "deck/schema.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +20,10 @@ struct LabelHint {
 };
 
 std::optional<LabelHint> parse_label(std::string_view text);
+
+/// The id in a label that names another record, or another instance, than this one; else empty.
+[[nodiscard]] std::string other_record_named(std::string_view text, const RecordSpec& spec,
+                                             int instance);
 
 /// A line that starts with quoted text.
 struct Label {

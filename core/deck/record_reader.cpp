@@ -122,6 +122,13 @@ void RecordReader::read_label(RecordData& data) {
   if (token.kind == Token::Kind::Word)
     complain(Severity::Warning, token, "the label should be in single quotes",
              fmt::format("write '{}'", token.text));
+  else if (const std::string other = other_record_named(token.text, *state_.spec, data.instance);
+           !other.empty())
+    complain(Severity::Warning, token,
+             fmt::format("the label names record {}, but the values are read as record {}", other,
+                         default_label(*state_.spec, data.instance).substr(4)),
+             fmt::format("write '{}', or check the order of the records",
+                         default_label(*state_.spec, data.instance)));
   if (is_bad_quote(token)) {
     complain(Severity::Error, token, quote_problem(token),
              "put the label between two single quotes, then a comma");

@@ -242,14 +242,14 @@ TEST_CASE("adore calc tells what it takes, with units, and refuses what it does 
     const char* said;
   };
   const Refusal refusals[] = {
-      {"hertz", "{}", "the input body1 is missing"},
+      {"hertz", "{}", "body1.E: missing; give a number above 0, up to 2e12 [Pa]"},
       {"hertz", R"({"bodyy1": {}})", "bodyy1: there is no such input; did you mean body1"},
       {"hertz", R"({"body1": {"Rx": 0.01, "Ry": 0.01, "E": -1, "nu": 0.3}})",
-       "body1.E: -1 is out of range; give a positive number [Pa]"},
-      {"hertz", R"({"load": -10})", "load: -10 is out of range; give a positive number [N]"},
-      {"hertz", R"({"load": "much"})", "of the wrong type; give a positive number [N]"},
+       "body1.E = -1: out of range; give a number above 0, up to 2e12 [Pa]"},
+      {"hertz", R"({"load": -10})", "load = -10: out of range; give a number above 0, up to 1e10 [N]"},
+      {"hertz", R"({"load": "much"})", "load = \"much\": a text; give a number above 0, up to 1e10 [N]"},
       {"hertz", R"({"body1": 3})", "give an object with E, Rx, Ry, nu"},
-      {"material", R"({"code": 101.5})", "101.5 is out of range"},
+      {"material", R"({"code": 101.5})", "code = 101.5: not a whole number"},
       {"material", R"({"code": 100, "temperature": 300})", "there is no such input"},
       {"fits", R"({"inputs": 3})", "must be one JSON object"},
   };

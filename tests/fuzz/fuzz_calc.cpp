@@ -1,6 +1,6 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
-#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "json_mutator.hpp"
 #include "reference/adapters.hpp"

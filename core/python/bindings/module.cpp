@@ -1,7 +1,7 @@
 #include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "bindings.hpp"
-#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "facade/option_file.hpp"
 #include "facade/output_folder.hpp"

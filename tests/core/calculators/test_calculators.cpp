@@ -1,5 +1,5 @@
 #include "base/errors.hpp"
-#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "support/bytes.hpp"
 #include "support/paths.hpp"

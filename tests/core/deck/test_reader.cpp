@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "core/deck/deck_variants.hpp"
 #include "deck/deck.hpp"
+#include "deck/schema.hpp"
 #include "deck/templates.hpp"
 #include "support/bytes.hpp"
 #include "support/paths.hpp"
@@ -579,4 +580,40 @@ TEST_CASE("a repeat count that is too long is told as it was written", "[unit][d
       found = found || issue.message.find(said) != std::string::npos;
     CHECK(found);
   }
+}
+
+TEST_CASE("record labels: a label that names another record → warning, for every record",
+          "[unit][deck]") {
+  std::set<std::string> seen;
+  int warned = 0, misread = 0;
+  for (const Deck& deck : deck_variants::all()) {
+    for (std::size_t i = 0; i < deck.records.size(); ++i) {
+      const std::string id = deck.records[i].id;
+      if (id == "12" || !seen.insert(id).second) continue;
+      for (const RecordSpec& other : schema()) {
+        // All neighbours, and every seventh of the rest.
+        const auto apart = &other - find_record(id);
+        if (apart == 0 || other.id == "12" || (std::abs(apart) > 2 && apart % 7 != 0)) continue;
+        Deck changed = deck;
+        changed.records[i].values[0][0] = "Rec " + std::string(other.id);
+        const ReadResult back = read_deck_text(write_deck(changed), "x");
+        CAPTURE(id, other.id, adore::to_text(back.issues));
+        const bool named =
+            std::any_of(back.issues.begin(), back.issues.end(), [&](const Issue& issue) {
+              return issue.severity == Severity::Warning && issue.record == id &&
+                     issue.message.find("the label names record") != std::string::npos;
+            });
+        const bool error =
+            std::any_of(back.issues.begin(), back.issues.end(),
+                        [](const Issue& issue) { return issue.severity == Severity::Error; });
+        CHECK((named || error));  // a label that misleads the reader ends in an error
+        ++(named ? warned : misread);
+      }
+    }
+    // Labels as the program writes them, and those of instances, raise nothing.
+    for (const Issue& issue : read_deck_text(write_deck(deck), "x").issues)
+      CHECK(issue.message.find("the label names record") == std::string::npos);
+  }
+  CHECK(seen.size() >= schema().size() - 1);
+  CHECK(warned > 5 * misread);
 }

@@ -31,7 +31,7 @@ class Pip(unittest.TestCase):
             self.assertEqual(told.stderr, "")
             self.assertEqual(told.stdout.split(" ", 1)[1].strip(), "(12, 2) True")
             names = {p.name for p in (place / "lib").rglob("adore/*")}
-            self.assertTrue({"py.typed", "_core.pyi", "variables.pyi"} <= names, names)
+            self.assertTrue({"py.typed", "_core.pyi", "calc.pyi", "variables.pyi"} <= names, names)
 
 
 if __name__ == "__main__":

@@ -76,6 +76,9 @@ class Variables(unittest.TestCase):
         spec.loader.exec_module(writer)
         text = (PACKAGE / "variables.pyi").read_text()
         self.assertEqual(text, writer.text(), "run core/python/write_stubs.py")
+        calc = (PACKAGE / "calc.pyi").read_text()
+        self.assertEqual(calc, writer.calc_text(writer.described_calculators()), "run core/python/write_stubs.py")
+        ast.parse(calc)
         names = {n.target.id for n in ast.parse(text).body[-1].body if isinstance(n, ast.AnnAssign)}
         self.assertEqual(names, set(adore.schema.variable_names()))
 
