@@ -55,6 +55,8 @@ struct Ranges {
               &taylor = validity::range("hydro.taylor"),
               &land_length = validity::range("hydro.length"),
               &ellipse = validity::range("hertz.ellipse"), &width = validity::range("hertz.width"),
+              &shoulder = validity::range("hertz.shoulder"),
+              &yield = validity::range("hertz.yield"), &strips = validity::range("rolling.strips"),
               &groove = validity::range("conformity.groove"),
               &material = validity::range("materials.temperature"),
               &tempering = validity::range("materials.tempering"),
@@ -71,6 +73,7 @@ struct Contact {
   std::size_t race = 0, element = 0;
   double load = 0.0, length = 0.0;  ///< length of a line; 0: a point
   double peak = 0.0, half_major = 0.0, half_minor = 0.0;
+  double beyond = 0.0;                 ///< of the ellipse over the shoulder; <= 0: none
   double radius = 0.0;                 ///< of both bodies along rolling
   double film = 0.0, speed = 0.0;      ///< in the middle; of both surfaces. 0: no film
   double heat = 0.0, load_slip = 0.0;  ///< [W]; 0: not known
@@ -83,7 +86,10 @@ struct LawRanges::Impl {
   const Bearing& bearing;
   const std::string element;
   validity::Watch watch, coefficients;
+  life::HeaviestContacts peaks{};  ///< of all instants
+  std::array<double, 2> peak_time{kNoBound, kNoBound};
   CoefficientUse use;
+  std::vector<validity::Finding> earlier;  ///< of the motion that this one continues
   double given_largest = 0.0, given_time = kNoBound;
   std::string given_body;
 
@@ -103,6 +109,21 @@ struct LawRanges::Impl {
   void geometry();
   void temperatures(double time);
   void contact(const Contact& c, double heaviest, double time);
+  /// A contact of the quasi-static solution.
+  template <class Solution>
+  void equilibrium(Contact c, const Solution& solution, const statics::FrictionEstimate* friction,
+                   double heaviest) {
+    if (solution.films) {
+      const auto& film = solution.films->race[c.race][c.element];
+      c.film = film.film.central;
+      c.speed = film.speed;
+    }
+    contact(c, heaviest, kNoBound);
+    if (friction == nullptr) return;
+    const statics::FrictionOfContact& at = friction->race[c.race][c.element];
+    coefficient(at.spin + at.sliding, at.load_slip, at.of_oil, kNoBound, body(c));
+  }
+  void yields(validity::Watch& out) const;
   void coefficient(double heat, double load_slip, bool of_oil, double time,
                    const std::string& body);
   void drag(double orbit, double r, double spin, std::size_t i, double time);
@@ -185,8 +206,15 @@ void LawRanges::Impl::contact(const Contact& c, double heaviest, double time) {
   const double half = 0.5 * bearing.element_diameter();
   if (c.length > 0.0)
     watch.offer(r.width, c.half_minor / half, time, name);
-  else
+  else {
     watch.offer(r.ellipse, c.half_major / half, time, name);
+    watch.offer(r.shoulder, c.beyond, time, name);
+  }
+  if (life::HeaviestContact& most = peaks[c.race]; c.peak > most.pressure) {
+    most = {static_cast<int>(c.element) + 1, c.peak,
+            c.length > 0.0 ? 0.0 : c.half_minor / c.half_major};
+    peak_time[c.race] = time;
+  }
   watch.offer(r.life_pressure, c.peak, time, name);
   if (oil && !bearing.lubrication->user) {
     if (std::isnan(measured.most))
@@ -207,6 +235,19 @@ void LawRanges::Impl::contact(const Contact& c, double heaviest, double time) {
   watch.offer(r.film_speed, inlet[j].viscosity * u / (E * R), time, name);
   watch.offer(r.film_load, c.load / (E * R * R), time, name);
   watch.offer(r.film_ellipticity, c.half_major / c.half_minor, time, name);
+}
+
+void LawRanges::Impl::yields(validity::Watch& out) const {
+  const life::RaceStrength strength = life::contact_strength(bearing, peaks);
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t body = 0; body < 2; ++body) {
+      const life::ContactStrength& one = strength[j][body];
+      if (one.element == 0 || !(one.elastic_limit > 0.0)) continue;
+      out.offer(registered().yield, one.von_mises / one.elastic_limit, peak_time[j], [&] {
+        return body == 0 ? fmt::format("{}, {} {}", kRace[j], element, one.element)
+                         : fmt::format("{} {}, {}", element, one.element, kRace[j]);
+      });
+    }
 }
 
 void LawRanges::Impl::coefficient(double heat, double load_slip, bool of_oil, double time,
@@ -295,6 +336,7 @@ void LawRanges::look(const scene::Snapshot& at) {
                                      .along_minor;
       c.film = in.film;
       c.speed = in.rolling_speed;
+      if (!rollers) c.beyond = -in.edge;
       s.contact(c, heaviest, at.time);
       constexpr double kMetalShare = 1.05;  // of the critical film: no metal contact (film_law_of)
       s.coefficient(in.heat, in.load_slip, s.oil && in.least_film > kMetalShare * critical, at.time,
@@ -328,22 +370,18 @@ void LawRanges::look(const statics::StaticSolution& solution,
       c.peak = ball.p_max[j];
       c.half_major = ball.a[j];
       c.half_minor = ball.b[j];
+      c.beyond = -ball.shoulder_depth[j];
       c.radius = 1.0 / contact::race_curvature(s.bearing.balls(), static_cast<int>(j),
                                                std::abs(ball.alpha[j]))
                            .along_minor;
-      if (solution.films) {
-        c.film = solution.films->race[j][i].film.central;
-        c.speed = solution.films->race[j][i].speed;
-      }
-      s.contact(c, heaviest, kNoBound);
-      if (friction != nullptr)
-        s.coefficient(friction->race[j][i].spin + friction->race[j][i].sliding,
-                      friction->race[j][i].load_slip, friction->race[j][i].of_oil, kNoBound,
-                      s.body(c));
+      s.equilibrium(c, solution, friction, heaviest);
     }
     s.drag(ball.orbital_speed, ball.r, std::hypot(ball.omega_x - s.bearing.speed[0], ball.omega_r),
            i, kNoBound);
   }
+  if (s.oil && solution.films)
+    s.watch.offer(registered().strips, statics::rolling_over_strips(s.bearing, solution), kNoBound,
+                  [] { return std::string("balls"); });
 }
 
 void LawRanges::look(const statics::RollerSolution& solution,
@@ -366,15 +404,7 @@ void LawRanges::look(const statics::RollerSolution& solution,
       c.half_major = 0.5 * at.length;
       c.half_minor = at.half_width;
       c.radius = s.radius[j];
-      if (solution.films) {
-        c.film = solution.films->race[j][i].film.central;
-        c.speed = solution.films->race[j][i].speed;
-      }
-      s.contact(c, heaviest, kNoBound);
-      if (friction != nullptr)
-        s.coefficient(friction->race[j][i].spin + friction->race[j][i].sliding,
-                      friction->race[j][i].load_slip, friction->race[j][i].of_oil, kNoBound,
-                      s.body(c));
+      s.equilibrium(c, solution, friction, heaviest);
     }
     s.drag(solution.orbital_speed, 0.5 * s.bearing.pitch_diameter(), 0.0, i, kNoBound);
   }
@@ -387,7 +417,9 @@ void LawRanges::look(const life::BearingLife& life) {
 }
 
 std::vector<validity::Finding> LawRanges::findings() const {
-  std::vector<validity::Finding> out = impl_->watch.findings();
+  validity::Watch watch = impl_->watch;
+  impl_->yields(watch);
+  std::vector<validity::Finding> out = watch.findings();
   const CoefficientUse& use = impl_->use;
   for (const validity::Finding& found : impl_->coefficients.findings()) {
     const bool limit = found.range == &registered().impossible;
@@ -398,7 +430,37 @@ std::vector<validity::Finding> LawRanges::findings() const {
     one.detail = fmt::format("{:.2g} % of load x slip above it", 100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
+  for (const validity::Finding& before : impl_->earlier) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const validity::Finding& found) {
+      return found.range == before.range;
+    });
+    if (same == out.end())
+      out.push_back(before);
+    else if (before.excess() > same->excess())
+      *same = before;
+  }
   return out;
+}
+
+void LawRanges::restore(const nlohmann::json& outside_validity) {
+  for (const nlohmann::json& one : outside_validity) {
+    const auto number = [&](const char* key) {
+      const nlohmann::json& value = one.at(key);
+      return value.is_number() ? value.get<double>() : kNoBound;
+    };
+    const std::string id = one.at("range");
+    const auto known = validity::ranges();
+    const auto range =
+        std::find_if(known.begin(), known.end(), [&](const Range& r) { return r.id == id; });
+    if (range == known.end() || std::isnan(number("time_s"))) continue;
+    impl_->earlier.push_back({&*range,
+                              number("value_si"),
+                              {number("least_si"), number("most_si")},
+                              one.at("body"),
+                              number("time_s"),
+                              1,
+                              {}});
+  }
 }
 
 std::string LawRanges::given_coefficient() const {
@@ -408,6 +470,14 @@ std::string LawRanges::given_coefficient() const {
                      s.given_largest, s.given_body,
                      std::isnan(s.given_time) ? std::string(", quasi-static solution")
                                               : fmt::format(", t = {:.6g} s", s.given_time));
+}
+
+std::vector<validity::Finding> without(std::vector<validity::Finding> findings,
+                                       std::initializer_list<std::string_view> described) {
+  std::erase_if(findings, [&](const validity::Finding& found) {
+    return std::find(described.begin(), described.end(), found.range->id) != described.end();
+  });
+  return findings;
 }
 
 std::string untrusted(std::span<const validity::Finding> findings) {

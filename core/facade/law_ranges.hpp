@@ -13,9 +13,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// Compares the state of a bearing with the register of validity (base/validity.hpp): of the
 /// quasi-static solution and, at stored steps, of a motion. Films are judged at contacts that carry
@@ -39,6 +42,9 @@ class LawRanges {
   /// Load of ISO 281.
   void look(const life::BearingLife& life);
 
+  /// Findings of the motion that this one continues, as RUN.json has them.
+  void restore(const nlohmann::json& outside_validity);
+
   /// Left ranges, and friction coefficients that carry 1 % or more of load × slip.
   [[nodiscard]] std::vector<validity::Finding> findings() const;
   /// Largest friction coefficient of a curve of the deck or a routine, when it is above
@@ -50,6 +56,9 @@ class LawRanges {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Findings without those of the ranges that more detailed remarks describe.
+[[nodiscard]] std::vector<validity::Finding> without(
+    std::vector<validity::Finding> findings, std::initializer_list<std::string_view> described);
 /// Why the results are not trusted: a finding of that grade; empty: none.
 [[nodiscard]] std::string untrusted(std::span<const validity::Finding> findings);
 /// For RUN.json.

@@ -110,6 +110,7 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
                     fmt::format("{} and {}", k + 1, (k + 1) % at.cages.size() + 1)};
     }
   overlap_.steps += overlap ? 1 : 0;
+  look_at_races(at);
   if (!(cage_limit_ > 0.0)) return;
   bool passed = false;
   const auto offer = [&](double pressure, double stress_ratio, auto&& where) {
@@ -151,6 +152,24 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
   cage_.steps += passed ? 1 : 0;
 }
 
+void MotionWatch::look_at_races(const scene::Snapshot& at) {
+  const bearing::Cage& cage = *bearing_.cage;
+  if (at.cages.size() != 1) return;
+  for (std::size_t race = 0; race < 2; ++race) {
+    const auto guide =
+        race == 0 ? bearing::GuideLand::Guide::Outer : bearing::GuideLand::Guide::Inner;
+    const bool guided = std::any_of(cage.lands.begin(), cage.lands.end(),
+                                    [&](const bearing::GuideLand& l) { return l.guide == guide; });
+    const double clearance = race == 0 ? cage.clearance_outer : cage.clearance_inner;
+    if (guided || !(clearance > 0.0)) continue;
+    const scene::Vec3 between = at.cages.front().position - at.races[race].position;
+    const double away = std::hypot(between[1], between[2]);
+    Worst& worst = through_[race];
+    worst.steps += away > 0.5 * clearance ? 1 : 0;
+    if (away > worst.value) worst = {away, at.time, 0, worst.steps, {}};
+  }
+}
+
 std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const {
   std::vector<std::string> out;
   const life::RaceStrength strength = life::contact_strength(bearing_, heaviest_);
@@ -177,6 +196,19 @@ std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const 
         "(cageESL {:.4g} times the modulus); contacts are elastic in this run",
         cage_.steps, bearing_.cage->material.name, cage_.where, cage_.time, 1e-6 * cage_.value,
         1e-6 * cage_pressure_, 1e-6 * cage_limit_, bearing_.cage->material.elastic_strain_limit));
+  for (std::size_t race = 0; race < 2; ++race) {
+    const Worst& through = through_[race];
+    if (through.steps == 0) continue;
+    const bearing::Cage& cage = *bearing_.cage;
+    out.push_back(fmt::format(
+        "in {} of the stored steps the cage passes through the {} race: its centre is up to {} "
+        "from the race's axis (t = {:.6g} s), {} = {} leaves half of that clearance. No land of "
+        "that race guides the cage; add a guide land (nGL, record 7.2)",
+        through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
+        through.time, race == 0 ? "cageCls1" : "cageCls2",
+        quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner, results::unit::kLength,
+                 units)));
+  }
   if (overlap_.steps > 0)
     out.push_back(fmt::format(
         "in {} of the stored steps segments of the cage overlap, the worst {} by {} at t = {:.6g} "
@@ -185,6 +217,14 @@ std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const 
         overlap_.steps, overlap_.where, quantity(overlap_.value, results::unit::kLength, units),
         overlap_.time));
   return out;
+}
+
+std::optional<validity::Finding> MotionWatch::cage_yield() const {
+  if (cage_.steps == 0) return std::nullopt;
+  const validity::Range& range = validity::range("cage.yield");
+  return validity::Finding{
+      &range,      cage_.value / cage_limit_,   range.bounds, "cage, " + cage_.where, cage_.time,
+      cage_.steps, bearing_.cage->material.name};
 }
 
 }  // namespace adore::facade

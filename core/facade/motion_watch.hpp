@@ -1,11 +1,13 @@
 #pragma once
 
+#include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "life/contact_strength.hpp"
 #include "results/quantities.hpp"
 #include "scene/snapshot.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,9 @@
 ///   pockets and guide lands under which the cage yields (cageESL): c p above the elastic limit, p
 ///   the largest Hertz pressure of a ball in its pocket, the pressure of the mean load per length
 ///   of a roller at a face of its pocket, or the largest pressure of the elastic foundation of a
-///   land, ends of cage segments that overlap, which nothing prevents (N106).
+///   land, ends of cage segments that overlap, which nothing prevents (N106),
+///   a cage of one piece whose centre is further from the axis of a race than half its diametral
+///   clearance to that race (cageCls1, cageCls2), where no land stops it.
 /// Each is said once, with the worst of all stored steps. What happens between them is not seen.
 namespace adore::facade {
 
@@ -25,6 +29,8 @@ class MotionWatch {
   void look(const scene::Snapshot& at);
   /// Sentences; empty: no limit was passed.
   [[nodiscard]] std::vector<std::string> warnings(results::UnitSystem units) const;
+  /// For the register of validity, range "cage.yield".
+  [[nodiscard]] std::optional<validity::Finding> cage_yield() const;
 
  private:
   struct Worst {
@@ -34,6 +40,7 @@ class MotionWatch {
     std::string where;
   };
   void look_at_cage(const scene::Snapshot& at);
+  void look_at_races(const scene::Snapshot& at);
   /// Pressure in the pocket of one element, and its von Mises stress [Pa].
   [[nodiscard]] double pocket_pressure(const scene::PocketContactSnapshot& contact) const;
 
@@ -42,6 +49,7 @@ class MotionWatch {
   std::array<double, 2> heaviest_time_{};
   std::array<Worst, 2> shoulder_;
   Worst cage_, overlap_;
+  std::array<Worst, 2> through_;  ///< cage in a race that does not guide it, centre to axis [m]
   double cage_pressure_ = 0.0, cage_limit_ = 0.0;  ///< of the worst; of the material [Pa]
   double point_stress_ = 0.0, line_stress_ = 0.0;  ///< von Mises stress in the cage over pressure
   /// Of a ball in its pocket: patch over F^(2/3) [m²/N^(2/3)], and the force beyond which it no

@@ -224,13 +224,12 @@ void find_left_ranges(Prepared& out) {
     ranges.look(out.control.dynamic ? out.start : out.statics, friction);
   ranges.look(out.life);
   out.left_ranges = ranges.findings();
-  std::vector<validity::Finding> new_ones = out.left_ranges;
-  std::erase_if(new_ones, [](const validity::Finding& found) {
-    constexpr std::array<std::string_view, 5> kDescribed{"film.thickness", "film.viscosity",
-                                                         "hertz.ellipse", "drag.temperature",
-                                                         "materials.temperature"};
-    return std::find(kDescribed.begin(), kDescribed.end(), found.range->id) != kDescribed.end();
-  });
+  if (out.control.dynamic && !out.plan.has(scene::Effect::RollingResistance))
+    out.left_ranges = without(std::move(out.left_ranges), {"rolling.strips"});
+  const auto new_ones =
+      without(out.left_ranges,
+              {"film.thickness", "film.viscosity", "hertz.ellipse", "hertz.shoulder", "hertz.yield",
+               "drag.temperature", "materials.temperature", "rolling.strips"});
   for (const auto& [severity, text] : validity::remarks(new_ones)) add_remark(out, severity, text);
   if (const std::string text = ranges.given_coefficient(); !text.empty())
     add_remark(out, Severity::Note, text);

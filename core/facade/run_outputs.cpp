@@ -420,6 +420,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (listing != nullptr) s.print_bytes = listing->bytes;
     if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
+    s.ranges.restore(results::read_run_member(s.path("RUN.json"), "outside_validity"));
   }
   if (start == setup::StartState::Statics) try {
       StartState from = start_state(s.prepared, system);
@@ -472,6 +473,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   // Should the process be killed, it says which run that was.
   results::RunSummary run = s.summary();
   run.status = "running";
+  if (const auto left = s.ranges.findings(); !left.empty()) run.validity = validity_json(left);
   run.integrator = s.control.integrator;
   run.tolerance = s.control.tolerance;
   for (const fs::path& file : s.files.written) run.files.push_back(file.filename().string());
@@ -602,7 +604,9 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
   const std::vector<validity::Finding> left = s.ranges.findings();
-  for (const auto& [severity, text] : validity::remarks(left)) s.remark(text, severity);
+  for (const auto& [severity, text] :
+       validity::remarks(without(left, {"hertz.shoulder", "hertz.yield"})))
+    s.remark(text, severity);
   if (const std::string text = s.ranges.given_coefficient(); !text.empty()) s.remark(text);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
@@ -668,6 +672,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.thermal_network = s.network;
   std::vector<validity::Finding> all_left = s.prepared.left_ranges;
   all_left.insert(all_left.end(), left.begin(), left.end());
+  if (const auto yields = s.watch.cage_yield()) all_left.push_back(*yields);
   if (!all_left.empty()) run.validity = validity_json(all_left);
   s.close(run, run_life);
 }

@@ -119,7 +119,8 @@ class Judge {
     for (std::size_t b = 0; b < request_.bands.size(); ++b) {
       const VibrationBand& band = request_.bands[b];
       const auto peak = curves_[b].largest(order_, h * band.lowest, h * band.highest);
-      const double per_turn = peak.value * time_ / h;
+      // Shorter steps than those of the curve cannot raise the growth per time.
+      const double per_turn = peak.value * time_ / std::max(h, kLowestPhase / band.highest);
       if (per_turn > out.per_turn)
         out = {per_turn, std::clamp(peak.phase / h, band.lowest, band.highest), b};
     }
@@ -149,7 +150,7 @@ class Judge {
   /// The nearest good step in ratios, from `h` up or down; 0: none within the limit.
   [[nodiscard]] double nearest_good(double h, double ratio) const {
     const double most = kLengthening * h;
-    const double least = kLowestPhase / highest_frequency(request_);
+    const double least = std::min(h, kLowestPhase / highest_frequency(request_));
     for (double step = h; step <= most && step >= least; step *= ratio)
       if (good(step)) return step;
     return 0.0;

@@ -8,6 +8,12 @@ namespace adore::scene {
 
 struct UserLaws;  // user_laws.hpp
 
+/// Energy loss of normal contacts where the plan has that effect (contact/damping_law.hpp).
+struct ContactDampingOptions {
+  double impact_loss = 0.0;  ///< α of all pairs [s/m]; 0: that of the pair of materials
+  bool impact_only = false;  ///< without the losses of materials and oil films, for closed forms
+};
+
 /// How finely contacts are integrated over their area.
 struct SystemOptions {
   int ellipse_major = 15, ellipse_minor = 2;  ///< nodes of the run's split ellipse rule
@@ -16,8 +22,8 @@ struct SystemOptions {
   /// Hertz constants of balls follow their contact angle (contact/angle_law.hpp); otherwise they
   /// are frozen at the mean angle of the static solution.
   bool moving_angle = true;
-  bool single_films = false;     ///< films by floats (facade/film_precision.hpp)
-  double contact_damping = 0.0;  ///< choices of dynamics/effects/contact_damping.cpp
+  bool single_films = false;  ///< films by floats (facade/film_precision.hpp)
+  ContactDampingOptions damping;
   /// Laws of the user in the place of built-in ones; null: none.
   std::shared_ptr<UserLaws> user;
 };

@@ -335,12 +335,12 @@ const std::vector<Option>& options() {
           "in place of that of the materials; an element that hits a race at a small speed v "
           "leaves it at about (1 - alpha v) v. Dry steel has 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
-           o.system.contact_damping = 0.0;
+           o.system.damping.impact_loss = 0.0;
            std::erase(o.effects_off, kContactDamping);
            if (v == "material") return true;
            double value = 0.0;
            if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;
-           o.system.contact_damping = value;
+           o.system.damping.impact_loss = value;
            if (value == 0.0) o.effects_off.emplace_back(kContactDamping);
            return true;
          }},

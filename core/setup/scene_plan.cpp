@@ -173,7 +173,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
              ? std::string("run option contactDamping = 0, or effectsOff: contacts are elastic; "
                            "contact vibrations do not decay, so that largest loads, life and "
                            "spectra are not those of a real bearing")
-             : damping_reason(options.system.contact_damping, element, bearing, mode,
+             : damping_reason(options.system.damping.impact_loss, element, bearing, mode,
                               deck.integer("mode") > 0, control.light_load_ratio));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),

@@ -65,9 +65,9 @@ std::vector<std::string> film_doubts(const LubricantFilms& films, FilmsOf use) {
     } else if (ratio > most("film.thickness"))
       out.push_back(fmt::format(
           "{} makes a film of {:.2g} of the radius of the bodies that it parts, where formulas of "
-          "films are known up to some 0.001: films, lambda, friction and heat are rough there",
-          oil, ratio));
-    else if (films.viscosity[j] > most("film.viscosity"))
+          "films are known up to {:g}: films, lambda, friction and heat are rough there",
+          oil, ratio, most("film.thickness")));
+    if (films.viscosity[j] > most("film.viscosity"))
       out.push_back(oil + beyond_measured(films.viscosity[j]));
   }
   return out;

@@ -8,15 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-/// SystemOptions::contact_damping, where the plan has the effect: 0 takes the losses of the
-/// materials, a value above 0 stands for their impact loss α [s/m] in all contacts, and below 0 its
-/// size is α without any other loss (closed forms of tests).
 namespace adore::dynamics {
 namespace {
 
 constexpr const LedgerTerm* kTerms[] = {&kRaceDamping};
-
-bool is_impact_alone(const SystemOptions& options) { return options.contact_damping < 0.0; }
 
 contact::DampingLaw<> law_of(const ScenePlan& plan, const bearing::Bearing& bearing,
                              const SystemOptions& options, const bearing::Material& a,
@@ -24,9 +19,9 @@ contact::DampingLaw<> law_of(const ScenePlan& plan, const bearing::Bearing& bear
   if (!plan.has(Effect::ContactDamping)) return {};
   const bearing::ContactLosses losses = bearing::contact_losses(a, b);
   contact::DampingLaw<> law;
-  const double of_user = std::abs(options.contact_damping);
-  law.impact = 1.5 * (of_user > 0.0 ? of_user : losses.impact_loss);
-  if (!is_impact_alone(options)) law.material = losses.loss_factor * std::sqrt(mass);
+  const auto& [impact_loss, impact_only] = options.damping;
+  law.impact = 1.5 * (impact_loss > 0.0 ? impact_loss : losses.impact_loss);
+  if (!impact_only) law.material = losses.loss_factor * std::sqrt(mass);
   law.onset = contact::kOnsetOverRadius * 0.5 * bearing.element_diameter();
   return law;
 }
@@ -88,7 +83,7 @@ contact::DampingLaw<> race_damping(const ScenePlan& plan, const bearing::Bearing
   contact::DampingLaw<> law =
       law_of(plan, bearing, options, bearing.element_material, bearing.race_material[j],
              rollers != nullptr ? mass / rollers->contact_length() : mass);
-  if (contact::is_damped(law) && !is_impact_alone(options))
+  if (contact::is_damped(law) && !options.damping.impact_only)
     law.material += film_squeeze(bearing, start, j);
   return law;
 }

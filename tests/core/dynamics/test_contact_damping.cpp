@@ -1,3 +1,4 @@
+#include "bearing/contact_losses.hpp"
 #include "contact/race_errors.hpp"
 #include "core/dynamics/allocation_counter.hpp"
 #include "core/dynamics/roller_scene.hpp"
@@ -7,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -78,7 +80,7 @@ double beside(const Of& of) {
 /// Hunt and Crossley's law alone.
 SystemOptions damped(double alpha) {
   SystemOptions options;
-  options.contact_damping = -alpha;
+  options.damping = {alpha, true};
   return options;
 }
 
@@ -137,6 +139,59 @@ TEST_CASE("a roller that meets a race comes back as a ball does", "[physics][rol
   }
 }
 
+TEST_CASE("a loaded roller: small radial vibration -> decay of both losses of its contacts",
+          "[physics][rollers][damping]") {
+  // One roller between held races: m r'' = -(k1 + k2) r - (c1 + c2) r'. Material alone:
+  // c_j = η √(m k_j/2), a decrement of πη (√k1 + √k2)/√(2 (k1 + k2)). The impact loss adds
+  // c_j = 1.5 α Q_j.
+  const bearing::Bearing b = roller_bearings::cylindrical(3000.0);
+  scene::ScenePlan plan = roller_scene::races_only();
+  plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+  auto rollers = std::make_shared<RollerScene>();
+  rollers->options.slices = 9;
+  rollers->solution = statics::solve_roller_statics(b, rollers->options);
+  const auto losses = bearing::contact_losses(b.element_material, b.race_material[0]);
+  for (const double alpha : {1e-12, 0.05}) {
+    SystemOptions options;
+    options.damping.impact_loss = alpha;
+    System system(b, plan, static_start(*rollers, b), {}, options, {}, rollers);
+    const std::vector<double> y0 = system.initial_state();
+    const Snapshot start = system.snapshot(0.0, y0);
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < start.elements.size(); ++i)
+      if (start.elements[i].race[1].load > start.elements[most].race[1].load) most = i;
+    const std::size_t r = place_of(system, "element.r") + most;
+    const double mass = b.element_inertia.mass, shift = 1e-9;
+    std::array<double, 2> k{};
+    std::vector<double> y = y0;
+    for (const double sign : {1.0, -1.0}) {
+      y[r] = y0[r] + sign * shift;
+      const Snapshot s = system.snapshot(0.0, y);
+      for (std::size_t j = 0; j < 2; ++j)
+        k[j] += (j == 0 ? sign : -sign) * s.elements[most].race[j].load / (2.0 * shift);
+    }
+    REQUIRE(std::min(k[0], k[1]) > 1e8);
+    const double omega = std::sqrt((k[0] + k[1]) / mass);
+    const double c =
+        losses.loss_factor * std::sqrt(0.5 * mass) * (std::sqrt(k[0]) + std::sqrt(k[1])) +
+        1.5 * alpha * (start.elements[most].race[0].load + start.elements[most].race[1].load);
+    const double ratio = c / (2.0 * mass * omega),
+                 decrement = 2.0 * std::numbers::pi * ratio / std::sqrt(1.0 - ratio * ratio);
+    if (alpha < 1e-6)
+      CHECK(decrement == Approx(std::numbers::pi * losses.loss_factor).epsilon(1e-3));
+    constexpr double kPeriods = 5.0;
+    const double end = kPeriods * 2.0 * std::numbers::pi / (omega * std::sqrt(1.0 - ratio * ratio));
+    y = y0;
+    y[r] += shift;
+    const RunResult moved = run(system, y, end, 1e-12, "rkf7"),
+                    still = run(system, y0, end, 1e-12, "rkf7");
+    const double left = moved.y[r] - still.y[r];
+    INFO("alpha " << alpha << " s/m, loss factor " << losses.loss_factor << ", stiffness " << k[0]
+                  << " and " << k[1] << " N/m");
+    CHECK(std::log(shift / left) / kPeriods == Approx(decrement).epsilon(0.02));
+  }
+}
+
 TEST_CASE("a free race on its balls vibrates and decays as the linearised equations have it",
           "[physics][dynamics][races][damping]") {
   bearing::Bearing b = angular_contact(12);
@@ -149,7 +204,7 @@ TEST_CASE("a free race on its balls vibrates and decays as the linearised equati
   plan.race_motions.free[1].emplace().force = {2000.0, 0.0, 0.0};
   SystemOptions options = damped(0.1);
   options.moving_angle = false;
-  const double angle = b.balls().contact_angle, d = -1.5 * options.contact_damping;
+  const double angle = b.balls().contact_angle, d = 1.5 * options.damping.impact_loss;
   statics::StaticsOptions frozen;
   frozen.curvature = statics::Curvature::Fixed;
   frozen.fixed_angle = {angle, angle};

@@ -240,7 +240,7 @@ TEST_CASE("heat of pockets and of lands sums up to the ledger's, whatever roller
             SystemOptions options;
             if (with == With::Damping) {
               plan.effects.push_back({ContactDamping, "", true, "test"});
-              options.contact_damping = 0.3;
+              options.damping.impact_loss = 0.3;
             }
             if (with == With::Routines) options.user = std::make_shared<Stiffer>();
             INFO("type " << static_cast<int>(b.type) << ", with " << static_cast<int>(with) << ", "

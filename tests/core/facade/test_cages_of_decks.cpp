@@ -258,6 +258,33 @@ TEST_CASE("a roller presses on its pocket with the length of the guide faces", "
   CHECK(pressure({2.0 * L}) == Approx(whole).epsilon(1e-3));
 }
 
+TEST_CASE("cage without a guide land: reported where it passes through a race",
+          "[physics][cage][watch]") {
+  facade::DeckRequest request;
+  request.text = deck::write_deck(deck_of("spherical", {}));
+  bearing::Bearing bearing = facade::prepare(request).bearing;
+  REQUIRE(bearing.cage->lands.empty());
+  bearing.cage->clearance_outer = 3e-3;
+  bearing.cage->clearance_inner = 4e-3;
+  const auto reported = [&](double away) {
+    scene::Snapshot at;
+    at.elements.resize(static_cast<std::size_t>(bearing.element_count()));
+    at.cages.resize(1);
+    at.races[0].position = at.races[1].position = scene::Vec3(0.0, 1e-3, 0.0);
+    at.cages[0].position = scene::Vec3(0.0, 1e-3, -away);
+    facade::MotionWatch watch(bearing);
+    watch.look(at);
+    return watch.warnings(results::UnitSystem::SI);
+  };
+  CHECK(reported(1.49e-3).empty());
+  REQUIRE(reported(1.51e-3).size() == 1);
+  CHECK_THAT(reported(1.51e-3).front(),
+             Catch::Contains("outer race") && Catch::Contains("0.00151"));
+  CHECK(reported(2.01e-3).size() == 2);
+  bearing.cage->lands.emplace_back().guide = bearing::GuideLand::Guide::Outer;
+  CHECK(reported(1.51e-3).empty());
+}
+
 TEST_CASE("a cage in the middle that elements overlap is refused for the clearance",
           "[validation][cage]") {
   const auto refused = [](const Deck& deck) -> std::string {
