@@ -100,6 +100,8 @@ Finding& Watch::finding_of(const Range& range) {
   return findings_.back();
 }
 
+double Finding::excess() const noexcept { return Watch::excess(value, bounds); }
+
 double Watch::excess(double value, const Bounds& bounds) noexcept {
   return value > bounds.most ? value - bounds.most : bounds.least - value;
 }

@@ -61,6 +61,8 @@ struct Finding {
   /// "Traction of oil films: largest contact pressure 1.67 GPa at ball 3, inner race, t = 0.0012 s
   /// (range to 1 GPa). The law is extrapolated; ..."
   [[nodiscard]] std::string text() const;
+  /// Distance from the range, in any monotonic measure.
+  [[nodiscard]] double excess() const noexcept;
 };
 
 /// Keeps the worst value of each range. Values within their range cost a comparison.
@@ -74,7 +76,7 @@ class Watch {
     if (bounds.contains(value)) return;
     Finding& found = finding_of(range);
     if (found.instants == 0 || found.time != time) ++found.instants;
-    if (found.instants > 1 && !(excess(value, bounds) > excess(found.value, found.bounds))) return;
+    if (found.instants > 1 && !(excess(value, bounds) > found.excess())) return;
     found.value = value;
     found.bounds = bounds;
     found.time = time;
@@ -85,7 +87,7 @@ class Watch {
 
  private:
   Finding& finding_of(const Range& range);
-  /// How far outside, in any monotonic measure.
+  friend struct Finding;
   static double excess(double value, const Bounds& bounds) noexcept;
 
   std::vector<Finding> findings_;

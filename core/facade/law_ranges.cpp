@@ -89,6 +89,7 @@ struct LawRanges::Impl {
   life::HeaviestContacts peaks{};  ///< of all instants
   std::array<double, 2> peak_time{kNoBound, kNoBound};
   CoefficientUse use;
+  std::vector<validity::Finding> earlier;  ///< of the motion that this one continues
   double given_largest = 0.0, given_time = kNoBound;
   std::string given_body;
 
@@ -429,7 +430,37 @@ std::vector<validity::Finding> LawRanges::findings() const {
     one.detail = fmt::format("{:.2g} % of load x slip above it", 100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
+  for (const validity::Finding& before : impl_->earlier) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const validity::Finding& found) {
+      return found.range == before.range;
+    });
+    if (same == out.end())
+      out.push_back(before);
+    else if (before.excess() > same->excess())
+      *same = before;
+  }
   return out;
+}
+
+void LawRanges::restore(const nlohmann::json& outside_validity) {
+  for (const nlohmann::json& one : outside_validity) {
+    const auto number = [&](const char* key) {
+      const nlohmann::json& value = one.at(key);
+      return value.is_number() ? value.get<double>() : kNoBound;
+    };
+    const std::string id = one.at("range");
+    const auto known = validity::ranges();
+    const auto range =
+        std::find_if(known.begin(), known.end(), [&](const Range& r) { return r.id == id; });
+    if (range == known.end() || std::isnan(number("time_s"))) continue;
+    impl_->earlier.push_back({&*range,
+                              number("value_si"),
+                              {number("least_si"), number("most_si")},
+                              one.at("body"),
+                              number("time_s"),
+                              1,
+                              {}});
+  }
 }
 
 std::string LawRanges::given_coefficient() const {

@@ -42,6 +42,9 @@ class LawRanges {
   /// Load of ISO 281.
   void look(const life::BearingLife& life);
 
+  /// Findings of the motion that this one continues, as RUN.json has them.
+  void restore(const nlohmann::json& outside_validity);
+
   /// Left ranges, and friction coefficients that carry 1 % or more of load × slip.
   [[nodiscard]] std::vector<validity::Finding> findings() const;
   /// Largest friction coefficient of a curve of the deck or a routine, when it is above

@@ -420,6 +420,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (listing != nullptr) s.print_bytes = listing->bytes;
     if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
+    s.ranges.restore(results::read_run_member(s.path("RUN.json"), "outside_validity"));
   }
   if (start == setup::StartState::Statics) try {
       StartState from = start_state(s.prepared, system);
@@ -469,6 +470,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   // Should the process be killed, it says which run that was.
   results::RunSummary run = s.summary();
   run.status = "running";
+  if (const auto left = s.ranges.findings(); !left.empty()) run.validity = validity_json(left);
   run.integrator = s.control.integrator;
   run.tolerance = s.control.tolerance;
   for (const fs::path& file : s.files.written) run.files.push_back(file.filename().string());

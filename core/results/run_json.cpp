@@ -230,6 +230,13 @@ RunMark read_run_mark(const std::filesystem::path& path) {
   return out;
 }
 
+nlohmann::json read_run_member(const std::filesystem::path& path, const char* name) {
+  if (!is_own_file(path)) return {};
+  std::ifstream stream(path, std::ios::binary);
+  const auto run = nlohmann::json::parse(stream, nullptr, false);
+  return run.is_object() ? run.value(name, nlohmann::json()) : nlohmann::json();
+}
+
 void write_run_json(const RunSummary& run, const std::filesystem::path& path) {
   write_file_atomically(path,
                         run_json(run).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -81,6 +81,8 @@ struct RunMark {
   std::string request, status;
 };
 [[nodiscard]] RunMark read_run_mark(const std::filesystem::path& path);
+/// Member of the outer object of a RUN.json; null where the file or the member is missing.
+[[nodiscard]] nlohmann::json read_run_member(const std::filesystem::path& path, const char* name);
 
 /// What decides the last digits beside deck and build. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> arithmetic_items(

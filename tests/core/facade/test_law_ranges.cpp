@@ -331,3 +331,27 @@ TEST_CASE("oils with several codes: coefficients of all codes and the recommende
   const Ran mineral = run_scene({"ball", oil("1"), {}}, "-1", folder / "one");
   CHECK_FALSE(says(mineral.outcome, "recommended"));
 }
+
+TEST_CASE("continued run: ranges left before the continuation → still reported, worst value kept",
+          "[validation][validity]") {
+  const testing::TemporaryFolder folder;
+  Deck deck = deck::new_deck("ball");
+  for (const auto& [name, value] :
+       oil("4") + hot(375.0) + Sets{{"appLoadX", "30000.0"}, {"maxStps", "3"}, {"nStps", "1"}}) {
+    deck.set(name, value);
+    deck.complete();
+  }
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.options = {{"filmStressLimit", "off"}};
+  CHECK(facade::run(request).status == facade::RunStatus::Untrusted);
+  // The film is bounded from here on.
+  request.options.clear();
+  request.go_on = true;
+  deck.set("maxStps", "6");
+  deck::write_deck(deck, folder / "DATA.txt");
+  const facade::RunOutcome outcome = facade::run(request);
+  CHECK(outcome.status == facade::RunStatus::Untrusted);
+  CHECK_THAT(outcome.message, Catch::Contains("friction coefficient"));
+}
