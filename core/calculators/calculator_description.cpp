@@ -1,5 +1,6 @@
 #include "calculators/calculator_description.hpp"
 
+#include "base/json_text.hpp"
 #include "calculators/calculator_schema.hpp"
 
 #include <fmt/format.h>
