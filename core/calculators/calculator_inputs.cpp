@@ -1,6 +1,7 @@
 #include "calculators/calculator_inputs.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "base/spelling.hpp"
 
@@ -125,7 +126,7 @@ class InputCheck {
     if (field != fields_.end() && accepts(*field, value)) return;
     const bool number = value.is_number() && field != fields_.end();
     report(path,
-           fmt::format("{} is {}", value.dump(), number ? "out of range" : "of the wrong type"),
+           fmt::format("{} is {}", dump_json(value), number ? "out of range" : "of the wrong type"),
            "give " + (field != fields_.end() ? type_words(*field)
                       : known(path + "[]")   ? "a list"
                       : names_below(path + ".").empty()
@@ -255,7 +256,7 @@ std::string describe_calculator_text(const CalculatorInfo& info) {
       out += fmt::format(
           "  {:<40} {}{}\n", row.at("name").get<std::string>(), row.at("unit").get<std::string>(),
           row.contains("meaning") ? "  " + row.at("meaning").get<std::string>() : "");
-    out += fmt::format("\nexample\n  {}\n", one.at("example").dump());
+    out += fmt::format("\nexample\n  {}\n", dump_json(one.at("example")));
   }
   return out;
 }
