@@ -164,7 +164,7 @@ def findings(deck, windows, still):
         worst = (0.0, 0.0, "", "")
         for i in range(1, deck["sets"]["nRe"] + 1):
             load, orbit = w.columns[f"contact.load.{i}.2"], w.columns[f"element.orbital_velocity.{i}"]
-            turn = w.columns.get(f"element.angular_velocity_vector.{i}.3")
+            turn = w.columns.get(f"element.angular_velocity_vector.{i}.2")  # azimuth frame: axial, along the orbit, radial
             middle = w["orbital_ratio"] * shaft
             for k in w.inside:
                 if not load[k] > 0.0:

@@ -22,6 +22,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import tempfile
 
 SETTLED = 0.02  # largest relative difference between the means of successive windows
 
@@ -64,7 +65,7 @@ def words_of(sets, options):
 
 def equilibrium(program, deck, sets, options=None, seconds=120.0, folder=None):
     """Equilibrium at the load of the deck (mode -1): the summary of RUN.json, SI units, and "tables". @raises RunError"""
-    folder = folder or deck + ".equilibrium"
+    folder = folder or tempfile.mkdtemp(prefix="equilibrium_", dir=os.path.dirname(deck))  # decks of a type run side by side
     words = [program, "run", deck, "--out", folder, "--quiet", "--overwrite"] + words_of({**sets, "mode": -1}, options or {})
     try:
         call(words, seconds)
