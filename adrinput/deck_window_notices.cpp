@@ -10,7 +10,7 @@
 #include "adrinput/typed.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "deck/quantity.hpp"
 #include "deck/templates.hpp"
 #include "desktop/dialogs.hpp"

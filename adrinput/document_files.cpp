@@ -1,9 +1,9 @@
 #include "adrinput/document.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/typed.hpp"
-#include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
 #include "base/kept_copy.hpp"
-#include "base/plain_file.hpp"
+#include "base/write_folder.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "facade/check.hpp"
@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 
@@ -22,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  InputFile file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -91,7 +90,7 @@ constexpr std::string_view kDraftHead =
     "AdrInput draft: a deck that is not ready to be run. Open it with AdrInput.\n";
 
 bool holds_draft(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  InputFile file(path);
   std::string head(kDraftHead.size(), '\0');
   return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kDraftHead;
 }
@@ -240,8 +239,7 @@ void Document::save(const fs::path& name) {
   for (const std::string& record : kept.doubtful_units)
     file_issues_.push_back(doubtful_units(record, state_.deck.units()));
   if (!draft_.empty()) {  // it became this deck
-    std::error_code ignored;
-    fs::remove(draft_, ignored);
+    remove_file(draft_);
     draft_.clear();
   }
   saved_deck_ = state_.deck;

@@ -1,13 +1,20 @@
 #include "adrinput/instance_lock.hpp"
 
-#include <fcntl.h>
+#include "base/errors.hpp"
+#include "base/write_folder.hpp"
+
 #include <sys/file.h>
 #include <unistd.h>
 
 namespace adore::adrinput {
 
 std::optional<InstanceLock> InstanceLock::take(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  int descriptor = -1;
+  try {
+    descriptor = WriteFolder(file.parent_path()).open_lock(file.filename().string());
+  } catch (const InputError&) {
+    return std::nullopt;  // no such folder
+  }
   if (descriptor < 0) return std::nullopt;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return InstanceLock(descriptor);
   ::close(descriptor);

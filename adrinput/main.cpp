@@ -5,6 +5,7 @@
 #include "adrinput/study_window.hpp"
 #include "base/ending.hpp"
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
@@ -24,7 +25,7 @@ int render(int& argc, char** argv, const std::filesystem::path& deck,
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
   const auto pages = adrinput::is_study(deck) ? adrinput::render_study(deck, options)
                                               : adrinput::render_pages(deck, options);
-  for (const auto& path : pages) fmt::print("{}\n", path.string());
+  for (const auto& path : pages) print("{}\n", path.string());
   return 0;
 }
 

@@ -5,11 +5,10 @@
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/study_window.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
 #include "facade/prepare.hpp"
-#include "results/growing_file.hpp"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -101,7 +100,7 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
 }
 
 std::vector<fs::path> render_study(const fs::path& file, const RenderOptions& options) {
-  (void)results::read_text_file(file);  // throws for what cannot be read, before a window asks
+  (void)read_text_file(file);  // throws for what cannot be read, before a window asks
   desktop::make_folder(options.folder);
   desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
   StudyWindow window;

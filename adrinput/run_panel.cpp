@@ -3,6 +3,7 @@
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
 #include "base/duration.hpp"
+#include "base/input_file.hpp"
 #include "desktop/behind.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
@@ -337,18 +338,21 @@ void RunPanel::showAnimation(bool behind) {
 }
 
 void RunPanel::showListing() {
-  QFile file(results().listing);
-  if (!file.open(QIODevice::ReadOnly))
-    return desktop::show_message(
-        this, tr("%1 cannot be read: %2").arg(file.fileName(), file.errorString()), true);
-  QString text = QString::fromUtf8(file.read(kMostShown)).replace(QChar('\f'), QChar('\n'));
-  if (file.size() > kMostShown) text += tr("\n… the listing goes on in %1").arg(file.fileName());
+  const QString name = results().listing;
+  InputFile file(name.toStdString());
+  if (!file) return desktop::show_message(this, tr("%1 cannot be read").arg(name), true);
+  QByteArray bytes(kMostShown, '\0');
+  file.read(bytes.data(), bytes.size());
+  bytes.truncate(static_cast<qsizetype>(file.gcount()));
+  QString text = QString::fromUtf8(bytes).replace(QChar('\f'), QChar('\n'));
+  if (file && file.peek() != std::char_traits<char>::eof())
+    text += tr("\n… the listing goes on in %1").arg(name);
   auto* window = new QDialog(this);
   window->setObjectName("listing-window");
   desktop::delete_when_done(*window);
-  window->setWindowTitle(file.fileName());
+  window->setWindowTitle(name);
   desktop::open_at_size(*window, {1080, 760});
-  auto* listing = desktop::make_listing_view(file.fileName(), window);
+  auto* listing = desktop::make_listing_view(name, window);
   listing->setPlainText(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);
   connect(buttons, &QDialogButtonBox::rejected, window, &QDialog::reject);

@@ -3,11 +3,12 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/file_names.hpp"
 #include "adrinput/notice_bar.hpp"
-#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "base/input_file.hpp"
+#include "base/write_folder.hpp"
 #include "desktop/dialogs.hpp"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <QSettings>
@@ -17,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace adore::adrinput {
@@ -37,14 +37,21 @@ fs::path lock_of(const fs::path& file) {
 }
 
 std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  InputFile file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Where it cannot be made, store() says so.
+void make_own_folder(const fs::path& folder) {
+  try {
+    (void)make_folders(folder);
+  } catch (const InputError&) {
+  }
+}
+
 void remove_both(const fs::path& file) {
-  std::error_code ignored;
-  fs::remove(file, ignored);
-  fs::remove(lock_of(file), ignored);
+  remove_file(file);
+  remove_file(lock_of(file));
 }
 
 }  // namespace
@@ -57,7 +64,7 @@ Session::Session(DeckWindow& window, const QString& folder)
     : QObject(&window), window_(window), folder_(folder.toStdString()), timer_(new QTimer(this)) {
   // Another program may clean up at the same moment: a lock whose file is gone protects nothing.
   for (int number = 1; number < 1000 && !lock_; ++number) {
-    QDir().mkpath(folder);
+    make_own_folder(folder_);
     file_ = folder_ / fmt::format("{}-{}{}", QCoreApplication::applicationPid(), number, kSuffix);
     if (fs::exists(file_)) continue;  // of an earlier program, still to be answered
     lock_ = InstanceLock::take(lock_of(file_));
@@ -88,14 +95,13 @@ Session::~Session() {
 }
 
 void Session::store() {
-  std::error_code error;
   if (!window_.document().modified()) {
-    if (lock_) fs::remove(file_, error);
+    if (lock_) remove_file(file_);
     return;
   }
   try {
     if (!lock_) throw InputError(fmt::format("no file can be made in {}", folder_.string()));
-    fs::create_directories(folder_, error);
+    (void)make_folders(folder_);
     write_file_atomically(file_, window_.document().snapshot(window_.currentRecord()));
     failed_ = false;
   } catch (const std::exception& reason) {
@@ -149,7 +155,7 @@ void Session::lookForOrphans() {
     // The lock of a program that was cut off with nothing to lose.
     if (file.extension() == ".lock" && !fs::exists(file.replace_extension(), error) &&
         InstanceLock::take(entry.path()))
-      fs::remove(entry.path(), error);
+      remove_file(entry.path());
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     std::error_code ignored;

@@ -2,9 +2,9 @@
 
 #include "adrinput/file_names.hpp"
 #include "adrinput/study_example.hpp"
-#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
-#include "results/growing_file.hpp"
+#include "base/input_file.hpp"
+#include "base/write_folder.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_check.hpp"
 #include "studies/study_splice.hpp"
@@ -30,7 +30,7 @@ StudyJson& object_at(StudyJson& values, const std::string& key) {
 }  // namespace
 
 void StudyDocument::open(const fs::path& file) {
-  std::string text = results::read_text_file(file);
+  std::string text = read_text_file(file);
   path_ = whole_path(file);
   stored_ = text;
   state_ = std::move(text);
@@ -207,7 +207,7 @@ bool StudyDocument::changed_on_disk() const {
   std::error_code error;
   if (!fs::exists(path_, error)) return false;
   try {
-    return !stored_ || results::read_text_file(path_) != *stored_;
+    return !stored_ || read_text_file(path_) != *stored_;
   } catch (const InputError&) {
     return true;
   }
@@ -258,16 +258,13 @@ void StudyDocument::store_unsaved() const {
     forget_unsaved();
 }
 
-void StudyDocument::forget_unsaved() const {
-  std::error_code ignored;
-  fs::remove(unsaved_path(), ignored);
-}
+void StudyDocument::forget_unsaved() const { remove_file(unsaved_path()); }
 
 std::optional<std::string> StudyDocument::unsaved_text() const {
   std::error_code error;
   if (!fs::exists(unsaved_path(), error)) return {};
   try {
-    std::string text = results::read_text_file(unsaved_path());
+    std::string text = read_text_file(unsaved_path());
     if (text == state_) return {};
     return text;
   } catch (const InputError&) {

@@ -1,5 +1,6 @@
 #include "adrinput/study_fields.hpp"
 
+#include "base/json_text.hpp"
 #include "deck/number.hpp"
 
 #include <algorithm>
@@ -372,7 +373,7 @@ std::string shown_value(const StudyJson& value) {
         out += (out.empty() ? "" : ", ") + key + " = " + shown_value(item);
     return out;
   }
-  return value.dump();
+  return dump_json(value);
 }
 
 StudyJson typed_value(StudyCell cell, const std::string& text) {

@@ -2,9 +2,9 @@
 
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "facade/sweep_mark.hpp"
-#include "results/growing_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +26,7 @@ Report report_in(const fs::path& folder) {
   nlohmann::json json;
   try {
     const fs::path file = folder / "RUN.json";
-    json = parse_json(results::read_text_file(file), file.string());
+    json = parse_json(read_text_file(file), file.string());
   } catch (const InputError&) {
   }
   if (!json.is_object()) return {};

@@ -4,9 +4,9 @@
 #include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
-#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -186,7 +186,7 @@ bool is_accuracy(const std::filesystem::path& path) {
 }
 
 std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path) {
-  const auto study = parse_json(results::read_text_file(path), path.string());
+  const auto study = parse_json(read_text_file(path), path.string());
   if (!study.is_object() || !study.contains("screening"))
     throw InputError(fmt::format(
         "{} is no table of `adore accuracy`; give the ACCURACY.json that it wrote", path.string()));

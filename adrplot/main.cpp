@@ -2,6 +2,7 @@
 #include "adrplot/render.hpp"
 #include "base/ending.hpp"
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
 #include "desktop/behind.hpp"
@@ -32,9 +33,9 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   options.tell = [](const std::string& sentence) {
-    fmt::print(stderr, "adrplot: note: {}\n", sentence);
+    print(stderr, "adrplot: note: {}\n", sentence);
   };
-  for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
+  for (const auto& path : adrplot::render_plots(files, options)) print("{}\n", path.string());
   return 0;
 }
 

@@ -5,7 +5,7 @@
 #include "adrplot/run_beside.hpp"
 #include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "desktop/static_pages.hpp"
 #include "results/channels.hpp"
 #include "results/full_precision.hpp"

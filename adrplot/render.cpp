@@ -2,7 +2,9 @@
 
 #include "adrplot/folder_files.hpp"
 #include "adrplot/waterfall_page.hpp"
+#include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_limits.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/image_export.hpp"
 
@@ -112,6 +114,12 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
     if (files.size() > 1 && options.page > static_cast<int>(document.pages.size())) {
       shorter.push_back(too_short(document));
     } else {
+      const std::size_t more = options.page == 0 ? document.pages.size() : 1;
+      if (written.size() + more > kMaxPictures)
+        throw InputError(fmt::format(
+            "{}: {} more would exceed the limit of {} for one command; choose a page with "
+            "--page, or give fewer files",
+            path.string(), counted(more, "picture"), kMaxPictures));
       const auto pictures = draw_document(document, stem_of(path, files), options, others);
       written.insert(written.end(), pictures.begin(), pictures.end());
     }

@@ -1,10 +1,10 @@
 #include "adrplot/run_beside.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "results/channels.hpp"
 #include "results/full_precision.hpp"
-#include "results/growing_file.hpp"
 #include "results/results_h5.hpp"
 
 #include <fmt/format.h>
@@ -153,7 +153,7 @@ RunFacts read_facts(const nlohmann::json& stored) {
 void read_run(const std::filesystem::path& run_json, const std::string& run_id, PageContext& out) {
   nlohmann::json run;
   try {
-    run = parse_json(results::read_text_file(run_json), run_json.string());
+    run = parse_json(read_text_file(run_json), run_json.string());
   } catch (const InputError&) {
     return;  // none, or not ours: the page goes without it
   }

@@ -1,7 +1,7 @@
 #include "adrplot/study_document.hpp"
 
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "desktop/study_chart.hpp"
 #include "studies/study_table_read.hpp"
 

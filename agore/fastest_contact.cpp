@@ -2,10 +2,10 @@
 
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/stored_rate.hpp"
-#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ namespace adore::agore {
 double fastest_frequency(const Animation& animation) {
   const std::filesystem::path file = animation.file.path.parent_path() / "RUN.json";
   try {
-    const nlohmann::json run = parse_json(results::read_text_file(file), file.string());
+    const nlohmann::json run = parse_json(read_text_file(file), file.string());
     if (run.at("run") != animation.file.run_id) return 0.0;
     return run.at("plan").at("estimates").at("fastest_frequency_Hz").get<double>();
   } catch (const InputError&) {

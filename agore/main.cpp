@@ -2,6 +2,7 @@
 #include "agore/render.hpp"
 #include "base/ending.hpp"
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
 #include "desktop/behind.hpp"
@@ -46,17 +47,17 @@ int render(int& argc, char** argv, Request& request) {
   agore::MotionPicture picture = agore::open_animation(request.file);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), request.options.view);
   for (const std::string& note : picture.animation().notes())
-    fmt::print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
+    print(stderr, "agore: note: {}: {}\n", request.file.string(), note);
   if (!request.film.empty()) {
     const auto film = request.folder / request.film;
     agore::render_movie(picture, std::max(1, request.every), request.rate, film, request.options);
-    fmt::print("{}\n", film.string());
+    print("{}\n", film.string());
     return 0;
   }
   if (request.every > 0) {
     for (const auto& path :
          agore::render_frames(picture, request.every, request.folder, request.options))
-      fmt::print("{}\n", path.string());
+      print("{}\n", path.string());
     return 0;
   }
   desktop::make_folder(request.folder);
@@ -65,7 +66,7 @@ int render(int& argc, char** argv, Request& request) {
       request.folder /
       fmt::format("{}-{}-frame-{:05}.png", request.file.filename().string(), request.view, frame);
   agore::render_frame(picture, frame, path, request.options);
-  fmt::print("{}\n", path.string());
+  print("{}\n", path.string());
   return 0;
 }
 

@@ -1,7 +1,9 @@
 #include "facade/accuracy.hpp"
 
-#include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
 #include "base/kept_copy.hpp"
+#include "base/terminal_text.hpp"
+#include "base/write_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/export.hpp"
@@ -16,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <memory>
 #include <sstream>
 
@@ -55,12 +56,7 @@ struct Options : DeckOptions {
   bool apply = false, go_on = false;
 };
 
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+std::string contents(const std::filesystem::path& path) { return read_text_file(path); }
 
 /// Rows are said as they come.
 class Reporter {
@@ -92,11 +88,11 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
   std::string said;
   for (const auto& [name, value] : sets)
     said += fmt::format("{}{} = {}", said.empty() ? "" : ", ", name, value);
-  fmt::print("{}: {}{}\n", path.string(), said,
-             text.kept ? ""
-                       : fmt::format(" (written anew, without remarks behind the values; {} is the "
-                                     "deck as it was)",
-                                     backup.string()));
+  print("{}: {}{}\n", path.string(), said,
+        text.kept ? ""
+                  : fmt::format(" (written anew, without remarks behind the values; {} is the "
+                                "deck as it was)",
+                                backup.string()));
 }
 
 int run(const Options& options) {
@@ -153,13 +149,13 @@ int run(const Options& options) {
                      json.string()));
     return 130;
   }
-  fmt::print("{}\n{}\n{}\n", facade::accuracy_table(study), (folder / "ACCURACY.csv").string(),
-             json.string());
+  print("{}\n{}\n{}\n", facade::accuracy_table(study), (folder / "ACCURACY.csv").string(),
+        json.string());
   if (options.apply) apply(options, study);
   const std::filesystem::path picture = folder / "ACCURACY.png";
   if (!has_pictures()) return 0;
   if (!run_picture_program({"accuracy-chart", json.string(), picture.string()})) return 2;
-  fmt::print("{}\n", picture.string());
+  print("{}\n", picture.string());
   return 0;
 }
 

@@ -1,6 +1,7 @@
-#include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
+#include "base/terminal_text.hpp"
 #include "calculators/calculator_description.hpp"
 #include "calculators/calculators.hpp"
 #include "cli/commands.hpp"
@@ -17,23 +18,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 namespace adore::cli {
 namespace {
 
-/// Of a calculator's input, and of reference cases through a pipe.
-constexpr std::size_t kMostInput = std::size_t{64} << 20;
-
 std::string read_all(const std::string& name) {
-  if (name == kStream) return read_standard_input(kMostInput);
-  std::ifstream file(name, std::ios::binary);
-  if (!file)
-    throw InputError(
-        fmt::format("cannot read {}; give a JSON file, or - for standard input", name));
-  return {std::istreambuf_iterator<char>(file), {}};
+  if (name == kStream) return read_standard_input(kMaxInputBytes);
+  return read_text_file(name, kMaxInputBytes);
 }
 
 const calculators::CalculatorInfo& calculator(const std::string& name) {
@@ -49,44 +41,45 @@ void list_calculators(const std::string& name, bool json, bool describe) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       if (name.empty() || info.name == name) all.push_back(calculators::describe_calculator(info));
-    fmt::print("{}\n", all.dump(2));
+    print("{}\n", dump_json(all, 2));
   } else if (describe && !name.empty()) {
-    fmt::print("{}", calculators::describe_calculator_text(calculator(name)));
+    print("{}", calculators::describe_calculator_text(calculator(name)));
   } else {
     for (const calculators::CalculatorInfo& info : calculators::calculator_list())
-      fmt::print("{:<20} {}\n", info.name, info.help);
-    fmt::print(
-        "`adore calc NAME --describe` lists inputs and results with units, and an example\n");
+      print("{:<20} {}\n", info.name, info.help);
+    print("`adore calc NAME --describe` lists inputs and results with units, and an example\n");
   }
 }
 
 void calc(const std::string& name, const std::string& source) {
   const nlohmann::json input =
       parse_json(read_all(source), source == "-" ? "standard input" : source);
-  fmt::print("{}\n", calculators::calculate(name, input).dump(2));
+  print("{}\n", dump_json(calculators::calculate(name, input), 2));
 }
 
-int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
-             bool json) {
+enum class Detail : unsigned char { Totals, Failures, Cases, Json };
+
+int validate(const std::vector<std::string>& files, const std::string& report_file, Detail detail) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const auto piped = std::count(files.begin(), files.end(), kStream);
   if (piped > 1) throw InputError("standard input can be read once; give - once");
   const reference::ValidateReport report = reference::validate_files(
       paths,
-      [](const reference::FileResult& file) {
-        tell(fmt::format("{}: {} in {:.1f} s\n", file.file, counted(file.cases.size(), "case"),
-                         file.seconds));
+      [&](const reference::FileResult& file) {
+        const std::string text = reference::file_text(file, detail == Detail::Cases);
+        if (detail == Detail::Totals || detail == Detail::Json) {
+          tell(text.substr(0, text.find('\n') + 1));
+        } else {
+          print("{}", text);
+          (void)std::fflush(stdout);  // minutes pass between files
+        }
       },
-      piped > 0 ? read_standard_input(kMostInput) : std::string());
-  if (json)
-    fmt::print("{}\n", reference::report_json(report).dump(2));
-  else if (!quiet)
-    fmt::print("{}", reference::report_text(report));
-  else
-    fmt::print("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
-               report.not_covered);
+      piped > 0 ? read_standard_input(kMaxInputBytes) : std::string());
+  print("{}", detail == Detail::Json ? dump_json(reference::report_json(report), 2) + "\n"
+                                     : reference::totals_text(report));
   if (!report_file.empty())
-    write_text(report_file, "report.json", reference::report_json(report).dump(2) + "\n", paths);
+    write_text(report_file, "report.json", dump_json(reference::report_json(report), 2) + "\n",
+               paths);
   return report.fail > 0 ? 1 : 0;
 }
 
@@ -95,19 +88,19 @@ void experiments(const std::string& only, const std::string& report_file, bool j
                  bool markdown) {
   const std::vector<facade::Experiment> all =
       facade::run_experiments(only, [](const std::string& id) { tell(fmt::format("{}\n", id)); });
-  const std::string as_json = facade::experiments_json(all).dump(2) + "\n";
-  fmt::print("{}", json       ? as_json
-                   : markdown ? facade::experiments_markdown(all)
-                              : facade::experiments_text(all));
+  const std::string as_json = dump_json(facade::experiments_json(all), 2) + "\n";
+  print("{}", json       ? as_json
+              : markdown ? facade::experiments_markdown(all)
+                         : facade::experiments_text(all));
   if (!report_file.empty()) write_text(report_file, "experiments.json", as_json);
 }
 
 void torque(const std::string& report_file, bool json, bool markdown) {
   const std::vector<facade::TorqueTable> tables = facade::catalogue_torques();
-  const std::string as_json = facade::torque_json(tables).dump(2) + "\n";
-  fmt::print("{}", json       ? as_json
-                   : markdown ? facade::torque_markdown(tables)
-                              : facade::torque_text(tables));
+  const std::string as_json = dump_json(facade::torque_json(tables), 2) + "\n";
+  print("{}", json       ? as_json
+              : markdown ? facade::torque_markdown(tables)
+                         : facade::torque_text(tables));
   if (!report_file.empty()) write_text(report_file, "torque.json", as_json);
 }
 
@@ -155,7 +148,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->callback([=] {
       if (*markdown) {
         if (!*list) throw InputError("--markdown belongs to --list");
-        fmt::print("{}", calculators::calculators_markdown());
+        print("{}", calculators::calculators_markdown());
         return;
       }
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
@@ -188,7 +181,11 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
     command->add_flag("--json", *json, "the results as JSON on standard output");
+    auto verbose = std::make_shared<bool>(false);
     command->add_flag("--quiet", *quiet, "only the totals");
+    command->add_flag("--verbose", *verbose, "a line for each case, with all its quantities")
+        ->excludes("--quiet")
+        ->excludes("--json");
     command->footer(
         "Examples\n"
         "  adore validate tests/reference/*.json --report report.json\n"
@@ -204,7 +201,11 @@ void add_calc(CLI::App& app, int& exit_code) {
       if (files->empty())
         throw InputError("give files of reference cases, --experiments or --torque");
       if (*markdown) throw InputError("--markdown belongs to --experiments or --torque");
-      exit_code = validate(*files, *report, *quiet, *json);
+      exit_code = validate(*files, *report,
+                           *json      ? Detail::Json
+                           : *quiet   ? Detail::Totals
+                           : *verbose ? Detail::Cases
+                                      : Detail::Failures);
     });
   }
 }

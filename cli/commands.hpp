@@ -13,6 +13,6 @@ void add_calc(CLI::App& app, int& exit_code);           ///< calc, validate
 void add_accuracy(CLI::App& app, int& exit_code);
 void add_user(CLI::App& app, int& exit_code);  ///< user new
 void add_study(CLI::App& app, int& exit_code);
-void add_file_commands(CLI::App& app, int& exit_code);  ///< show, convert
+void add_file_commands(CLI::App& app, int& exit_code);  ///< verify, show, convert
 
 }  // namespace adore::cli

@@ -1,3 +1,5 @@
+#include "base/json_text.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -47,14 +49,13 @@ int check(const std::string& path, bool json) {
                                {"value", issue.value},
                                {"message", issue.message},
                                {"remedy", issue.remedy}});
-    fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print("{}\n", dump_json(out, 2));
   } else {
-    for (const Issue& issue : issues) fmt::print("{}\n", issue.text());
+    for (const Issue& issue : issues) print("{}\n", issue.text());
     std::size_t errors = 0;
     for (const Issue& issue : issues) errors += issue.severity == Severity::Error ? 1 : 0;
-    fmt::print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records,
-               errors, errors == 1 ? "" : "s", issues.size() - errors,
-               issues.size() - errors == 1 ? "" : "s");
+    print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records, errors,
+          errors == 1 ? "" : "s", issues.size() - errors, issues.size() - errors == 1 ? "" : "s");
   }
   return ok ? 0 : 2;
 }
@@ -81,10 +82,10 @@ void plan(const PlanOptions& options) {
   options.fill(request);
   facade::PlanReport report = facade::plan(request);
   print_warnings(report.remarks);
-  if (!options.json) fmt::print("{}", report.text);
+  if (!options.json) print("{}", report.text);
   std::fflush(stdout);
   const std::string differences = options.what_if ? what_if_of(options, request, report.json) : "";
-  fmt::print("{}{}", options.json ? report.json.dump(2) : differences, options.json ? "\n" : "");
+  print("{}{}", options.json ? dump_json(report.json, 2) : differences, options.json ? "\n" : "");
 }
 
 std::string text_of(const std::vector<std::string>& lines) {
@@ -135,15 +136,14 @@ void examples(const std::string& name, bool json) {
     for (const deck::TemplateInfo& info : deck::templates())
       if (name.empty() || info.name == name) list.push_back(example_json(info));
     if (!name.empty()) (void)example(name);
-    fmt::print("{}\n", list.dump(2));
+    print("{}\n", dump_json(list, 2));
   } else if (!name.empty()) {
-    fmt::print("{}: {}\n{}", name, example(name).description,
-               text_of(facade::deck_story(deck::new_deck(name))));
+    print("{}: {}\n{}", name, example(name).description,
+          text_of(facade::deck_story(deck::new_deck(name))));
   } else {
     for (const deck::TemplateInfo& info : deck::templates())
-      fmt::print("{:<20} {}\n", info.name, info.description);
-    fmt::print(
-        "\n`adore examples NAME` says what a deck does; `adore new NAME --out FILE` writes it\n");
+      print("{:<20} {}\n", info.name, info.description);
+    print("\n`adore examples NAME` says what a deck does; `adore new NAME --out FILE` writes it\n");
   }
 }
 

@@ -1,16 +1,20 @@
 #include "cli/export.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
+#include "base/terminal_text.hpp"
+#include "base/write_folder.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
 #include <locale>
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace adore::cli {
@@ -64,7 +68,7 @@ void check_place(const fs::path& path, std::string_view start,
         path.string()));
   if (fs::is_regular_file(status) && fs::file_size(path, error) > 0) {
     std::string old(start.size() + 1, '\0');
-    std::ifstream stream(path, std::ios::binary);
+    InputFile stream(path);
     stream.read(old.data(), static_cast<std::streamsize>(old.size()));
     old.resize(static_cast<std::size_t>(stream.gcount()));
     if (start.empty() || beginning(old) != start)
@@ -89,6 +93,30 @@ void write_export(const fs::path& path, std::string_view text,
                   const std::vector<fs::path>& inputs) {
   check_export(path, text, inputs);
   write_file_atomically(path, text);
+}
+
+void print_export(const std::function<void(std::ostream&)>& produce) {
+  const auto put = [](std::string_view text) {
+    print_text(stdout, text);
+    if (std::ferror(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "standard output");
+  };
+  std::string rest;  // of a line: a letter of several bytes must not be cut
+  PieceBuffer buffer([&](std::string_view piece) {
+    const std::size_t end = piece.rfind('\n');
+    if (end == std::string_view::npos) {
+      rest += piece;
+      return;
+    }
+    put(rest.append(piece.substr(0, end + 1)));
+    rest = piece.substr(end + 1);
+  });
+  std::ostream out(&buffer);
+  out.imbue(std::locale::classic());
+  out.exceptions(std::ios::badbit);
+  produce(out);
+  out.flush();
+  put(rest);
 }
 
 void write_export(const fs::path& path, const std::function<void(std::ostream&)>& produce,

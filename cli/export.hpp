@@ -18,6 +18,9 @@ void write_export(const std::filesystem::path& path,
                   const std::function<void(std::ostream&)>& produce,
                   const std::vector<std::filesystem::path>& inputs);
 
+/// The same text to standard output.
+void print_export(const std::function<void(std::ostream&)>& produce);
+
 /// Refuses what write_export would. @throws InputError
 void check_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);

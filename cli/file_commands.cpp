@@ -1,23 +1,34 @@
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/export.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "results/convert.hpp"
+#include "results/file_sums.hpp"
+#include "studies/campaign.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 namespace adore::cli {
 namespace {
 
 /// @returns what is wrong with the file
 std::string convert_to(const std::string& file, const std::string& format, const std::string& out) {
-  if (out.empty() || out == kStream) return results::convert_file(file, format, std::cout);
+  if (out.empty() || out == kStream) {
+    std::string note;
+    print_export([&](std::ostream& text) { note = results::convert_file(file, format, text); });
+    return note;
+  }
   std::filesystem::path path(out);
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
@@ -33,9 +44,68 @@ void convert(const std::string& file, const std::string& format, const std::stri
     tell(fmt::format("adore: warning: {}: {}\n", file, note));
 }
 
+std::string_view state_name(results::FileCheck::State state) {
+  switch (state) {
+    case results::FileCheck::State::Intact:
+      return "intact";
+    case results::FileCheck::State::Damaged:
+      return "DAMAGED";
+    case results::FileCheck::State::Missing:
+      return "MISSING";
+    case results::FileCheck::State::Unchecked:
+      break;
+  }
+  return "unchecked";
+}
+
+int verify(const std::string& name, bool json) {
+  using State = results::FileCheck::State;
+  const std::filesystem::path folder(name);
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    throw InputError(name + ": this is not a folder; give the folder of a run, a sweep or a study");
+  const bool study = std::filesystem::exists(folder / "job.json", error);
+  const std::vector<results::FileCheck> files =
+      study ? studies::verify_study(folder) : results::verify_run(folder);
+  const bool damaged = std::any_of(files.begin(), files.end(), [](const auto& file) {
+    return file.state == State::Damaged || file.state == State::Missing;
+  });
+  if (json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const results::FileCheck& file : files)
+      list.push_back({{"file", file.file.string()},
+                      {"state", state_name(file.state)},
+                      {"detail", file.detail}});
+    print("{}\n", dump_json(nlohmann::ordered_json{{"intact", !damaged}, {"files", list}}, 2));
+  } else {
+    for (const results::FileCheck& file : files)
+      print("{:<10} {}: {}\n", state_name(file.state), file.file.string(), file.detail);
+    print("{}\n", damaged ? "at least one file is damaged or missing" : "no damage was found");
+  }
+  return damaged ? 1 : 0;
+}
+
 }  // namespace
 
-void add_file_commands(CLI::App& app, int&) {
+void add_file_commands(CLI::App& app, int& exit_code) {
+  {
+    CLI::App* command = app.add_subcommand(
+        "verify", "compare the files of a run, a sweep or a study with their checksums");
+    auto folder = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command->add_option("folder", *folder, "folder of a run, a sweep or a study")
+        ->required()
+        ->type_name("FOLDER");
+    command->add_flag("--json", *json, "as JSON");
+    command->footer(
+        "Exit code 1: a file is damaged or missing. A run that was not finished is compared up to\n"
+        "its last checkpoint.\n"
+        "\n"
+        "Examples\n"
+        "  adore verify RUN\n"
+        "  adore verify clearance.study --json");
+    command->callback([=, &exit_code] { exit_code = verify(*folder, *json); });
+  }
   {
     CLI::App* command =
         app.add_subcommand("show", "look into a SOL, FINAL, MASTER, RUN.json or RESULTS.h5 file");

@@ -17,9 +17,8 @@ int main(int argc, char** argv) {
         "  adore run                        simulate it\n"
         "  adore COMMAND --help             options of a command, with examples\n"
         "\n"
-        "Exit codes: 0 done, 1 a bug or a failed reference case, 2 wrong input, 3 the numerics "
-        "gave\n"
-        "up, 130 interrupted.");
+        "Exit codes: 0 done, 1 a bug, a failed reference case or a damaged file, 2 wrong input,\n"
+        "3 the numerics gave up, 130 interrupted.");
     app->require_subcommand(1);
     int exit_code = 0;
     cli::add_run(*app, exit_code);

@@ -2,6 +2,7 @@
 
 #include "base/ending.hpp"
 #include "base/errors.hpp"
+#include "cli/streams.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,12 @@ bool run_picture_program(const std::vector<std::string>& words) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (WIFEXITED(status)) return WEXITSTATUS(status) == 0;  // it has said why
+  tell(fmt::format(
+      "adore: {} was ended by signal {} ({}) while it drew. Its pictures are missing or "
+      "incomplete; all other results are written.\n",
+      program, WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+  return false;
 }
 
 }  // namespace adore::cli

@@ -1,6 +1,7 @@
 #include "cli/progress.hpp"
 
 #include "base/duration.hpp"
+#include "base/json_text.hpp"
 #include "cli/streams.hpp"
 #include "command_line/terminal.hpp"
 
@@ -77,7 +78,7 @@ std::string progress_line(const facade::Progress& p, std::size_t width) {
 facade::ProgressSink make_progress(const std::string& style) {
   if (style == "none") return {};
   if (style == "json")
-    return [](const facade::Progress& p) { tell(json_of(p).dump() + "\n", false); };
+    return [](const facade::Progress& p) { tell(dump_json(json_of(p)) + "\n", false); };
   if (style == "auto" && command_line::is_terminal(STDERR_FILENO))
     return [](const facade::Progress& p) {
       tell("\r\033[K" + progress_line(p, room()) + (p.fraction >= 1.0 ? "\n" : ""), false);
@@ -112,7 +113,7 @@ CountSink make_count_progress(const std::string& what, const std::string& style)
               {"done", done},
               {"total", total},
               {"elapsed", elapsed}};
-          tell(json.dump() + "\n", false);
+          tell(dump_json(json) + "\n", false);
         } else if (style == "auto" && terminal) {
           if (elapsed - drawn < 0.05 && !last) return;
           drawn = elapsed;

@@ -1,6 +1,8 @@
 #include "facade/run.hpp"
 
 #include "base/interrupted.hpp"
+#include "base/json_text.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -56,14 +58,14 @@ struct RunOptions : DeckOptions {
 void list_options(bool json) {
   if (!json) {
     for (const setup::OptionInfo& info : setup::run_option_list())
-      fmt::print("{:<20} {:<12} {}\n", info.name, info.default_value, info.meaning);
+      print("{:<20} {:<12} {}\n", info.name, info.default_value, info.meaning);
     return;
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const setup::OptionInfo& info : setup::run_option_list())
     list.push_back(
         {{"name", info.name}, {"default", info.default_value}, {"meaning", info.meaning}});
-  write_text("", "", list.dump(2) + "\n");
+  write_text("", "", dump_json(list, 2) + "\n");
 }
 
 /// May the results of an earlier run be replaced? Only somebody at a terminal can say so.
@@ -101,7 +103,7 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
                     "  {}\n",
                     options.continuation(tolerance_given, options.until)));
   if (options.json)
-    write_text("", "", summary_json(outcome).dump(2) + "\n");
+    write_text("", "", dump_json(summary_json(outcome), 2) + "\n");
   else if (!options.quiet)
     write_text(
         "", "",
@@ -174,7 +176,7 @@ int run(const RunOptions& options, bool tolerance_given) {
       tell(fmt::format("\ninterrupted; run what is missing with\n  {}\n",
                        options.continuation(tolerance_given, options.until)));
     if (options.json)
-      write_text("", "", summary_json(sweep).dump(2) + "\n");
+      write_text("", "", dump_json(summary_json(sweep), 2) + "\n");
     else if (!options.quiet)
       write_text("", "",
                  sweep_text(sweep, watch.token().stop_requested()

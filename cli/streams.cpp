@@ -1,8 +1,11 @@
 #include "cli/streams.hpp"
 
+#include "base/terminal_text.hpp"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <fcntl.h>
 #include <poll.h>
 #include <string>
@@ -18,7 +21,18 @@ void keep_stream_numbers() {
   }
 }
 
-void tell(std::string_view text, bool patient) noexcept {
+void tell(std::string_view said, bool patient) noexcept {
+  // A progress line begins with the sequence that clears the line before it.
+  constexpr std::string_view kClear = "\r\x1b[K";
+  std::string shown;
+  try {
+    const bool clear = said.starts_with(kClear);
+    shown = (clear ? std::string(kClear) : std::string()) +
+            terminal_text(said.substr(clear ? kClear.size() : 0));
+  } catch (const std::exception&) {
+    return;  // no memory for a remark
+  }
+  std::string_view text = shown;
   while (!text.empty()) {
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (!patient && ::poll(&ready, 1, 0) <= 0) return;

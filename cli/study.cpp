@@ -1,3 +1,5 @@
+#include "base/json_text.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_ranges.hpp"
 #include "cli/picture_program.hpp"
@@ -54,7 +56,7 @@ class ProgressLine {
                                         {"failed", p.failed},   {"workers", p.workers},
                                         {"elapsed", p.elapsed}, {"remaining", p.remaining},
                                         {"note", p.note},       {"last_failure", p.last_failure}};
-      tell(line.dump() + "\n", false);
+      tell(dump_json(line) + "\n", false);
       return;
     }
     const long tenth = p.total > 0 ? 10 * p.done / p.total : 0;
@@ -76,7 +78,7 @@ int new_study(const StudyOptions& options) {
   if (studies::is_toml(options.out))
     text = studies::write_study_text(studies::read_study_text(text, "example.json").json, true);
   const std::string name = write_text(options.out, options.kind + ".json", text);
-  if (!name.empty()) fmt::print("wrote {}\n", name);
+  if (!name.empty()) print("wrote {}\n", name);
   return 0;
 }
 
@@ -85,19 +87,20 @@ int plan(const StudyOptions& options) {
   InterruptWatch watch;
   const studies::Plan plan = studies::make_plan(request, watch.token());
   if (options.json)
-    write_text("", "",
-               nlohmann::ordered_json{{"runs", plan.runs},
-                                      {"known", plan.known},
-                                      {"seconds_each", plan.pilot.wall},
-                                      {"processor_seconds_each", plan.pilot.processor},
-                                      {"memory_megabytes_each", plan.pilot.memory_megabytes},
-                                      {"workers", plan.workers},
-                                      {"hours", plan.hours},
-                                      {"disk_megabytes", plan.disk_megabytes},
-                                      {"free_disk_megabytes", plan.free_disk_megabytes},
-                                      {"over_budget", plan.over_budget}}
-                       .dump(2) +
-                   "\n");
+    write_text(
+        "", "",
+        dump_json(nlohmann::ordered_json{{"runs", plan.runs},
+                                         {"known", plan.known},
+                                         {"seconds_each", plan.pilot.wall},
+                                         {"processor_seconds_each", plan.pilot.processor},
+                                         {"memory_megabytes_each", plan.pilot.memory_megabytes},
+                                         {"workers", plan.workers},
+                                         {"hours", plan.hours},
+                                         {"disk_megabytes", plan.disk_megabytes},
+                                         {"free_disk_megabytes", plan.free_disk_megabytes},
+                                         {"over_budget", plan.over_budget}},
+                  2) +
+            "\n");
   else
     write_text("", "", studies::plan_text(request, plan));
   return 0;
@@ -114,10 +117,14 @@ bool write_results(const studies::Study& study, bool quiet) {
                                    folder.string()};
     if (quiet) words.emplace_back("--quiet");
     all = run_picture_program(words);
+    if (!all)
+      tell(
+          fmt::format("adore: pictures are missing; draw them again with `adore study report {}`\n",
+                      study.file.string()));
   }
   if (!quiet)
     for (const char* name : {"RUNS.csv", "STUDY.h5", "TIMES.csv", "REPORT.txt"})
-      fmt::print("{}\n", (folder / name).string());
+      print("{}\n", (folder / name).string());
   return all;
 }
 
@@ -143,7 +150,7 @@ int run(const StudyOptions& options, bool resume) {
     throw;
   }
   const bool written = write_results(request.study, options.quiet);
-  if (!options.quiet) fmt::print("{}\n", studies::outcome_text(outcome));
+  if (!options.quiet) print("{}\n", studies::outcome_text(outcome));
   if (!outcome.complete) {
     tell(fmt::format("\ninterrupted; finished runs are recorded. Go on with\n  {}\n",
                      command_of("resume", options)));
@@ -157,20 +164,20 @@ int status(const StudyOptions& options) {
   const studies::Status status = studies::study_status(study);
   if (options.json) {
     write_text("", "",
-               nlohmann::ordered_json{{"runs", status.runs},
-                                      {"done", status.done},
-                                      {"failed", status.failed},
-                                      {"at_work", status.at_work},
-                                      {"diagnoses", status.diagnoses}}
-                       .dump(2) +
+               dump_json(nlohmann::ordered_json{{"runs", status.runs},
+                                                {"done", status.done},
+                                                {"failed", status.failed},
+                                                {"at_work", status.at_work},
+                                                {"diagnoses", status.diagnoses}},
+                         2) +
                    "\n");
     return 0;
   }
-  fmt::print("{} of {} runs done, {} of them failed; {}\n", status.done, status.runs, status.failed,
-             status.at_work               ? "at work"
-             : status.done == status.runs ? "complete"
-                                          : "stopped: go on with " + command_of("resume", options));
-  for (const std::string& text : status.diagnoses) fmt::print("  {}\n", text);
+  print("{} of {} runs done, {} of them failed; {}\n", status.done, status.runs, status.failed,
+        status.at_work               ? "at work"
+        : status.done == status.runs ? "complete"
+                                     : "stopped: go on with " + command_of("resume", options));
+  for (const std::string& text : status.diagnoses) print("  {}\n", text);
   return 0;
 }
 

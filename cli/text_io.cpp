@@ -1,6 +1,7 @@
 #include "cli/text_io.hpp"
 
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/export.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ std::string read_standard_input(std::size_t most) {
 std::string write_text(const std::string& out, const std::string& name, std::string_view text,
                        const std::vector<std::filesystem::path>& inputs) {
   if (out.empty() || out == kStream) {
-    std::fwrite(text.data(), 1, text.size(), stdout);  // close_output says what went wrong
+    print_text(stdout, text);
     return {};
   }
   std::filesystem::path path(out);

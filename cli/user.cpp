@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "base/resources.hpp"
+#include "base/write_folder.hpp"
 #include "cli/commands.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
@@ -134,16 +135,12 @@ void new_routine(const UserOptions& options) {
   if (!python) files.emplace_back("Makefile", makefile(name, options.lang));
   const fs::path folder(options.out);
   for (const auto& [file, text] : files)
-    if (std::error_code error; fs::exists(folder / file, error))
+    if (std::error_code error; fs::exists(fs::symlink_status(folder / file, error)))
       throw InputError(
           fmt::format("{} exists already; give another folder with --out, or remove "
                       "it first",
                       (folder / file).string()));
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(fmt::format("{}: the folder cannot be made ({}); give another one with --out",
-                                 folder.string(), error.message()));
+  (void)make_folders(folder);
   for (const auto& [file, text] : files) {
     const std::string path = (folder / file).string();
     (void)write_text(path, path, text);

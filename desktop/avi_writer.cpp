@@ -37,16 +37,10 @@ constexpr qint64 kLargestFile = 2'000'000'000;
 }  // namespace
 
 AviWriter::AviWriter(const std::filesystem::path& path, QSize size, int frames_per_second)
-    : path_(path),
-      file_(QString::fromStdString(path.string())),
-      size_(size),
-      rate_(frames_per_second) {
+    : path_(path), file_(path), size_(size), rate_(frames_per_second) {
   demand(size.width() > 0 && size.height() > 0 && rate_ > 0,
          "a film needs a size and a frame rate");
   check_replaceable(path_);
-  if (!file_.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_) +
-                     "; choose a folder that exists and is yours");
   write(header());
 }
 
@@ -78,11 +72,7 @@ QByteArray AviWriter::header() const {
          number(static_cast<quint32>(movie_bytes_)) + "movi";
 }
 
-void AviWriter::write(const QByteArray& bytes) {
-  if (file_.write(bytes) != bytes.size())
-    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_) +
-                     "; free some space or choose another disk");
-}
+void AviWriter::write(const QByteArray& bytes) { file_.write(text_of(bytes)); }
 
 void AviWriter::add(const QImage& image) {
   QByteArray jpeg;
@@ -114,10 +104,8 @@ void AviWriter::finish() {
   for (const auto& entry : index_)
     entries += "00dc" + number(kKeyFrame) + number(entry.offset) + number(entry.size);
   write(chunk("idx1", entries));
-  file_.seek(0);
-  write(header());
-  if (!file_.commit())
-    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
+  file_.write_at(0, text_of(header()));
+  file_.commit();
 }
 
 }  // namespace adore::desktop

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/write_folder.hpp"
+
 #include <QByteArray>
-#include <QSaveFile>
 #include <QSize>
 
 #include <filesystem>
@@ -32,7 +33,7 @@ class AviWriter {
   [[nodiscard]] QByteArray header() const;
 
   std::filesystem::path path_;
-  QSaveFile file_;
+  PendingFile file_;
   QSize size_;
   int rate_;
   std::vector<Entry> index_;

@@ -1,6 +1,7 @@
 #include "desktop/bootstrap.hpp"
 
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "desktop/dialog_room.hpp"
 #include "desktop/theme.hpp"
 
@@ -38,7 +39,7 @@ void set_up(const QString& name) {
 void quiet_about_session(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
   if (text.startsWith("This plugin does not support propagateSizeHints")) return;
-  fmt::print(stderr, "{}\n", qFormatLogMessage(type, context, text).toStdString());
+  print(stderr, "{}\n", qFormatLogMessage(type, context, text).toStdString());
   if (type == QtFatalMsg) std::abort();
 }
 

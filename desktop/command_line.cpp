@@ -1,6 +1,7 @@
 #include "desktop/command_line.hpp"
 
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 
 #include <fmt/core.h>
 
@@ -30,13 +31,13 @@ int guarded(const std::string& program, const std::function<int()>& body) {
   try {
     return body();
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    print(stderr, "{}: {}\n", program, error.what());
     return 2;
   } catch (const SolverError& error) {
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    print(stderr, "{}: {}\n", program, error.what());
     return 3;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: a bug, please report it: {}\n", program, error.what());
+    print(stderr, "{}: a bug, please report it: {}\n", program, error.what());
     return 1;
   }
 }

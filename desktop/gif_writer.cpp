@@ -199,12 +199,9 @@ class Palette {
 
 GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_per_second)
     : path_(path),
-      file_(QString::fromStdString(path.string())),
+      file_(path),
       size_(size),
       pause_(std::max(2, static_cast<int>(std::lround(100.0 / std::max(1, frames_per_second))))) {
-  if (!file_.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + write_fault(file_) +
-                     "; choose a folder that exists and is yours");
   QByteArray head("GIF89a");
   append_word(head, size.width());
   append_word(head, size.height());
@@ -221,10 +218,7 @@ GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_p
   write(head);
 }
 
-void GifWriter::write(const QByteArray& bytes) {
-  if (file_.write(bytes) != bytes.size())
-    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
-}
+void GifWriter::write(const QByteArray& bytes) { file_.write(text_of(bytes)); }
 
 void GifWriter::add(const QImage& picture) {
   const QImage scaled = picture.size() == size_ ? picture
@@ -257,8 +251,7 @@ void GifWriter::add(const QImage& picture) {
 void GifWriter::finish() {
   if (frames_ == 0) throw InputError("a film without pictures is not written: " + path_.string());
   write(QByteArray(1, '\x3b'));
-  if (!file_.commit())
-    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
+  file_.commit();
 }
 
 }  // namespace adore::desktop

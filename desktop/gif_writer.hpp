@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/write_folder.hpp"
+
 #include <QByteArray>
-#include <QSaveFile>
 #include <QSize>
 
 #include <filesystem>
@@ -25,7 +26,7 @@ class GifWriter {
   void write(const QByteArray& bytes);
 
   std::filesystem::path path_;
-  QSaveFile file_;
+  PendingFile file_;
   QSize size_;
   int pause_;  ///< [1/100 s]
   int frames_ = 0;

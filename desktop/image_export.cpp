@@ -1,6 +1,7 @@
 #include "desktop/image_export.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/version.hpp"
 
 #include <QBuffer>
@@ -8,12 +9,11 @@
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QSettings>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
+#include <string_view>
 
 namespace adore::desktop {
 
@@ -24,7 +24,7 @@ void check_replaceable(const std::filesystem::path& path) {
   if (std::filesystem::is_regular_file(status)) {
     // The mark of save_image() and AviWriter stands before the pixels.
     std::string bytes(4096, '\0');
-    std::ifstream stream(path, std::ios::binary);
+    InputFile stream(path);
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
     const bool picture = bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") ||
@@ -36,46 +36,35 @@ void check_replaceable(const std::filesystem::path& path) {
                    "remove it first");
 }
 
-void save_image(const QImage& image, const std::filesystem::path& path, Replace replace) {
+void save_image(const QImage& image, const WritePath& place, Replace replace) {
+  const std::filesystem::path path = place.path();
   if (replace == Replace::OwnPictures) check_replaceable(path);
-  const QString name = QString::fromStdString(path.string());
-  const QByteArray suffix = QFileInfo(name).suffix().toLower().toLatin1();
+  const QByteArray suffix =
+      QFileInfo(QString::fromStdString(place.name())).suffix().toLower().toLatin1();
   if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
     throw InputError("a picture cannot be saved as " + path.string() +
                      "; give a name that ends in .png, .jpg or .jpeg");
-  QSaveFile file(name);
-  if (!file.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
-                     "; choose a folder that exists and is yours");
-  QImageWriter writer(&file, suffix);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QImageWriter writer(&buffer, suffix);
   if (suffix != "png") writer.setQuality(93);
   writer.setText("Software", QString::fromLatin1(kProgramVersion.data(),
                                                  static_cast<qsizetype>(kProgramVersion.size())));
-  if (!writer.write(image) || !file.commit())
-    throw InputError("cannot write " + path.string() + ": " +
-                     (file.error() != QFileDevice::NoError ? write_fault(file)
-                                                           : writer.errorString().toStdString()));
+  if (!writer.write(image))
+    throw InputError("cannot write " + path.string() + ": " + writer.errorString().toStdString());
+  save_bytes(bytes, place);
 }
 
-void save_bytes(const QByteArray& bytes, const std::filesystem::path& path) {
-  QSaveFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
-                     "; choose a folder that exists and is yours");
+void save_bytes(const QByteArray& bytes, const WritePath& place) {
+  write_file_atomically(place, text_of(bytes));
 }
 
-std::string write_fault(const QFileDevice& file) {
-  const QString text = file.errorString();
-  return text == QLatin1String("Unknown error") ? "the disk may be full" : text.toStdString();
+std::string_view text_of(const QByteArray& bytes) {
+  return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw InputError("cannot make the folder " + folder.string() + ": " + failure.message() +
-                     "; choose one that you may write to");
-}
+void make_folder(const std::filesystem::path& folder) { (void)make_folders(folder); }
 
 QString next_image_name(const QString& previous) {
   static const QRegularExpression numbered("^(.*?)(?:-(\\d+))?$");

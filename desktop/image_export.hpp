@@ -1,13 +1,14 @@
 #pragma once
 
+#include "base/write_folder.hpp"
+
 #include <QByteArray>
 #include <QImage>
 #include <QString>
 
 #include <filesystem>
 #include <string>
-
-class QFileDevice;
+#include <string_view>
 
 /// Pictures on disk and on paper.
 namespace adore::desktop {
@@ -19,18 +20,16 @@ enum class Replace : unsigned char { OwnPictures, Anything };
 /// new one is complete. The picture says that this program made it.
 /// @throws InputError when the suffix is none of these, the file cannot be written, or another one
 /// is there that may not be replaced.
-void save_image(const QImage& image, const std::filesystem::path& path,
+void save_image(const QImage& image, const WritePath& place,
                 Replace replace = Replace::OwnPictures);
 
 /// Writes a document whole or not at all. @throws InputError when that is impossible
-void save_bytes(const QByteArray& bytes, const std::filesystem::path& path);
+void save_bytes(const QByteArray& bytes, const WritePath& place);
+[[nodiscard]] std::string_view text_of(const QByteArray& bytes);
 
 /// Throws unless there is no such file, or one that save_image() or AviWriter made: neither another
 /// program's picture nor a symbolic link. @throws InputError naming it
 void check_replaceable(const std::filesystem::path& path);
-
-/// Why a file could not be written, as a clause. Qt has no words for a disk that is full.
-[[nodiscard]] std::string write_fault(const QFileDevice& file);
 
 /// Makes a folder and its parents. @throws InputError when that fails.
 void make_folder(const std::filesystem::path& folder);

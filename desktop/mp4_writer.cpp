@@ -5,8 +5,6 @@
 #include <QImage>
 #include <QStandardPaths>
 
-#include <system_error>
-
 namespace adore::desktop {
 namespace {
 constexpr int kPatience = 60'000;  // [ms] for one picture, and for the end
@@ -15,14 +13,12 @@ constexpr int kPatience = 60'000;  // [ms] for one picture, and for the end
 bool ffmpeg_found() { return !QStandardPaths::findExecutable("ffmpeg").isEmpty(); }
 
 Mp4Writer::Mp4Writer(const std::filesystem::path& path, QSize size, int frames_per_second)
-    : path_(path), unfinished_(path), size_(size.width() & ~1, size.height() & ~1) {
+    : path_(path), file_(path), size_(size.width() & ~1, size.height() & ~1) {
   const QString program = QStandardPaths::findExecutable("ffmpeg");
   if (program.isEmpty())
     throw InputError(path.string() +
                      " needs the program ffmpeg, which is not in the PATH; install it, or write a "
                      "film that ends in .avi or .gif");
-  unfinished_ += ".part";
-  removed_on_interrupt_.emplace(unfinished_);
   process_.setStandardOutputFile(QProcess::nullDevice());
   process_.start(program, {"-y",
                            "-loglevel",
@@ -43,17 +39,14 @@ Mp4Writer::Mp4Writer(const std::filesystem::path& path, QSize size, int frames_p
                            "yuv420p",
                            "-f",
                            "mp4",
-                           QString::fromStdString(unfinished_.string())});
+                           QString::fromStdString(file_.open_path().string())});
   if (!process_.waitForStarted()) fail();
 }
 
 Mp4Writer::~Mp4Writer() {
-  if (process_.state() != QProcess::NotRunning) {
-    process_.kill();
-    process_.waitForFinished();
-  }
-  std::error_code ignored;
-  std::filesystem::remove(unfinished_, ignored);
+  if (process_.state() == QProcess::NotRunning) return;
+  process_.kill();
+  process_.waitForFinished();
 }
 
 void Mp4Writer::fail() {
@@ -77,10 +70,7 @@ void Mp4Writer::finish() {
   if (!process_.waitForFinished(kPatience) || process_.exitStatus() != QProcess::NormalExit ||
       process_.exitCode() != 0)
     fail();
-  removed_on_interrupt_.reset();
-  std::error_code error;
-  std::filesystem::rename(unfinished_, path_, error);
-  if (error) throw InputError("cannot write " + path_.string() + ": " + error.message());
+  file_.commit();
 }
 
 }  // namespace adore::desktop

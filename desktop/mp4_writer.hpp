@@ -1,12 +1,11 @@
 #pragma once
 
-#include "base/ending.hpp"
+#include "base/write_folder.hpp"
 
 #include <QProcess>
 #include <QSize>
 
 #include <filesystem>
-#include <optional>
 
 class QImage;
 
@@ -28,9 +27,9 @@ class Mp4Writer {
 
  private:
   [[noreturn]] void fail();
-  std::filesystem::path path_, unfinished_;
+  std::filesystem::path path_;
+  PendingFile file_;  ///< ffmpeg writes into it by its number
   QSize size_;
-  std::optional<UnfinishedFile> removed_on_interrupt_;
   QProcess process_;
 };
 

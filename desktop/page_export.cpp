@@ -7,10 +7,10 @@
 #include "desktop/study_chart.hpp"
 #include "desktop/svg_writer.hpp"
 
+#include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
-#include <QSaveFile>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,15 +124,16 @@ void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QS
 
 void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,
               const std::function<void(std::size_t)>& show) {
-  QSaveFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
-                     "; choose a folder that exists and is yours");
-  write_pdf(file, size, pages, [&](QPainter& painter, const QRectF& paper, std::size_t page) {
+  check_writable_file(path);  // before minutes of drawing
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  write_pdf(buffer, size, pages, [&](QPainter& painter, const QRectF& paper, std::size_t page) {
     show(page);
     paint_vector(scene, painter, paper, size);
   });
-  if (!file.commit()) throw InputError("cannot write " + path.string() + ": " + write_fault(file));
+  buffer.close();
+  save_bytes(bytes, path);
 }
 
 void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size) {

@@ -1,11 +1,11 @@
 #include "desktop/study_chart.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "desktop/axis_scale.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
-#include "results/growing_file.hpp"
 
 #include <QImage>
 #include <QPainter>
@@ -123,7 +123,7 @@ bool has_something(const Tornado& tornado) {
 }
 
 std::string field(const std::string& text) {
-  return text.find_first_of(",\"\n") == std::string::npos ? text : Json(text).dump();
+  return text.find_first_of(",\"\n") == std::string::npos ? text : dump_json(Json(text));
 }
 std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
@@ -175,7 +175,7 @@ bool StudyChart::drawable() const {
 
 std::vector<StudyChart> read_study_charts(const std::filesystem::path& file) {
   constexpr std::size_t kLargest = std::size_t{2} << 30;
-  return parse_study_charts(results::read_text_file(file, kLargest), file.string());
+  return parse_study_charts(read_text_file(file, kLargest), file.string());
 }
 
 std::vector<StudyChart> parse_study_charts(const std::string& text, const std::string& name) {
@@ -192,7 +192,7 @@ std::vector<StudyChart> parse_study_charts(const std::string& text, const std::s
   return out;
 }
 
-bool save_picture(const StudyChart& chart, const std::filesystem::path& file) {
+bool save_picture(const StudyChart& chart, const WritePath& file) {
   if (!chart.drawable()) return false;
   const QSize size(1280, 800);
   QImage image(size, QImage::Format_RGB32);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/write_folder.hpp"
+
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -79,7 +81,7 @@ void paint_study(const StudyChart& chart, QPainter& painter, const QSizeF& size,
 [[nodiscard]] Runs runs_at(const StudyChart& chart, const QSizeF& size, const QPointF& at);
 
 /// PNG of 1280 by 800, light. False, and no file, when there is nothing to draw.
-bool save_picture(const StudyChart& chart, const std::filesystem::path& file);
+bool save_picture(const StudyChart& chart, const WritePath& file);
 
 /// The numbers of a picture as a table.
 [[nodiscard]] std::string study_chart_csv(const StudyChart& chart);

@@ -1,3 +1,4 @@
+#include "base/json_text.hpp"
 #include "command_line/documents.hpp"
 
 #include <fmt/format.h>
@@ -240,6 +241,6 @@ std::string fish_completion(const CommandText& program) {
   return out;
 }
 
-std::string tree_json(const CommandText& program) { return json_of(program).dump(2) + "\n"; }
+std::string tree_json(const CommandText& program) { return dump_json(json_of(program), 2) + "\n"; }
 
 }  // namespace adore::command_line

@@ -1,5 +1,6 @@
 #include "command_line/program.hpp"
 
+#include "base/terminal_text.hpp"
 #include "base/version.hpp"
 #include "command_line/documents.hpp"
 #include "command_line/terminal.hpp"
@@ -13,9 +14,7 @@
 namespace adore::command_line {
 namespace {
 
-void print(std::FILE* stream, const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stream);
-}
+void print(std::FILE* stream, const std::string& text) { print_text(stream, text); }
 
 std::string completion(const CLI::App& program, const std::string& shell) {
   const CommandText tree = describe(program);

@@ -4,6 +4,7 @@
 #include "adrplot/render.hpp"
 #include "agore/render.hpp"
 #include "base/errors.hpp"
+#include "base/terminal_text.hpp"
 #include "cli/pictures/gallery.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
@@ -18,7 +19,7 @@ namespace adore::cli {
 namespace {
 
 void print_files(const std::vector<std::filesystem::path>& files) {
-  for (const auto& file : files) fmt::print("{}\n", file.string());
+  for (const auto& file : files) print("{}\n", file.string());
 }
 
 void plot_lubricant(const PlotRequest& request) {
@@ -56,9 +57,7 @@ void plot(const PlotRequest& request) {
   options.range = request.range;
   options.dark = request.dark;
   options.progress = make_count_progress("file", request.progress);
-  options.tell = [](const std::string& sentence) {
-    fmt::print(stderr, "adore: note: {}\n", sentence);
-  };
+  options.tell = [](const std::string& sentence) { print(stderr, "adore: note: {}\n", sentence); };
   if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
   adrplot::set_domain(options.view, request.domain, request.curve);
   print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
@@ -86,7 +85,7 @@ void animate(const AnimateRequest& request) {
   const std::filesystem::path source = results::animation_file(request.file);
   agore::MotionPicture picture = agore::open_animation(source);
   for (const std::string& note : picture.animation().notes())
-    fmt::print(stderr, "adore: note: {}: {}\n", source.string(), note);
+    print(stderr, "adore: note: {}: {}\n", source.string(), note);
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
   if (!request.movie.empty()) {
@@ -113,6 +112,7 @@ void draw_accuracy(const std::filesystem::path& table, const std::filesystem::pa
   std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);
   if (pages.front().x.empty())
     throw InputError(fmt::format("{} holds no run that came to its end", table.string()));
+  desktop::check_replaceable(picture);
   desktop::ensure_headless_application();
   constexpr double kWidth = 1280.0, kHeight = 800.0;
   desktop::ChartScene scene;

@@ -4,6 +4,9 @@
 #include "agore/render.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
+#include "base/terminal_text.hpp"
+#include "base/write_folder.hpp"
 #include "cli/progress.hpp"
 #include "deck/templates.hpp"
 #include "desktop/bootstrap.hpp"
@@ -20,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace adore::cli {
 
@@ -35,9 +37,8 @@ constexpr std::size_t kColoursOfPages = 24;
 /// Draws into one folder and remembers what the pictures are.
 class Gallery {
  public:
-  Gallery(fs::path folder, const GalleryRequest& request)
+  Gallery(WriteFolder folder, const GalleryRequest& request)
       : folder_(std::move(folder)), dark_(request.dark), size_(desktop::parse_size(request.size)) {
-    desktop::make_folder(folder_);
     scene_.setTheme(desktop::theme(dark_ ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
     scene_.setPageSize(QSizeF(size_.width, size_.height));
   }
@@ -71,12 +72,12 @@ class Gallery {
     const auto draw = [&](const std::string& name, agore::ViewOptions options) {
       options.dark = dark_;
       if (!agore::why_not(options.view, animation).empty()) return;
-      const fs::path path = folder_ / ("view-" + name + ".png");
+      const WritePath path(folder_, "view-" + name + ".png");
       desktop::save_image(
           desktop::in_mixed_colours(picture.image({size_.width, size_.height},
                                                   static_cast<std::size_t>(frame - 1), options)),
           path);
-      list_.emplace_back(path.filename().string(), agore::view_title(options.view));
+      list_.emplace_back(path.name(), agore::view_title(options.view));
     };
     const auto plain = [](View view) {
       agore::ViewOptions options;
@@ -120,18 +121,18 @@ class Gallery {
   void page(const adrplot::PlotDocument& document, int number, const adrplot::PageOptions& options,
             const std::string& ending, const std::string& title) {
     scene_.setPage(document.build(number, options));
-    const fs::path path = folder_ / fmt::format("{}-page-{:02}{}.png",
-                                                document.path.filename().string(), number, ending);
+    const WritePath path(folder_, fmt::format("{}-page-{:02}{}.png",
+                                              document.path.filename().string(), number, ending));
     desktop::save_image(
         desktop::in_few_colours(scene_.image(QSize(size_.width, size_.height)), kColoursOfPages),
         path);
     for (const std::string& fault : desktop::text_faults(scene_))
-      fmt::print(stderr, "adore: note: {}: {}\n", path.string(), fault);
-    list_.emplace_back(path.filename().string(),
+      print(stderr, "adore: note: {}: {}\n", path.path().string(), fault);
+    list_.emplace_back(path.name(),
                        fmt::format("{}: {}", document.path.filename().string(), title));
   }
 
-  fs::path folder_;
+  WriteFolder folder_;
   bool dark_, element_drawn_ = false;
   desktop::PictureSize size_;
   desktop::ChartScene scene_;
@@ -141,7 +142,7 @@ class Gallery {
 void make_run(const std::string& deck, const fs::path& folder) {
   desktop::make_folder(folder);
   const fs::path file = folder / "DATA.txt";
-  std::ofstream(file) << deck::template_text(deck);
+  write_file_atomically(file, deck::template_text(deck));
   facade::RunRequest request;
   request.deck = file;
   (void)facade::run(request);
@@ -169,6 +170,7 @@ void draw_gallery(const GalleryRequest& request) {
   desktop::ensure_headless_application();
   const fs::path out(request.out);
   desktop::make_folder(out);
+  const WriteFolder place(out);
   std::vector<std::pair<std::string, fs::path>> runs;
   const facade::PassingFolder temporary;
   constexpr std::array<const char*, 9> kExamples{"ball",
@@ -195,19 +197,23 @@ void draw_gallery(const GalleryRequest& request) {
   long done = 0;
   for (const auto& [name, run] : runs) {
     if (request.runs.empty()) make_run(name, run);
-    Gallery gallery(out / name, request);
+    Gallery gallery(place.folder(name), request);
     draw_run(gallery, run);
     index += fmt::format("\n## {}\n\n", name);
     for (const auto& [file, title] : gallery.list())
       index += fmt::format("![{}]({}/{})\n", title, name, file);
     if (progress) progress(++done, static_cast<long>(runs.size()));
-    fmt::print("{}: {}\n", (out / name).string(), counted(gallery.list().size(), "picture"));
+    print("{}: {}\n", (out / name).string(), counted(gallery.list().size(), "picture"));
   }
-  std::ofstream file(out / "README.md");
-  file << index;
-  if (!file.flush())
-    throw InputError("cannot write " + (out / "README.md").string() +
-                     "; choose a folder that exists and is yours");
+  const WritePath page(place, "README.md");
+  check_writable_file(page);
+  if (InputFile old(page.path()); old) {
+    std::string first;
+    if (std::getline(old, first) && first != "# Gallery")
+      throw InputError(page.path().string() +
+                       " exists and is no list of a gallery; move it away, or name another folder");
+  }
+  write_file_atomically(page, index);
 }
 
 }  // namespace adore::cli

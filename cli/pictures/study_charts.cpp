@@ -1,5 +1,7 @@
 #include "cli/pictures/study_charts.hpp"
 
+#include "base/terminal_text.hpp"
+#include "base/write_folder.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/study_chart.hpp"
 
@@ -11,9 +13,11 @@ void draw_study(const std::filesystem::path& charts, const std::filesystem::path
                 bool quiet) {
   const std::vector<desktop::StudyChart> list = desktop::read_study_charts(charts);
   desktop::ensure_headless_application();
+  // NAME.study itself must not be a link.
+  const WriteFolder place = WriteFolder(folder.parent_path()).folder(folder.filename());
   for (const desktop::StudyChart& chart : list) {
-    const std::filesystem::path file = folder / (chart.name + ".png");
-    if (save_picture(chart, file) && !quiet) fmt::print("{}\n", file.string());
+    const WritePath file(place, chart.name + ".png");
+    if (save_picture(chart, file) && !quiet) print("{}\n", file.path().string());
   }
 }
 

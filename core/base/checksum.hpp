@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace adore {
@@ -11,6 +12,12 @@ namespace adore {
     std::string_view text, std::uint64_t before = 0xcbf29ce484222325U) noexcept {
   for (const char c : text) before = (before ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return before;
+}
+
+/// The same of the bytes of numbers.
+[[nodiscard]] inline std::uint64_t sum_of_values(std::span<const double> values,
+                                                 std::uint64_t before) noexcept {
+  return checksum({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, before);
 }
 
 }  // namespace adore

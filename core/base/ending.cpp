@@ -3,22 +3,11 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <cstring>
 #include <poll.h>
-#include <string>
 #include <unistd.h>
 
 namespace adore {
 namespace {
-
-/// What a signal handler may read: no memory that is asked for or given back meanwhile.
-struct Place {
-  std::atomic<bool> taken{false}, named{false};
-  std::array<char, 4096> name{};
-};
-constexpr int kPlaces = 8;  // films at a time: one
-std::array<Place, kPlaces> places;
-static_assert(std::atomic<bool>::is_always_lock_free);
 
 std::atomic<pid_t> listener{0};
 static_assert(std::atomic<pid_t>::is_always_lock_free);
@@ -35,8 +24,6 @@ void hold(int how) {
 extern "C" void end_now(int) {
   // A process that was forked from here, with this handler, has nothing to say or to remove.
   if (getpid() != listener) _exit(kInterruptedCode);
-  for (const Place& place : places)
-    if (place.named) ::unlink(place.name.data());
   // Not where it would wait for the reader of a full pipe.
   constexpr char kWord[] = "\ninterrupted\n";
   pollfd error{STDERR_FILENO, POLLOUT, 0};
@@ -62,24 +49,5 @@ void end_when_interrupted() {
 
 InterruptsWait::InterruptsWait() { hold(SIG_BLOCK); }
 InterruptsWait::~InterruptsWait() { hold(SIG_UNBLOCK); }
-
-UnfinishedFile::UnfinishedFile(const std::filesystem::path& path) {
-  const std::string name = std::filesystem::absolute(path).string();
-  for (int i = 0; i < kPlaces; ++i) {
-    Place& place = places[static_cast<std::size_t>(i)];
-    if (name.size() >= place.name.size() || place.taken.exchange(true)) continue;
-    std::memcpy(place.name.data(), name.c_str(), name.size() + 1);
-    place.named = true;
-    place_ = i;
-    return;
-  }
-}
-
-UnfinishedFile::~UnfinishedFile() {
-  if (place_ < 0) return;
-  Place& place = places[static_cast<std::size_t>(place_)];
-  place.named = false;
-  place.taken = false;
-}
 
 }  // namespace adore

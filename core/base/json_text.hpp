@@ -35,4 +35,11 @@ Json parse_json(std::string_view text, std::string_view name) {
   }
 }
 
+/// The text of a value, for files and output. Bytes that are not UTF-8 (names of files may have
+/// any) become U+FFFD; the library's own dump() would throw.
+template <class Json>
+std::string dump_json(const Json& value, int indent = -1) {
+  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace adore

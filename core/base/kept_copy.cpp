@@ -1,8 +1,8 @@
 #include "base/kept_copy.hpp"
 
-#include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
+#include "base/write_folder.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 bool holds(const fs::path& path, std::string_view content) {
   std::error_code error;
   if (fs::file_size(path, error) != content.size() || error) return false;
-  std::ifstream file(path, std::ios::binary);
+  InputFile file(path);
   const std::string there{std::istreambuf_iterator<char>(file), {}};
   return there == content;
 }

@@ -1,10 +1,11 @@
 #include "base/own_files.hpp"
 
+#include "base/input_file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 
 namespace adore {
 namespace {
@@ -30,7 +31,7 @@ bool has_version_after(std::string_view text, std::string_view name) {
 std::string first_bytes(const std::filesystem::path& path, std::size_t most) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   std::string bytes(most, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(most));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));

@@ -1,5 +1,6 @@
 #include "calculators/calculator_description.hpp"
 
+#include "base/json_text.hpp"
 #include "calculators/calculator_schema.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ std::string condition_text(const Condition& condition) {
     std::string list;
     for (const Json& value : values)
       list += (list.empty() ? "" : " or ") +
-              (value.is_string() ? value.get<std::string>() : value.dump());
+              (value.is_string() ? value.get<std::string>() : dump_json(value));
     out += fmt::format("{}{} = {}", out.empty() ? "" : " and ", path, list);
   }
   return out;
@@ -78,7 +79,7 @@ std::string presence_text(const SchemaKind& kind, const SchemaInput& input) {
   else if (is_in(kind.required, input.name))
     out = "required";
   else if (!input.default_value.is_null())
-    out = "default " + input.default_value.dump();
+    out = "default " + dump_json(input.default_value);
   else
     out = "optional";
   if (!input.only_if.empty()) out += " if " + condition_text(input.only_if);
@@ -92,7 +93,7 @@ std::string allowed_text(const SchemaInput& input) {
   if (out.starts_with("a ")) out.erase(0, 2);
   if (!input.length.is_null())
     out += fmt::format(", {} values", input.length.is_string() ? input.length.get<std::string>()
-                                                               : input.length.dump());
+                                                               : dump_json(input.length));
   return out;
 }
 
@@ -130,7 +131,7 @@ std::string kind_markdown(const CalculatorInfo& info, const SchemaFamily& family
       results += fmt::format(" [{}]", result->unit);
   }
   return out + fmt::format("\nResults: {}\n\n```json\n{}\n```\n\n", results,
-                           example_of(info, kind).dump());
+                           dump_json(example_of(info, kind)));
 }
 
 }  // namespace
@@ -184,7 +185,7 @@ std::string describe_calculator_text(const CalculatorInfo& info) {
       if (const SchemaResult* row = find_result(*schema, name))
         out += fmt::format("  {:<40} {}{}\n", row->name, row->unit,
                            row->meaning.empty() ? "" : "  " + row->meaning);
-    out += fmt::format("\nexample\n  {}\n", example_of(info, *kind).dump());
+    out += fmt::format("\nexample\n  {}\n", dump_json(example_of(info, *kind)));
   }
   return out;
 }

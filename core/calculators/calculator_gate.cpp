@@ -1,6 +1,7 @@
 #include "calculators/calculator_gate.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "calculators/calculator_schema.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ std::string condition_text(const Condition& condition) {
   std::string out;
   for (const auto& [path, values] : condition) {
     std::string list;
-    for (const Json& value : values) list += (list.empty() ? "" : " or ") + value.dump();
+    for (const Json& value : values) list += (list.empty() ? "" : " or ") + dump_json(value);
     out += fmt::format("{}{} is {}", out.empty() ? "" : " and ", path, list);
   }
   return out;
@@ -317,8 +318,7 @@ class InputCheck {
   void report(std::string path, const Json& value, std::string message, std::string remedy) {
     Issue issue;
     issue.variable = std::move(path);
-    if (!value.is_null() && !value.is_structured())
-      issue.value = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (!value.is_null() && !value.is_structured()) issue.value = dump_json(value);
     issue.message = std::move(message);
     issue.remedy = std::move(remedy);
     issues_.push_back(std::move(issue));
@@ -384,7 +384,7 @@ void check_selecting_codes(const std::vector<const SchemaKind*>& kinds, const Sc
       continue;
     Issue issue;
     issue.variable = path;
-    issue.value = value->dump(-1, ' ', false, Json::error_handler_t::replace);
+    issue.value = dump_json(*value);
     issue.message = "not one of the codes";
     issue.remedy = suggest(text, allowed, "codes");
     throw InputError(std::vector<Issue>{issue});
@@ -399,7 +399,8 @@ std::string take_kind(Json& the_case, const std::vector<const SchemaKind*>& kind
   const auto own = inputs.find("kind");
   if (const auto kind = the_case.find("kind"); kind != the_case.end()) {
     if (!kind->is_string())
-      throw InputError(fmt::format("kind {} is not a text; give the name of a kind", kind->dump()));
+      throw InputError(
+          fmt::format("kind {} is not a text; give the name of a kind", dump_json(*kind)));
     if (own != inputs.end() && *own == *kind && find_input(family.inputs, "kind") == nullptr)
       inputs.erase("kind");
     return kind->get<std::string>();
@@ -462,7 +463,7 @@ Json check_inputs(std::string_view family, std::string_view adapter_kind, Json t
 void check_results(std::string_view family, std::string_view calculator, const Json& results) {
   if (results.is_object() && results.contains("error"))
     throw InputError(fmt::format("calculator {}: these inputs have no solution: {}", calculator,
-                                 results.value("message", results.at("error").dump())));
+                                 results.value("message", dump_json(results.at("error")))));
   if (const SchemaFamily* schema = schema_of(family); schema != nullptr)
     check_value(*schema, calculator, results, "");
 }

@@ -1,3 +1,4 @@
+#include "base/input_file.hpp"
 #include "base/own_files.hpp"
 #include "deck/deck.hpp"
 #include "deck/reader.hpp"
@@ -5,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -59,7 +59,7 @@ std::string read_text(const fs::path& path) {
     fail(path, "there is no such file", "check the name, or write a deck with `adore new ball`");
   if (fs::is_directory(status))
     fail(path, "this is a folder, not a data deck", "give the file in it, such as DATA.txt");
-  std::ifstream in(path, std::ios::binary);
+  InputFile in(path);
   if (!in) fail(path, "the file cannot be opened", "check its permissions");
   std::string text;
   std::string block(1 << 16, '\0');

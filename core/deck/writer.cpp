@@ -1,4 +1,4 @@
-#include "base/atomic_file.hpp"
+#include "base/write_folder.hpp"
 #include "deck/deck.hpp"
 #include "deck/lookup.hpp"
 

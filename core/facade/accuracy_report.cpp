@@ -370,7 +370,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
   out["screening"] = list(study.screening);
   out["finals"] = list(study.finals);
   out["models"] = list(study.models);
-  return out.dump(2) + "\n";
+  return dump_json(out, 2) + "\n";
 }
 
 AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {

@@ -180,7 +180,7 @@ double per_si(std::string_view unit) {
 /// "1000.0" for a deck: a real needs its point.
 std::string deck_number(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  return value.dump();
+  return dump_json(value);
 }
 
 DeckRequest request_of(const std::string& deck, const Json& sets) {

@@ -1,8 +1,8 @@
 #include "facade/option_file.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "base/plain_file.hpp"
 #include "setup/option_choices.hpp"
 #include "setup/run_control.hpp"
 
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <optional>
 
@@ -39,14 +38,14 @@ const RunOptionInfo* find_option(std::string_view name) {
 std::optional<std::string> text_of(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return std::string(1, value.get<bool>() ? '1' : '0');
-  if (value.is_number()) return value.dump();
+  if (value.is_number()) return dump_json(value);
   return std::nullopt;
 }
 
 /// A number where the text is one as JSON writes it, so that the file reads naturally.
 Json json_of(const std::string& text) {
   const Json parsed = Json::parse(text, nullptr, false);
-  return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
+  return parsed.is_number() && dump_json(parsed) == text ? parsed : Json(text);
 }
 
 }  // namespace
@@ -93,7 +92,7 @@ OptionFile OptionFile::beside(const fs::path& deck_file) {
     out.problem_ = "is no file";
     return out;
   }
-  std::ifstream file(path, std::ios::binary);
+  InputFile file(path);
   OptionFile out = from_text({std::istreambuf_iterator<char>(file), {}});
   if (!file) out.problem_ = "cannot be read";
   return out;
@@ -139,7 +138,7 @@ std::string OptionFile::with(const std::map<std::string, std::string>& values) c
     else
       json.erase(option.name);
   }
-  return changed ? json.dump(2) + "\n" : text_;
+  return changed ? dump_json(json, 2) + "\n" : text_;
 }
 
 }  // namespace adore::facade

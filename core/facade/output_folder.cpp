@@ -1,8 +1,9 @@
 #include "facade/output_folder.hpp"
 
-#include "base/atomic_file.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/own_files.hpp"
+#include "base/write_folder.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 
@@ -13,7 +14,6 @@
 #include <cerrno>
 #include <ctime>
 #include <fcntl.h>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -72,7 +72,7 @@ std::set<std::string> candidates(const Outputs& outputs) {
     if (!name.empty() && name.find('/') == std::string::npos) out.insert(name);
   };
   try {
-    std::ifstream stream(outputs.folder / "RUN.json", std::ios::binary);
+    InputFile stream(outputs.folder / "RUN.json");
     if (is_own_file(outputs.folder / "RUN.json")) {
       const auto json = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "");
       for (const auto& name : json.at("files")) add(name.get<std::string>());
@@ -114,10 +114,17 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 }  // namespace
 
-FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : path_(folder / kName) {
+FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
+    : folder_(std::move(folder)) {
+  const fs::path path = folder_.path() / kName;
   for (;;) {
-    const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor < 0) refuse_folder(folder, errno, elsewhere);
+    const int descriptor = folder_.open_lock(kName);
+    if (descriptor < 0 && (errno == ELOOP || errno == EMLINK || errno == EINVAL || errno == ENXIO))
+      throw InputError(fmt::format(
+          "{}: a run keeps this name for its lock, and it is a link or not a regular file; remove "
+          "it, or {}",
+          path.string(), elsewhere));
+    if (descriptor < 0) refuse_folder(folder_.path(), errno, elsewhere);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       if (error == EINTR) {
@@ -130,16 +137,18 @@ FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : pat
         who.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
         who = who.substr(0, who.find('\n'));
         ::close(descriptor);
-        throw InputError(fmt::format(
-            "{}: another run is writing into this folder ({}); wait for its end, or {}",
-            folder.string(), who.empty() ? "a process that has not named itself" : who, elsewhere));
+        throw InputError(
+            fmt::format("{}: another run is writing into this folder ({}); wait for its end, or {}",
+                        folder_.path().string(),
+                        who.empty() ? "a process that has not named itself" : who, elsewhere));
       }
       ::close(descriptor);  // a file system without locks
       return;
     }
     struct stat here {
     }, there{};
-    if (::fstat(descriptor, &here) == 0 && ::stat(path_.c_str(), &there) == 0 &&
+    if (::fstat(descriptor, &here) == 0 &&
+        ::fstatat(folder_.descriptor(), kName, &there, AT_SYMLINK_NOFOLLOW) == 0 &&
         here.st_dev == there.st_dev && here.st_ino == there.st_ino) {
       descriptor_ = descriptor;
       break;
@@ -151,7 +160,7 @@ FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : pat
     throw InputError(
         fmt::format("{}: a run keeps this name for its lock, and the file is none; rename it, or "
                     "choose another folder with --out",
-                    path_.string()));
+                    path.string()));
   }
   const std::string who = whoami();
   if (::ftruncate(descriptor_, 0) != 0 ||
@@ -160,7 +169,7 @@ FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : pat
 }
 
 bool FolderLock::is_free(const fs::path& lock) noexcept {
-  const int descriptor = ::open(lock.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  const int descriptor = ::open(lock.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return false;
   const bool free = is_lock(descriptor) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   ::close(descriptor);
@@ -169,7 +178,7 @@ bool FolderLock::is_free(const fs::path& lock) noexcept {
 
 FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
-  ::unlink(path_.c_str());
+  folder_.remove(kName);
   ::close(descriptor_);
 }
 
@@ -235,45 +244,36 @@ void check_room(const Outputs& outputs, bool overwrite) {
   if (!found.empty()) throw ResultsExist(outputs.folder, found);
 }
 
-void remove_leftovers(const Outputs& outputs) {
+void remove_leftovers(const Outputs& outputs, const WriteFolder& folder) {
   std::vector<std::string> patterns;
   const std::string unfinished = results::H5Writer::unfinished("RESULTS.h5").string();
   patterns.push_back(temporary_pattern(unfinished));
   for (const std::string& name : outputs.names) patterns.push_back(temporary_pattern(name));
   std::error_code error;
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(outputs.folder, error)) {
+  std::vector<std::string> found{unfinished};
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path(), error)) {
     const std::string name = entry.path().filename().string();
     for (const std::string& pattern : patterns)
-      if (matches(name, pattern)) found.push_back(entry.path());
+      if (matches(name, pattern)) found.push_back(name);
   }
-  found.push_back(outputs.folder / unfinished);
-  for (const fs::path& path : found) fs::remove(path, error);
+  for (const std::string& name : found) folder.remove(name);
 }
 
-fs::path make_room(const Outputs& outputs) {
+fs::path make_room(const Outputs& outputs, const WriteFolder& folder) {
   std::vector<std::string> away;
-  std::error_code error;
   const std::vector<std::string> found = earlier_results(outputs);
-  remove_leftovers(outputs);
+  remove_leftovers(outputs, folder);
   for (const std::string& name : found)
     if (std::find(outputs.names.begin(), outputs.names.end(), name) == outputs.names.end())
       away.push_back(name);
-  fs::path folder;
+  fs::path moved_to;
   if (!away.empty()) {
-    for (int number = 1; folder.empty() || fs::exists(folder, error); ++number)
-      folder = outputs.folder / fmt::format("earlier-{}", number);
-    fs::create_directory(folder, error);
-    for (const std::string& name : away) {
-      if (!error) fs::rename(outputs.folder / name, folder / name, error);
-      if (error)
-        throw InputError(fmt::format(
-            "{}: this result of an earlier run cannot be moved away into {} ({}); move it yourself",
-            (outputs.folder / name).string(), folder.string(), error.message()));
-    }
+    const WriteFolder earlier = folder.new_folder("earlier");
+    moved_to = earlier.path();
+    for (const std::string& name : away) folder.rename(name, earlier, name);
   }
-  for (const std::string& name : outputs.names) fs::remove(outputs.folder / name, error);
-  return folder;
+  for (const std::string& name : outputs.names) folder.remove(name);
+  return moved_to;
 }
 
 }  // namespace adore::facade

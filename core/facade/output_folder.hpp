@@ -1,10 +1,13 @@
 #pragma once
 
 #include "base/errors.hpp"
+#include "base/write_folder.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// The folder of a run's files: who writes there, and what may be replaced (decision 160).
@@ -16,7 +19,7 @@ class FolderLock {
  public:
   /// @throws InputError naming the process that is at work there; or when nothing can be written.
   /// `elsewhere`: how this command takes another folder, for the sentence.
-  explicit FolderLock(const std::filesystem::path& folder,
+  explicit FolderLock(WriteFolder folder,
                       std::string_view elsewhere = "choose another folder with --out");
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
@@ -27,8 +30,17 @@ class FolderLock {
   [[nodiscard]] static bool is_free(const std::filesystem::path& lock) noexcept;
 
  private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;  ///< -1: the file system knows no locks
+  WriteFolder folder_;
+  int descriptor_ = -1;  ///< -1: the file system has no locks
+};
+
+/// The folder of a run: where its files are, and the open folder that they are written in.
+struct RunPlace {
+  RunPlace(WriteFolder open) : path(open.path()), folder(std::move(open)) {}  // NOLINT
+  /// Nothing is written.
+  explicit RunPlace(std::filesystem::path looked_at) : path(std::move(looked_at)) {}
+  std::filesystem::path path;
+  std::optional<WriteFolder> folder;
 };
 
 /// Refuses a folder that this process may not write into, as FolderLock would, and leaves nothing
@@ -58,12 +70,12 @@ void check_room(const Outputs& outputs, bool overwrite);
 
 /// Removes the hidden files that a process left which was killed while it replaced one of the
 /// outputs. Every run that holds the lock does so before it writes.
-void remove_leftovers(const Outputs& outputs);
+void remove_leftovers(const Outputs& outputs, const WriteFolder& folder);
 
 /// Makes room for a run that starts anew, after check_room(): what an earlier run's MASTER and
 /// RUN.json name, and what a killed process left, goes: files that will be written are removed,
 /// other results are moved into a folder "earlier-1", "earlier-2" ... @return that folder, empty
 /// when nothing had to be moved.
-std::filesystem::path make_room(const Outputs& outputs);
+std::filesystem::path make_room(const Outputs& outputs, const WriteFolder& folder);
 
 }  // namespace adore::facade

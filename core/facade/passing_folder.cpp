@@ -1,11 +1,9 @@
 #include "facade/passing_folder.hpp"
 
-#include "base/write_error.hpp"
+#include "base/write_folder.hpp"
 #include "facade/output_folder.hpp"
 
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <sys/stat.h>
@@ -48,8 +46,7 @@ bool is_left(const fs::path& folder) {
 void remove_left_ones(const fs::path& place) {
   std::error_code error;
   for (fs::directory_iterator at(place, error), end; !error && at != end; at.increment(error)) {
-    std::error_code ignored;
-    if (is_left(at->path())) fs::remove_all(at->path(), ignored);
+    if (is_left(at->path())) remove_tree(at->path());
   }
 }
 
@@ -58,20 +55,12 @@ void remove_left_ones(const fs::path& place) {
 PassingFolder::PassingFolder() {
   const fs::path place = fs::temp_directory_path();
   [[maybe_unused]] static const bool cleaned = (remove_left_ones(place), true);
-  std::string pattern = (place / kStem).string() + std::string(kUnique, 'X');
-  if (mkdtemp(pattern.data()) == nullptr)
-    throw WriteError("no folder for passing files can be made in " + place.string() + ": " +
-                     std::strerror(errno) +
-                     "; name another place in the environment variable TMPDIR");
-  outer_ = pattern;
-  lock_ = std::make_unique<FolderLock>(outer_);
-  path_ = outer_ / kFiles;
-  fs::create_directory(path_);
+  outer_ = make_temporary_folder(kStem);
+  const WriteFolder outer(outer_);
+  lock_ = std::make_unique<FolderLock>(outer);
+  path_ = outer.folder(kFiles).path();
 }
 
-PassingFolder::~PassingFolder() {
-  std::error_code error;
-  fs::remove_all(outer_, error);
-}
+PassingFolder::~PassingFolder() { remove_tree(outer_); }
 
 }  // namespace adore::facade

@@ -1,6 +1,7 @@
 #include "facade/prepare.hpp"
 
 #include "base/counted.hpp"
+#include "base/input_file.hpp"
 #include "base/interrupted.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
@@ -21,7 +22,6 @@
 #include "facade/user_session.hpp"
 #include "life/contact_strength.hpp"
 #include "listing/ball_warnings.hpp"
-#include "results/growing_file.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
@@ -449,7 +449,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   std::map<std::string, std::string> out;
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return out;
-  const nlohmann::json json = parse_json(results::read_text_file(path), path.string());
+  const nlohmann::json json = parse_json(read_text_file(path), path.string());
   if (!json.is_object())
     throw InputError(fmt::format(
         "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
@@ -459,7 +459,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
     else if (value.is_boolean())
       out[name] = std::string(1, value.get<bool>() ? '1' : '0');
     else if (value.is_number())
-      out[name] = value.dump();
+      out[name] = dump_json(value);
     else
       throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false",
                                    path.string(), name));

@@ -114,8 +114,8 @@ auto of_method(const RunRequest& request, const deck::Deck& deck, Check&& check)
 
 }  // namespace
 
-ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path& folder)
-    : master(folder / prepared.control.master_file) {
+ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace& place)
+    : master(place.path / prepared.control.master_file) {
   const setup::StartState how =
       request.go_on ? setup::StartState::Continue : prepared.control.start;
   const double elastic = static_elastic(prepared);  // as the first run had it, before thermal steps
@@ -139,7 +139,7 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
         "{}: there is no run to go on with: it was never started here, or ended before its first "
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
-  outputs.emplace(prepared, folder, request_digest(request, prepared.input), request.overwrite);
+  outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);
   // Times, limits and estimates above are those of the bearing of the deck, as they were when the
   // run began: a run that was killed goes on in the same steps.

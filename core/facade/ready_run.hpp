@@ -18,7 +18,7 @@ namespace adore::facade {
 struct ReadyRun {
   /// What was changed becomes a remark on the deck and part of its plan.
   /// @throws InputError, SolverError when no start state exists
-  ReadyRun(const RunRequest& request, Prepared& prepared, const std::filesystem::path& folder);
+  ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace& place);
   ReadyRun(const ReadyRun&) = delete;
   ReadyRun& operator=(const ReadyRun&) = delete;
 

@@ -24,7 +24,7 @@ std::vector<Issue> begin_run(LoadedDeck input, const fs::path& folder) {
   Prepared prepared = prepare(std::move(input));
   if (prepared.control.dynamic) {
     if (folder.empty()) prepared.control.start = setup::StartState::Statics;
-    const ReadyRun ready(request, prepared, folder.empty() ? fs::path(kNowhere) : folder);
+    const ReadyRun ready(request, prepared, RunPlace(folder.empty() ? fs::path(kNowhere) : folder));
   }
   return std::move(prepared.input.warnings);
 }

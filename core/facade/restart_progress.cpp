@@ -21,7 +21,6 @@ constexpr const char* kSegment = "step from which maxStps counts";
 constexpr const char* kPlotted = "last step in SOL1-SOL7";
 constexpr const char* kAnimated = "last step in SOL8";
 constexpr const char* kPrinted = "last step in PRINT";
-constexpr const char* kSaved = "last step in RESULTS";
 constexpr const char* kLived = "last step of the life models";
 constexpr const char* kHeld = "counter of changes of held elements";
 constexpr std::pair<const char*, double Resume::*> kErrors[] = {
@@ -75,7 +74,7 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
   whole(kPlotted, steps.plotted);
   whole(kAnimated, steps.animated);
   whole(kPrinted, steps.printed);
-  whole(kSaved, steps.saved);
+  whole(results::kLastSaved, steps.saved);
   whole(kLived, steps.lived);
   for (const auto& [name, counter] : kCounters) whole(name, resume.counters.*counter);
   whole(kHeld, resume.held_changes);
@@ -150,7 +149,7 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
   steps.plotted = whole(kPlotted, out.step, -1, out.step);
   steps.animated = whole(kAnimated, out.step, -1, out.step);
   steps.printed = whole(kPrinted, out.step, -1, out.step);
-  steps.saved = whole(kSaved, out.step, -1, out.step);
+  steps.saved = whole(results::kLastSaved, out.step, -1, out.step);
   steps.lived = whole(kLived, out.step, -1, out.step);
   for (const auto& [name, counter] : kCounters)
     out.resume.counters.*counter = whole(name, 0, 0, kMost);

@@ -10,23 +10,27 @@
 namespace adore::facade {
 namespace fs = std::filesystem;
 
-ResultsFolder::ResultsFolder(fs::path folder) : path_(std::move(folder)) {
+ResultsFolder::ResultsFolder(fs::path named, const fs::path& below) : path_(std::move(named)) {
   if (path_.empty()) path_ = ".";
   if (!path_.has_filename() && path_.has_relative_path()) path_ = path_.parent_path();  // "run/"
-  std::error_code error;
-  for (fs::path at = path_; !at.empty() && !fs::exists(at, error); at = at.parent_path()) ++made_;
-  fs::create_directories(path_, error);
-  if (error || !fs::is_directory(path_))
-    throw InputError(
-        fmt::format("cannot make the output folder {}: {}; name another one with --out",
-                    path_.string(), error ? error.message() : "a file of that name exists"));
+  try {
+    made_ = make_folders(path_);
+    folder_.emplace(path_);
+    if (below.empty()) return;
+    std::error_code error;
+    const fs::path all = path_ / below;
+    for (fs::path at = all; at != path_ && !fs::exists(at, error); at = at.parent_path()) ++made_;
+    folder_ = folder_->folder(below);
+    path_ = all;
+  } catch (const InputError& refused) {
+    throw InputError(fmt::format("cannot make the output folder: {}; name another one with --out",
+                                 refused.what()));
+  }
 }
 
 ResultsFolder::~ResultsFolder() {
-  std::error_code error;
-  fs::path at = path_;
-  for (int k = 0; k < made_; ++k, at = at.parent_path())
-    if (!fs::remove(at, error)) return;  // not empty
+  folder_.reset();
+  remove_empty_folders(path_, made_);
 }
 
 }  // namespace adore::facade

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "base/write_folder.hpp"
+
 #include <filesystem>
+#include <optional>
 
 namespace adore::facade {
 
@@ -8,15 +11,19 @@ namespace adore::facade {
 /// here and is still empty at the end goes with this object: a run that is refused leaves nothing.
 class ResultsFolder {
  public:
+  /// @param named by the user: may be a link
+  /// @param below folders in it that the program names ("files/KEY"): links are refused
   /// @throws InputError when it cannot be made
-  explicit ResultsFolder(std::filesystem::path folder);
+  explicit ResultsFolder(std::filesystem::path named, const std::filesystem::path& below = {});
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const WriteFolder& folder() const { return *folder_; }
 
  private:
   std::filesystem::path path_;
+  std::optional<WriteFolder> folder_;
   int made_ = 0;  ///< folders that were missing: the last ones of the path
 };
 

@@ -1,6 +1,7 @@
 #include "facade/run.hpp"
 
 #include "base/checksum.hpp"
+#include "base/input_file.hpp"
 #include "base/write_error.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/chosen_settings.hpp"
@@ -14,7 +15,6 @@
 #include "facade/solver_stamp.hpp"
 #include "facade/unused_request.hpp"
 #include "facade/user_session.hpp"
-#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
 }
 
 RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
-                            const fs::path& folder) {
+                            const WriteFolder& folder) {
   if (request.go_on)
     throw InputError(fmt::format(
         "--continue: the deck {} is quasi-static, there is nothing to go on with; leave it out",
@@ -79,13 +79,13 @@ std::string way_on(const fs::path& master) {
              : "the run had no checkpoint yet: start it again, with --overwrite";
 }
 
-RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::path& folder,
+RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const WriteFolder& folder,
                        const ProgressSink& progress, std::stop_token stop) {
   try {
     return simulate(request, prepared, folder, progress, stop);
   } catch (const WriteError& error) {
     throw InputError(
-        fmt::format("{}; {}", error.what(), way_on(folder / prepared.control.master_file)));
+        fmt::format("{}; {}", error.what(), way_on(folder.path() / prepared.control.master_file)));
   } catch (const SolverError& error) {  // before the first step
     if (!prepared.user) throw;
     const std::string& failure = prepared.user->failure();
@@ -104,7 +104,7 @@ std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
   std::string text = fmt::format("{}\n{}\n", solver_stamp(), deck::write_deck(deck.deck));
   for (const auto& [name, value] : deck.option_values) text += fmt::format("{}={}\n", name, value);
   if (!deck.user.empty())
-    text += fmt::format("user={}\n{}\n", deck.user.string(), results::read_text_file(deck.user));
+    text += fmt::format("user={}\n{}\n", deck.user.string(), read_text_file(deck.user));
   text += fmt::format("{}\n{}\n", request.until, request.integrator);
   if (request.tolerance) text += fmt::format("{}\n", *request.tolerance);
   return fmt::format("{:016x}", checksum(text));
@@ -122,18 +122,18 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   if (progress) input.table_progress = table_meter(progress);
   if (input.deck.integer("kStif") > 0 && !request.go_on && input.deck.integer("kIcOpt") != 1) {
     // The table may take minutes: a folder that is taken is refused before.
-    const fs::path there = request.out ? *request.out : input.path.parent_path();
-    check_room({there.empty() ? "." : there, {"PRINT.txt"}, {input.path}}, request.overwrite);
+    check_room({output_folder(request, input.path) / request.below, {"PRINT.txt"}, {input.path}},
+               request.overwrite);
   }
   Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
   if (!remark.empty()) add_remark(prepared, Severity::Note, remark);
-  const ResultsFolder made(output_folder(request, prepared.input.path));
-  const fs::path& folder = made.path();
-  const FolderLock lock(folder);
-  RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
-                                            : run_quasi_static(request, prepared, folder);
-  out.folder = folder;
+  const ResultsFolder made(output_folder(request, prepared.input.path), request.below);
+  const FolderLock lock(made.folder());
+  RunOutcome out = prepared.control.dynamic
+                       ? run_dynamic(request, prepared, made.folder(), progress, stop)
+                       : run_quasi_static(request, prepared, made.folder());
+  out.folder = made.path();
   std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
   for (Issue& note : unused_request(request, prepared)) out.warnings.push_back(std::move(note));

@@ -16,6 +16,7 @@ namespace adore::facade {
 
 struct RunRequest : DeckRequest {
   std::optional<std::filesystem::path> out;  ///< folder of the files; default: beside the deck
+  std::filesystem::path below;  ///< of the files, in `out`: folders that the program names
   std::string until;       ///< "5rev", "0.02s" or a dimensionless time; replaces fTime and maxStps.
                            ///< Empty: the deck's
   std::string integrator;  ///< name instead of intMet; empty: the deck's
@@ -79,7 +80,7 @@ struct RunOutcome {
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 
-/// The folder that the request's files go into.
+/// The folder that the request names for its files; they are in the folder `below` it.
 std::filesystem::path output_folder(const RunRequest& request, const std::filesystem::path& deck);
 
 /// Says what is run, in a few digits: deck with its sets, options, end, method and program version.

@@ -1,9 +1,11 @@
 #include "facade/run_files.hpp"
 
+#include "base/errors.hpp"
 #include "base/version.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "facade/user_session.hpp"
 #include "results/continuation.hpp"
+#include "results/file_sums.hpp"
 #include "scene/user_laws.hpp"
 
 #include <fmt/format.h>
@@ -30,21 +32,30 @@ listing::RaceFriction race_friction(const Prepared& prepared) {
   return prepared.bearing.lubrication ? RaceFriction::Film : RaceFriction::Curve;
 }
 
-RunFiles::RunFiles(const Prepared& prepared, fs::path folder)
+RunFiles::RunFiles(const Prepared& prepared, RunPlace place)
     : prepared_(prepared),
       begun_(prepared.bearing),
       control_(prepared.control),
-      folder_(std::move(folder)),
+      place_(std::move(place)),
       units_(prepared.input.deck.units()),
       channels_(dynamics::energy_terms()) {}
 
+const WriteFolder& RunFiles::folder() const {
+  demand(place_.folder.has_value(), "a run that writes has an open folder");
+  return *place_.folder;
+}
+
 fs::path RunFiles::sol_path(std::size_t number) const {
-  return folder_ / control_.sol_files[number - 1];
+  return place_.path / control_.sol_files[number - 1];
+}
+
+WritePath RunFiles::sol_place(std::size_t number) const {
+  return place(control_.sol_files[number - 1]);
 }
 
 Outputs RunFiles::outputs() const {
   Outputs out;
-  out.folder = folder_;
+  out.folder = place_.path;
   out.inputs = {prepared_.input.path, prepared_.input.path.parent_path() / "ADORE.json"};
   out.names = {"PRINT.txt", "RUN.json"};
   if (!control_.dynamic) return out;
@@ -72,6 +83,19 @@ void RunFiles::check() const {
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
+void RunFiles::check_sums(const results::MasterState& master) const {
+  const auto saved = master.averages.find(results::kLastSaved);
+  const long last = saved == master.averages.end() ? 0 : static_cast<long>(saved->second);
+  for (const results::MasterFile& file : master.files) {
+    const std::string damage = results::damage_of(file, path(file.name), last);
+    if (damage.empty()) continue;
+    throw InputError(
+        fmt::format("{}: the file is damaged: {}; restore it, or run the deck again with "
+                    "--overwrite (`adore verify {}` checks all files)",
+                    path(file.name).string(), damage, place_.path.string()));
+  }
+}
+
 std::pair<long, double> RunFiles::stored_end(std::uintmax_t print_bytes) const {
   // RESULTS.h5 has the steps of SOL7 and SOL8.
   std::pair<long, double> out = results::stored_end(sol_path(7));
@@ -92,22 +116,22 @@ bool RunFiles::writes_animation() const {
 
 void RunFiles::open_listing() {
   written.push_back(path("PRINT.txt"));
-  print = listing::PrintFile::create(path("PRINT.txt"), prepared_.bearing.run_id, units_);
+  print = listing::PrintFile::create(place("PRINT.txt"), prepared_.bearing.run_id, units_);
 }
 
 std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_bytes,
                                           std::uintmax_t sol9_bytes) {
   written.push_back(path("PRINT.txt"));
   print = continued
-              ? listing::PrintFile::continue_after(path("PRINT.txt"), prepared_.bearing.run_id,
+              ? listing::PrintFile::continue_after(place("PRINT.txt"), prepared_.bearing.run_id,
                                                    units_, print_bytes)
-              : listing::PrintFile::create(path("PRINT.txt"), prepared_.bearing.run_id, units_);
+              : listing::PrintFile::create(place("PRINT.txt"), prepared_.bearing.run_id, units_);
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared_.bearing, index, units_);
     written.push_back(sol_path(number));
-    return continued
-               ? results::SolWriter::continue_after(sol_path(number), header, units_, steps.plotted)
-               : results::SolWriter::create(sol_path(number), header, units_);
+    return continued ? results::SolWriter::continue_after(sol_place(number), header, units_,
+                                                          steps.plotted)
+                     : results::SolWriter::create(sol_place(number), header, units_);
   };
   for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
     elements_.push_back(open(k + 1, control_.monitored[k]));
@@ -116,17 +140,17 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   power_->collect();
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), begun_, channels_,
+    all = continued ? results::H5Writer::continue_after(place("RESULTS.h5"), begun_, channels_,
                                                         steps.saved)
-                    : results::H5Writer::create(path("RESULTS.h5"), begun_, channels_);
+                    : results::H5Writer::create(place("RESULTS.h5"), begun_, channels_);
   }
   print->show_friction(race_friction(prepared_));
   if (prepared_.user && !prepared_.user->version().empty())
     print->show_version(program_version(prepared_.user.get()));
   if (writes_sol9()) {
     written.push_back(path("SOL9"));
-    user = continued ? results::GrowingFile::append_after(path("SOL9"), sol9_bytes)
-                     : results::GrowingFile::create(path("SOL9"));
+    user = continued ? results::GrowingFile::append_after(place("SOL9"), sol9_bytes)
+                     : results::GrowingFile::create(place("SOL9"));
     const std::string text = prepared_.user->take_written();
     if (!continued)
       user->append(fmt::format("  {}{}  SOL9, written by user routine ADRX9 of {}\n{}",
@@ -138,9 +162,9 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   if (auto refusal = results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_)))
     return refusal;
   written.push_back(sol_path(8));
-  animation_ = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared_.bearing,
+  animation_ = continued ? results::Sol8Writer::continue_after(sol_place(8), prepared_.bearing,
                                                                units_, steps.animated)
-                         : results::Sol8Writer::create(sol_path(8), prepared_.bearing, units_);
+                         : results::Sol8Writer::create(sol_place(8), prepared_.bearing, units_);
   animation_->collect();
   return {};
 }
@@ -197,7 +221,7 @@ void RunFiles::close() {
 std::vector<results::MasterFile> RunFiles::ends() const {
   std::vector<results::MasterFile> out;
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {
-    out.push_back({role, file.path().filename().string(), file.bytes()});
+    out.push_back({role, file.path().filename().string(), file.bytes(), file.sum()});
   };
   add("PRINT", print->file());
   for (std::size_t k = 0; k < elements_.size(); ++k)
@@ -205,7 +229,7 @@ std::vector<results::MasterFile> RunFiles::ends() const {
   add("SOL7", power_->file());
   if (animation_) add("SOL8", animation_->file());
   if (user) add("SOL9", *user);
-  if (all) out.push_back({"RESULTS", "RESULTS.h5", 0});
+  if (all) out.push_back({"RESULTS", "RESULTS.h5", 0, all->sum()});
   return out;
 }
 

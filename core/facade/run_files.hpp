@@ -26,13 +26,21 @@ namespace adore::facade {
 class RunFiles {
  public:
   /// @pre `prepared` lives as long
-  RunFiles(const Prepared& prepared, std::filesystem::path folder);
+  RunFiles(const Prepared& prepared, RunPlace place);
 
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const {
+    return place_.path / name;
+  }
+  [[nodiscard]] const WriteFolder& folder() const;
+  /// Where the file is written.
+  [[nodiscard]] WritePath place(const std::string& name) const { return {folder(), name}; }
   /// What this run will write, and what it reads.
   [[nodiscard]] Outputs outputs() const;
   /// Refuses to continue files of another run or layout, before any of them is touched (N3).
   void check() const;
+  /// Refuses to continue files that are not as the run left them, by the checksums of MASTER.
+  /// @pre check()
+  void check_sums(const results::MasterState& master) const;
   /// Step and time [s], to the digits of the files, of the last whole record in SOL7 or SOL8 or of
   /// the last step that the listing has behind its first `print_bytes`, whichever is later; zeros
   /// when there is none.
@@ -80,6 +88,7 @@ class RunFiles {
 
  private:
   [[nodiscard]] std::filesystem::path sol_path(std::size_t number) const;
+  [[nodiscard]] WritePath sol_place(std::size_t number) const;
   [[nodiscard]] bool writes_animation() const;
   [[nodiscard]] bool writes_sol9() const;
   void flush_classic();  ///< SOL1 to SOL8
@@ -87,7 +96,7 @@ class RunFiles {
   const Prepared& prepared_;
   bearing::Bearing begun_;  ///< before thermal steps: RESULTS.h5 tells its geometry
   const setup::RunControl& control_;
-  std::filesystem::path folder_;
+  RunPlace place_;
   deck::UnitSystem units_;
   results::ChannelTable channels_;
   std::vector<results::SolWriter> elements_;  ///< SOL1..SOL6

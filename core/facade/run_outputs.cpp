@@ -28,6 +28,7 @@
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
+#include "results/file_sums.hpp"
 #include "results/restart.hpp"
 #include "results/run_json.hpp"
 
@@ -119,7 +120,7 @@ struct RunOutputs::Impl {
   nlohmann::ordered_json network;  ///< of the last thermal step
   double turned_before = 0.0;      ///< rotation of the shaft beyond speed times time [rad]
 
-  Impl(const Prepared& p, fs::path f, std::string r, bool o)
+  Impl(const Prepared& p, RunPlace f, std::string r, bool o)
       : prepared(p),
         request(std::move(r)),
         overwrite(o),
@@ -189,7 +190,7 @@ void RunOutputs::Impl::make_room() {
   // Its state is the start; the first checkpoint takes its place.
   if (control.start != setup::StartState::Statics)
     std::erase(all_outputs.names, control.final_file);
-  const fs::path away = facade::make_room(all_outputs);
+  const fs::path away = facade::make_room(all_outputs, files.folder());
   if (!away.empty())
     remark(fmt::format("results of an earlier run that this run does not write were moved into {}",
                        away.string()));
@@ -237,8 +238,8 @@ void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& a
   recorder.save(master.averages);
   save_progress(master.averages, at, resume, files.steps, segment, control);
   master.files = files.ends();
-  results::write_final(master.last, path(control.final_file));
-  results::write_master(master, path(control.master_file));
+  results::write_final(master.last, files.place(control.final_file));
+  results::write_master(master, files.place(control.master_file));
   checkpoint = Clock::now();
   restart_step = at.step;
 }
@@ -279,12 +280,16 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   for (const fs::path& file : files.written) run.files.push_back(file.filename().string());
   files.print->ledgers(run, plan, run_life);
   files.close();
-  results::write_run_json(run, path("RUN.json"));
+  std::error_code error;
+  for (const fs::path& file : files.written)
+    if (file.filename() != "RUN.json" && fs::exists(file, error))
+      run.sums.push_back(results::sum_of_file(file));
+  results::write_run_json(run, files.place("RUN.json"));
 }
 
-RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder, std::string request,
+RunOutputs::RunOutputs(const Prepared& prepared, const RunPlace& place, std::string request,
                        bool overwrite)
-    : impl_(std::make_unique<Impl>(prepared, folder, std::move(request), overwrite)) {}
+    : impl_(std::make_unique<Impl>(prepared, place, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
 
 void RunOutputs::show_thermal(const ThermalRun& thermal) {
@@ -312,6 +317,7 @@ void RunOutputs::remark(const std::string& text) { impl_->remark(text); }
 StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
   StartPoint out;
+  std::optional<results::MasterState> kept;
   out.y = system.initial_state();
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
@@ -416,6 +422,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.band.restore(master.averages);
     s.files.steps = restore_progress(master, s.control, s.path(s.control.master_file), out);
     s.ledger_start = LedgerStart::of(master);
+    kept = master;
     const results::MasterFile* listing = master.file("PRINT");
     if (listing != nullptr) s.print_bytes = listing->bytes;
     if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
@@ -434,6 +441,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (out.continued) {
     check_names(s.files.outputs());
     s.files.check();
+    if (kept) s.files.check_sums(*kept);
     std::tie(out.stored_step, out.stored_time) = s.files.stored_end(s.print_bytes);
   } else {
     try {
@@ -457,7 +465,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   s.segment = start.segment;
   s.continued_at = start.step;
   if (start.continued)
-    remove_leftovers(s.files.outputs());
+    remove_leftovers(s.files.outputs(), s.files.folder());
   else
     s.make_room();
   if (const auto no_animation = s.files.open(start.continued, s.print_bytes, s.sol9_bytes))
@@ -474,7 +482,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   run.integrator = s.control.integrator;
   run.tolerance = s.control.tolerance;
   for (const fs::path& file : s.files.written) run.files.push_back(file.filename().string());
-  results::write_run_json(run, s.path("RUN.json"));
+  results::write_run_json(run, s.files.place("RUN.json"));
   if (!start.continued) return;
   // Until something is stored, the last page is of this point.
   const RunPoint here{start.step, start.time, start.step_size, start.y};
@@ -586,7 +594,8 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
       RunPoint shown = end.point;
       if (end.resume.substeps > 0) ++shown.step;
       store(system, shown, true);
-      results::write_final(s.final_state(system, s.last, s.last_y), s.path(s.control.final_file));
+      results::write_final(s.final_state(system, s.last, s.last_y),
+                           s.files.place(s.control.final_file));
       break;
     }
     case RunStatus::Failed:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "facade/output_folder.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 #include "facade/thermal_run.hpp"
@@ -65,8 +66,7 @@ class RunOutputs {
  public:
   /// `request`: digest for RUN.json. `overwrite`: results of an earlier run may be replaced
   /// (facade/output_folder.hpp).
-  RunOutputs(const Prepared& prepared, const std::filesystem::path& folder, std::string request,
-             bool overwrite);
+  RunOutputs(const Prepared& prepared, const RunPlace& place, std::string request, bool overwrite);
   ~RunOutputs();
 
   /// A quasi-static deck's only output: PRINT.txt and RUN.json. @return the results in a few lines

@@ -64,11 +64,11 @@ std::string continued_remark(const StartPoint& start, bool remembers,
 
 }  // namespace
 
-RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::path& folder,
+RunOutcome simulate(const RunRequest& request, Prepared& prepared, const RunPlace& place,
                     const ProgressSink& progress, std::stop_token stop) {
   const auto begin = std::chrono::steady_clock::now();
   // Everything is checked before a file of an earlier run is touched.
-  ReadyRun ready(request, prepared, folder);
+  ReadyRun ready(request, prepared, place);
   dynamics::System& system = *ready.system;
   const integrators::Stepper& stepper = *ready.stepper;
   RunOutputs& outputs = *ready.outputs;

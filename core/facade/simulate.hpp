@@ -1,17 +1,16 @@
 #pragma once
 
+#include "facade/output_folder.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 
-#include <filesystem>
 #include <stop_token>
 
 namespace adore::facade {
 
 /// The run in time of a prepared deck of mode 0 to 2, into the folder.
 /// @throws InputError before anything was overwritten, SolverError when no start state exists
-RunOutcome simulate(const RunRequest& request, Prepared& prepared,
-                    const std::filesystem::path& folder, const ProgressSink& progress,
-                    std::stop_token stop);
+RunOutcome simulate(const RunRequest& request, Prepared& prepared, const RunPlace& place,
+                    const ProgressSink& progress, std::stop_token stop);
 
 }  // namespace adore::facade

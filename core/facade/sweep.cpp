@@ -1,8 +1,9 @@
 #include "facade/sweep.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/counted.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
+#include "base/write_folder.hpp"
 #include "deck/lookup.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/results_folder.hpp"
@@ -17,7 +18,6 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -89,14 +89,14 @@ Row run_one(const RunRequest& request, std::string value, const std::stop_token&
 /// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
 std::optional<Row> completed(const RunRequest& request, const std::string& value,
                              const std::string& digest) {
-  const std::filesystem::path file = *request.out / "RUN.json";
+  const std::filesystem::path file = *request.out / request.below / "RUN.json";
   const results::RunMark mark = results::read_run_mark(file);
   if (mark.status != "done" || mark.request != digest) return {};
   Row row;
   row.value = value;
   row.known = true;
   try {
-    std::ifstream stream(file, std::ios::binary);
+    InputFile stream(file);
     const auto json = parse_json<nlohmann::ordered_json>(
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items()) {
@@ -130,9 +130,8 @@ Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_
     // The run says it.
   }
   if (std::optional<Row> row = completed(request, value, digest)) return *row;
-  const std::string status = results::read_run_mark(*request.out / "RUN.json").status;
-  if ((status == "running" || status == "interrupted") &&
-      results::read_run_mark(*request.out / "RUN.json").request == digest) {
+  const results::RunMark mark = results::read_run_mark(*request.out / request.below / "RUN.json");
+  if ((mark.status == "running" || mark.status == "interrupted") && mark.request == digest) {
     request.go_on = true;
     Row row = run_one(request, value, stop);
     if (row.exit_code != 2) return row;  // else its files do not fit together
@@ -208,7 +207,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   const ResultsFolder made(output_folder(request, deck_path(request)));
   const std::filesystem::path& folder = made.path();
-  const FolderLock lock(folder);
+  const FolderLock lock(made.folder());
   const auto count = static_cast<std::size_t>(range.count);
   SweepOutcome out;
   out.table = folder / "SWEEP.csv";
@@ -217,19 +216,20 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     const double value =
         range.first + (range.last - range.first) * static_cast<double>(k) / (range.count - 1);
     one.sets[swept].second = value_text(value);
-    one.out = folder / fmt::format("{}-{}", variable, k + 1);
+    one.out = folder;
+    one.below = fmt::format("{}-{}", variable, k + 1);
     return one;
   };
   const bool keep = !request.overwrite && !request.go_on;
   check_room({folder, {"SWEEP.csv", SweepMark::kName}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
   for (std::size_t k = 0; keep && k < count; ++k)
-    if (const auto place = *one_request(k).out; std::filesystem::exists(place))
+    if (const auto place = folder / one_request(k).below; std::filesystem::exists(place))
       check_room({place, {"PRINT.txt", "RUN.json"}, {}}, false);
 
   SweepMark mark{deck_path(request).filename().string(),
                  variable + "=" + request.sets[swept].second, sweep_digest(request), "running"};
-  write_sweep_mark(mark, folder);
+  write_sweep_mark(mark, made.folder());
 
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
@@ -245,7 +245,8 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   const auto write_table = [&] {
     std::vector<Row> finished = rows;
     std::erase_if(finished, [](const Row& row) { return row.value.empty(); });
-    write_file_atomically(out.table, sweep_csv(variable, unit, finished));
+    write_file_atomically({made.folder(), out.table.filename().string()},
+                          sweep_csv(variable, unit, finished));
   };
   // The table grows with the runs, so that a sweep that is killed leaves one. A tenth of the time
   // at most goes into that.
@@ -317,7 +318,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   const bool unwritten =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
   mark.status = out.exit_code == kInterrupted || unwritten ? "interrupted" : "done";
-  write_sweep_mark(mark, folder);
+  write_sweep_mark(mark, made.folder());
   return out;
 }
 

@@ -1,11 +1,11 @@
 #include "facade/sweep_mark.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/own_files.hpp"
 #include "base/version.hpp"
-#include "results/growing_file.hpp"
+#include "base/write_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +26,7 @@ std::string sweep_digest(const RunRequest& request) {
   }
 }
 
-void write_sweep_mark(const SweepMark& mark, const fs::path& folder) {
+void write_sweep_mark(const SweepMark& mark, const WriteFolder& folder) {
   Json json;
   json["program"] = kProgramVersion;
   json["format"] = 1;
@@ -35,8 +35,7 @@ void write_sweep_mark(const SweepMark& mark, const fs::path& folder) {
   json["request"] = mark.request;
   json["status"] = mark.status;
   json["failed"] = mark.failed;
-  write_file_atomically(folder / SweepMark::kName,
-                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file_atomically({folder, SweepMark::kName}, dump_json(json, 2) + "\n");
 }
 
 std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
@@ -44,7 +43,7 @@ std::optional<SweepMark> read_sweep_mark(const fs::path& folder) {
   if (!is_own_file(file)) return {};
   Json json;
   try {
-    json = parse_json<Json>(results::read_text_file(file), file.string());
+    json = parse_json<Json>(read_text_file(file), file.string());
   } catch (const InputError&) {
     return {};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "facade/run.hpp"
 
 #include <filesystem>
@@ -24,7 +25,7 @@ struct SweepMark {
 [[nodiscard]] std::string sweep_digest(const RunRequest& request);
 
 /// Replaces the file atomically. @throws WriteError
-void write_sweep_mark(const SweepMark& mark, const std::filesystem::path& folder);
+void write_sweep_mark(const SweepMark& mark, const WriteFolder& folder);
 /// Nothing where there is none of this program, or a damaged one.
 [[nodiscard]] std::optional<SweepMark> read_sweep_mark(const std::filesystem::path& folder);
 

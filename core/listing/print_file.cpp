@@ -1,6 +1,7 @@
 #include "listing/print_file.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/print_heat.hpp"
 #include "results/continuation.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 
 namespace adore::listing {
 
@@ -24,13 +24,12 @@ PrintSections print_sections(int kPrtOpt) {
   return out;
 }
 
-PrintFile PrintFile::create(const std::filesystem::path& path, std::string run_id,
-                            UnitSystem units) {
-  return {GrowingFile::create(path), std::move(run_id), units};
+PrintFile PrintFile::create(const WritePath& place, std::string run_id, UnitSystem units) {
+  return {GrowingFile::create(place), std::move(run_id), units};
 }
 
 void PrintFile::check(const std::filesystem::path& path, const std::string& run_id) {
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   if (!stream)
     throw InputError(
         fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
@@ -44,14 +43,15 @@ void PrintFile::check(const std::filesystem::path& path, const std::string& run_
                run_id);
 }
 
-PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
-                                    UnitSystem units, std::uintmax_t bytes) {
+PrintFile PrintFile::continue_after(const WritePath& place, std::string run_id, UnitSystem units,
+                                    std::uintmax_t bytes) {
+  const std::filesystem::path path = place.path();
   check(path, run_id);
-  PrintFile out(GrowingFile::append_after(path, bytes), std::move(run_id), units);
+  PrintFile out(GrowingFile::append_after(place, bytes), std::move(run_id), units);
   // The last page lies in the last bytes.
   constexpr std::uintmax_t kMost = 1 << 16;
   const std::uintmax_t size = std::min(bytes, kMost);
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   stream.seekg(static_cast<std::streamoff>(bytes - size));
   std::string tail(static_cast<std::size_t>(size), '\0');
   stream.read(tail.data(), static_cast<std::streamsize>(size));
@@ -67,7 +67,7 @@ std::pair<long, double> PrintFile::stored_end(const std::filesystem::path& path,
   if (error || size <= bytes) return {};
   // Of a long rest its end: a step of a thousand elements has less.
   constexpr std::uintmax_t kMost = 1 << 22;
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   stream.seekg(static_cast<std::streamoff>(size - std::min(size - bytes, kMost)));
   std::pair<long, double> out;
   long step = 0;

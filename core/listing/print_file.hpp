@@ -58,10 +58,10 @@ struct PrintSections {
 class PrintFile {
  public:
   /// A new file, replacing what was there. @throws InputError
-  static PrintFile create(const std::filesystem::path& path, std::string run_id, UnitSystem units);
+  static PrintFile create(const WritePath& place, std::string run_id, UnitSystem units);
   /// Continues a file after MASTER's length of it; checks the run code. @throws InputError
-  static PrintFile continue_after(const std::filesystem::path& path, std::string run_id,
-                                  UnitSystem units, std::uintmax_t bytes);
+  static PrintFile continue_after(const WritePath& place, std::string run_id, UnitSystem units,
+                                  std::uintmax_t bytes);
 
   /// The check of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const std::string& run_id);

@@ -1,6 +1,7 @@
 #include "reference/validate.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "reference/adapters.hpp"
 #include "reference/tolerance.hpp"
@@ -9,7 +10,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -73,7 +73,7 @@ class Comparison {
       if (!got.is_number()) return fail("is not a number");
       number(expected.get<double>(), got.get<double>(), index, parent);
     } else if (rule_.strings && expected != got) {
-      fail(fmt::format("is {} but must be {}", got.dump(), expected.dump()));
+      fail(fmt::format("is {} but must be {}", dump_json(got), dump_json(expected)));
     }
   }
 
@@ -249,7 +249,7 @@ Json read_cases(const std::filesystem::path& path, const std::string& standard_i
   };
   std::string text = standard_input;
   if (path != "-") {
-    std::ifstream stream(path, std::ios::binary);
+    InputFile stream(path);
     if (!stream || !std::filesystem::is_regular_file(path)) {
       complain("the file cannot be read");
       return {};
@@ -350,29 +350,37 @@ Json report_json(const ValidateReport& report) {
 
 namespace {
 
-std::string case_text(const CaseResult& result, bool verbose) {
+/// @param all quantities, or only those that fail
+std::string case_text(const CaseResult& result, bool all) {
   std::string text = fmt::format("  {:<11} {}", result.status, result.id);
   if (!result.message.empty()) text += fmt::format(": {}", result.message);
   for (const QuantityResult& q : result.quantities) {
+    if (!all && q.pass) continue;
     const std::string figures =
         q.message.empty() ? fmt::format("{:.1e}/{:.1e}", q.error, q.tolerance) : q.message;
-    text +=
-        fmt::format("{}{}{} {}", verbose ? "\n      " : "  ", q.pass ? "" : "! ", q.key, figures);
+    text += fmt::format("  {}{} {}", q.pass ? "" : "! ", q.key, figures);
   }
   return text + '\n';
 }
 
 }  // namespace
 
-std::string report_text(const ValidateReport& report, bool verbose) {
-  std::string text;
-  for (const FileResult& file : report.files) {
-    text += fmt::format("{} ({:.1f} s)\n", file.file, file.seconds);
-    for (const CaseResult& result : file.cases) text += case_text(result, verbose);
-  }
-  text += fmt::format("{} passed, {} failed, {} not covered (error/tolerance)\n", report.pass,
-                      report.fail, report.not_covered);
+std::string file_text(const FileResult& file, bool verbose) {
+  const auto count = [&](std::string_view status) {
+    return std::count_if(file.cases.begin(), file.cases.end(),
+                         [&](const CaseResult& one) { return one.status == status; });
+  };
+  std::string text =
+      fmt::format("{}: {} passed, {} failed, {} not covered in {:.1f} s\n", file.file,
+                  count("pass"), count("fail"), count("not_covered"), file.seconds);
+  for (const CaseResult& result : file.cases)
+    if (verbose || result.status == "fail") text += case_text(result, verbose);
   return text;
+}
+
+std::string totals_text(const ValidateReport& report) {
+  return fmt::format("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
+                     report.not_covered);
 }
 
 }  // namespace adore::reference

@@ -61,8 +61,9 @@ struct ValidateReport {
 /// "totals": {...}}
 [[nodiscard]] nlohmann::json report_json(const ValidateReport& report);
 
-/// One line per case with error/tolerance of its quantities, then the totals. With `verbose` one
-/// line per quantity.
-[[nodiscard]] std::string report_text(const ValidateReport& report, bool verbose = false);
+/// One line per file and one per failed case, with error/tolerance of the quantities that fail;
+/// `verbose`: one line per case, with all its quantities.
+[[nodiscard]] std::string file_text(const FileResult& file, bool verbose);
+[[nodiscard]] std::string totals_text(const ValidateReport& report);
 
 }  // namespace adore::reference

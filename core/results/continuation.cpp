@@ -1,12 +1,12 @@
 #include "results/continuation.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "results/fortran_format.hpp"
 #include "results/sol_parser.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace adore::results {
@@ -23,8 +23,8 @@ void compare(const std::filesystem::path& path, std::string_view what, const T& 
                                path.string(), what, found, expected, kRemedy));
 }
 
-std::ifstream open_existing(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
+InputFile open_existing(const std::filesystem::path& path) {
+  InputFile stream(path);
   if (!stream)
     throw InputError(
         fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
@@ -63,21 +63,22 @@ void check_run_id(const std::filesystem::path& path, const std::string& found,
 }
 
 void check_sol_file(const std::filesystem::path& path, const std::string& expected_header) {
-  std::ifstream stream = open_existing(path);
+  InputFile stream = open_existing(path);
   compare_headers(path, SolParser(stream, path.string()), expected_header);
 }
 
 std::pair<long, double> stored_end(const std::filesystem::path& path) {
-  std::ifstream stream = open_existing(path);
+  InputFile stream = open_existing(path);
   SolParser found(stream, path.string());
   SolStep step, last;
   while (found.next(step, false) == BlockStatus::Complete) std::swap(last, step);
   return {last.step, last.time};
 }
 
-GrowingFile continue_sol_file(const std::filesystem::path& path, const std::string& expected_header,
+GrowingFile continue_sol_file(const WritePath& place, const std::string& expected_header,
                               long last_step) {
-  std::ifstream stream = open_existing(path);
+  const std::filesystem::path path = place.path();
+  InputFile stream = open_existing(path);
   SolParser found(stream, path.string());
   compare_headers(path, found, expected_header);
   std::uintmax_t bytes = found.good_bytes();
@@ -87,7 +88,7 @@ GrowingFile continue_sol_file(const std::filesystem::path& path, const std::stri
     bytes = found.good_bytes();
     terminated = found.good_end_terminated();
   }
-  GrowingFile file = GrowingFile::append_after(path, bytes);
+  GrowingFile file = GrowingFile::append_after(place, bytes);
   if (!terminated) file.append("\n");
   return file;
 }

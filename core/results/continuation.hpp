@@ -13,7 +13,7 @@ namespace adore::results {
 /// must equal `expected_header` but for the program version: another run code, element, layout or
 /// unit system stops the run.
 /// @throws InputError saying which, with both values.
-[[nodiscard]] GrowingFile continue_sol_file(const std::filesystem::path& path,
+[[nodiscard]] GrowingFile continue_sol_file(const WritePath& place,
                                             const std::string& expected_header, long last_step);
 
 /// Step and time [s] of the last whole record of a SOL file; zeros when it has none.

@@ -1,9 +1,10 @@
 #include "results/convert.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/own_files.hpp"
-#include "results/growing_file.hpp"
+#include "base/terminal_text.hpp"
 #include "results/restart.hpp"
 #include "results/sol_file.hpp"
 #include "results/table.hpp"
@@ -13,7 +14,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <ostream>
 
@@ -26,7 +26,7 @@ std::string first_bytes(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw InputError(fmt::format("{}: this is a folder; give a result file in it", path.string()));
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   if (!stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
                                  path.string()));
@@ -78,8 +78,9 @@ std::string number(double value, std::string_view missing) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string(missing);
 }
 
-/// RFC 4180.
-std::string csv_text(const std::string& text) {
+/// RFC 4180, with control characters made visible.
+std::string csv_text(const std::string& raw) {
+  const std::string text = terminal_text(raw);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -113,9 +114,7 @@ std::string write_json(const ResultTable& table, std::ostream& out) {
   for (const auto& [name, value] : table.header) header[name] = value;
   for (const TableColumn& column : table.columns)
     columns.push_back({{"id", column.id}, {"label", column.label}, {"unit", column.unit}});
-  const auto text = [](const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  };
+  const auto text = [](const Json& json) { return dump_json(json); };
   out << "{\"header\":" << text(header) << ",\n\"columns\":" << text(columns) << ",\n\"steps\":[";
   std::vector<double> row;
   std::string line;
@@ -141,8 +140,8 @@ void write_leaves(const Json& json, const std::string& path, std::ostream& out) 
     }
     return;
   }
-  out << csv_text(path) << ',' << csv_text(json.is_string() ? json.get<std::string>() : json.dump())
-      << '\n';
+  out << csv_text(path) << ','
+      << csv_text(json.is_string() ? json.get<std::string>() : dump_json(json)) << '\n';
 }
 
 void add_line(std::string& out, std::string_view name, std::string_view value) {
@@ -266,7 +265,7 @@ std::string describe_file(const std::filesystem::path& path) {
       return out;
     }
     case FileKind::RunJson:
-      return read_run_json(path).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+      return dump_json(read_run_json(path), 2) + "\n";
     default:
       return describe(table_of(path, kind), path);
   }
@@ -283,7 +282,7 @@ std::string describe_file_json(const std::filesystem::path& path) {
     out = read_run_json(path);
   else
     out = describe_json(table_of(path, kind), path);
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump_json(out, 2) + "\n";
 }
 
 std::string convert_file(const std::filesystem::path& path, std::string_view format,
@@ -302,7 +301,7 @@ std::string convert_file(const std::filesystem::path& path, std::string_view for
       out << "name,value\n";
       write_leaves(json, {}, out);
     } else {
-      out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+      out << dump_json(json, 2) << '\n';
     }
   } else if (csv) {
     note = write_csv(table_of(path, kind), out);

@@ -1,15 +1,13 @@
 #include "results/growing_file.hpp"
 
-#include "base/plain_file.hpp"
+#include "base/checksum.hpp"
 #include "base/write_error.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <exception>
-#include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -53,6 +51,21 @@ std::string_view remedy(int error) {
   throw WriteError({issue});
 }
 
+/// Checksum of the first bytes of an open file, as far as they can be read.
+std::uint64_t sum_of(int descriptor, std::uintmax_t bytes) {
+  std::uint64_t sum = checksum({});
+  std::string block(std::size_t{1} << 16, '\0');
+  for (std::uintmax_t at = 0; at < bytes;) {
+    const auto most = static_cast<std::size_t>(std::min<std::uintmax_t>(block.size(), bytes - at));
+    const ssize_t count = ::pread(descriptor, block.data(), most, static_cast<off_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    sum = checksum({block.data(), static_cast<std::size_t>(count)}, sum);
+    at += static_cast<std::uintmax_t>(count);
+  }
+  return sum;
+}
+
 }  // namespace
 
 GrowingFile::GrowingFile(fs::path path, int descriptor, std::uintmax_t bytes)
@@ -62,6 +75,7 @@ GrowingFile::GrowingFile(GrowingFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       bytes_(other.bytes_),
+      sum_(other.sum_),
       collects_(other.collects_),
       waiting_(std::exchange(other.waiting_, {})) {}
 
@@ -69,6 +83,7 @@ GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(bytes_, other.bytes_);
+  std::swap(sum_, other.sum_);
   std::swap(collects_, other.collects_);
   std::swap(waiting_, other.waiting_);
   return *this;
@@ -84,23 +99,13 @@ GrowingFile::~GrowingFile() {
   ::close(descriptor_);
 }
 
-GrowingFile GrowingFile::create(const fs::path& path) {
-  // A file of its own: neither the target of a link nor another name of the old file is written to,
-  // and permissions to execute are not inherited. What is no plain file (a device) stays.
-  struct stat old {};
-  const bool exists = ::lstat(path.c_str(), &old) == 0;
-  const bool replaces = exists && (S_ISREG(old.st_mode) || S_ISLNK(old.st_mode));
-  if (replaces && ::unlink(path.c_str()) != 0 && errno != ENOENT)
-    fail(path, errno, "the file cannot be replaced");
-  const int how = exists && !replaces ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL;
-  const int descriptor = ::open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor < 0) fail(path, errno, "the file cannot be written");
-  return {path, descriptor, 0};
+GrowingFile GrowingFile::create(const WritePath& place) {
+  return {place.path(), place.folder().create(place.name()), 0};
 }
 
-GrowingFile GrowingFile::append_after(const fs::path& path, std::uintmax_t bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail(path, errno, "the file to be continued cannot be opened");
+GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t bytes) {
+  const fs::path path = place.path();
+  const int descriptor = place.folder().open_own(place.name());
   GrowingFile file(path, descriptor, bytes);
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
@@ -110,6 +115,7 @@ GrowingFile GrowingFile::append_after(const fs::path& path, std::uintmax_t bytes
         fmt::format("{}: the file has {} bytes, but the run to be continued left {}; restore the "
                     "file, or start a new run with kIcOpt = -1",
                     path.string(), status.st_size, bytes));
+  file.sum_ = sum_of(descriptor, bytes);
   if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 ||
       ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET) < 0)
     fail(path, errno, "the file to be continued cannot be cut back");
@@ -151,28 +157,7 @@ void GrowingFile::write(std::string_view pieces) {
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   bytes_ += pieces.size();
-}
-
-std::string read_text_file(const fs::path& path, std::uintmax_t limit) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status))
-    throw InputError(
-        fmt::format("{}: there is no such file; give the name of an existing one", path.string()));
-  if (fs::is_directory(status))
-    throw InputError(
-        fmt::format("{}: this is a folder; give the name of a file in it", path.string()));
-  refuse_pipe(path);
-  if (const std::uintmax_t size = fs::file_size(path, error); !error && size > limit)
-    throw InputError(fmt::format(
-        "{}: {} bytes are too many for this kind of file (at most {}); give another file",
-        path.string(), size, limit));
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream && text.empty())
-    throw InputError(
-        fmt::format("{}: the file cannot be read; check its permissions", path.string()));
-  return text;
+  sum_ = checksum(pieces, sum_);
 }
 
 }  // namespace adore::results

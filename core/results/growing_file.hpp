@@ -1,5 +1,8 @@
 #pragma once
 
+#include "base/checksum.hpp"
+#include "base/write_folder.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,10 +16,10 @@ namespace adore::results {
 class GrowingFile {
  public:
   /// Starts an empty file, replacing what was there. @throws InputError saying why and what to do.
-  static GrowingFile create(const std::filesystem::path& path);
+  static GrowingFile create(const WritePath& place);
   /// Continues a file after its first `bytes` bytes; the rest is cut off.
   /// @throws InputError when the file is missing, shorter than that, or cannot be written.
-  static GrowingFile append_after(const std::filesystem::path& path, std::uintmax_t bytes);
+  static GrowingFile append_after(const WritePath& place, std::uintmax_t bytes);
 
   GrowingFile(GrowingFile&& other) noexcept;
   GrowingFile& operator=(GrowingFile&& other) noexcept;
@@ -34,6 +37,8 @@ class GrowingFile {
   void flush();
   /// Of the pieces that the system has.
   [[nodiscard]] std::uintmax_t bytes() const noexcept { return bytes_; }
+  /// Checksum of these pieces.
+  [[nodiscard]] std::uint64_t sum() const noexcept { return sum_; }
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
@@ -42,13 +47,9 @@ class GrowingFile {
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uintmax_t bytes_ = 0;
+  std::uint64_t sum_ = checksum({});
   bool collects_ = false;
   std::string waiting_;
 };
-
-/// The whole of a small text file. @throws InputError when it cannot be read or is larger than
-/// `limit` bytes.
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& path,
-                                         std::uintmax_t limit = 1U << 28);
 
 }  // namespace adore::results

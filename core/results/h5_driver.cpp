@@ -131,13 +131,18 @@ struct File {
 File& file_of(H5FD_t* head) { return *reinterpret_cast<File*>(head); }
 const File& file_of(const H5FD_t* head) { return *reinterpret_cast<const File*>(head); }
 
-H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
-  int how = (flags & H5F_ACC_RDWR) != 0 ? O_RDWR : O_RDONLY;
-  if ((flags & H5F_ACC_TRUNC) != 0) how |= O_TRUNC;
-  if ((flags & H5F_ACC_CREAT) != 0) how |= O_CREAT;
-  if ((flags & H5F_ACC_EXCL) != 0) how |= O_EXCL;
+/// What the access list holds for the driver: where names are looked up.
+struct Place {
+  int folder = -1;
+};
+
+/// The file was made before (PendingFile): nothing is created or emptied here.
+H5FD_t* open_file(const char* name, unsigned flags, hid_t access, haddr_t) {
+  const auto* place = static_cast<const Place*>(H5Pget_driver_info(access));
+  if (place == nullptr || (flags & (H5F_ACC_TRUNC | H5F_ACC_CREAT)) != 0) return nullptr;
+  const int how = (flags & H5F_ACC_RDWR) != 0 ? O_RDWR : O_RDONLY;
   auto file = std::make_unique<File>();
-  file->descriptor = ::open(name, how | O_CLOEXEC, 0666);
+  file->descriptor = ::openat(place->folder, name, how | O_NOFOLLOW | O_CLOEXEC);
   if (file->descriptor < 0) return nullptr;
   struct stat status {};
   if (::fstat(file->descriptor, &status) != 0) {
@@ -249,6 +254,7 @@ hid_t driver() {
     t.name = "adore";
     t.maxaddr = (static_cast<haddr_t>(1) << 63) - 1;
     t.fc_degree = H5F_CLOSE_WEAK;
+    t.fapl_size = sizeof(Place);
     t.open = open_file;
     t.close = close_file;
     t.cmp = compare;
@@ -272,7 +278,10 @@ hid_t driver() {
 
 }  // namespace
 
-void use_safe_driver(const Handle& access) { H5Pset_driver(access, driver(), nullptr); }
+void use_safe_driver(const Handle& access, const WriteFolder& folder) {
+  const Place place{folder.descriptor()};
+  H5Pset_driver(access, driver(), &place);
+}
 
 void clean_image(std::string& bytes) {
   Superblock block{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "results/hdf5_handle.hpp"
 
 #include <string>
@@ -16,8 +17,9 @@
 /// then as if the process had been killed there, and the caller asks for write_error().
 namespace adore::results::h5 {
 
-/// Makes files that are opened with this access list use the driver.
-void use_safe_driver(const Handle& access);
+/// Makes files that are opened with this access list use the driver. Their names are looked up in
+/// `folder`, and links are not followed.
+void use_safe_driver(const Handle& access, const WriteFolder& folder);
 
 /// errno of the first write to an open file that failed; 0: all is well.
 [[nodiscard]] int write_error(const Handle& file);

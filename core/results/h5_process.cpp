@@ -1,6 +1,7 @@
 #include "results/h5_process.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "results/hdf5_handle.hpp"
 #include "results/reader_killed.hpp"
 
@@ -12,7 +13,6 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <memory>
 #include <poll.h>
 #include <sys/resource.h>
@@ -96,7 +96,7 @@ void limit_memory(const Limits& limits) {
   (void)limits;  // their shadow memory alone is terabytes
 #else
   std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
+  InputFile("/proc/self/statm") >> pages;
   const rlim_t most = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + limits.memory;
   const struct rlimit space { most, most };
   ::setrlimit(RLIMIT_AS, &space);

@@ -1,25 +1,26 @@
 #include "results/restart.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/checksum.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/version.hpp"
+#include "base/write_folder.hpp"
 #include "results/fortran_format.hpp"
-#include "results/growing_file.hpp"
 #include "results/line_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace adore::results {
 namespace {
 
 constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
-constexpr int kFormat = 3;  // format 1 held no deck, format 2 no checksum
+/// Format 1 had no deck, format 2 no checksum of itself, format 3 none of the other files.
+constexpr int kFormat = 4;
 /// Far beyond any run: thirty years of simulated time, whole numbers that a double can count.
 constexpr double kLongestTime = 1e9;
 constexpr long kMostSteps = 1'000'000'000'000'000;
@@ -66,7 +67,7 @@ void check_title(const std::filesystem::path& path, std::string_view kind, std::
 std::string text_of(const std::filesystem::path& path, std::string_view kind) {
   constexpr std::size_t kTitle = 512;
   std::string title(kTitle, '\0');
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   stream.read(title.data(), kTitle);
   title.resize(static_cast<std::size_t>(stream.gcount()));
   if (!title.empty()) check_title(path, kind, title.substr(0, title.find('\n')));
@@ -208,15 +209,15 @@ const MasterFile* MasterState::file(std::string_view role) const {
   return found == files.end() ? nullptr : &*found;
 }
 
-void write_final(const FinalState& state, const std::filesystem::path& path) {
+void write_final(const FinalState& state, const WritePath& place) {
   std::string out;
   append_title(out, kFinal);
   append_state(out, state);
   append_end(out);
-  write_file_atomically(path, out);
+  write_file_atomically(place, out);
 }
 
-void write_master(const MasterState& state, const std::filesystem::path& path) {
+void write_master(const MasterState& state, const WritePath& place) {
   std::string out;
   append_title(out, kMaster);
   append_state(out, state.last);
@@ -224,9 +225,10 @@ void write_master(const MasterState& state, const std::filesystem::path& path) {
   for (const auto& [name, value] : state.averages) out += fmt::format("{} {}\n", value, name);
   out += fmt::format("files {}\n", state.files.size());
   for (const MasterFile& file : state.files)
-    out += fmt::format("{} {} {}\n", file.bytes, file.role, file.name);
+    out += fmt::format("{} {} {} {}\n", file.bytes,
+                       file.sum ? fmt::format("{:016x}", *file.sum) : "-", file.role, file.name);
   append_end(out);
-  write_file_atomically(path, out);
+  write_file_atomically(place, out);
 }
 
 FinalState read_final(const std::filesystem::path& path) {
@@ -245,12 +247,24 @@ MasterState read_master(const std::filesystem::path& path) {
     state.averages[name] = value;
   }
   for (std::size_t left = reader.count("files"); left > 0; --left) {
-    const auto [bytes, text] = reader.named();
+    auto [bytes, text] = reader.named();
+    std::optional<std::uint64_t> sum;
+    if (reader.format() >= 4) {  // checksum, role and name
+      const std::string first = text.substr(0, text.find(' '));
+      std::uint64_t value = 0;
+      const char* end = first.data() + first.size();
+      const auto [read_to, error] = std::from_chars(first.data(), end, value, 16);
+      if (error == std::errc() && read_to == end)
+        sum = value;
+      else if (first != "-")
+        reader.fail("a checksum is expected here");
+      text.erase(0, std::min(first.size() + 1, text.size()));
+    }
     const std::size_t blank = text.find(' ');
     if (blank == std::string::npos || !(bytes >= 0.0) || bytes > 9e15)
       reader.fail("bytes, role and name of a file are expected here");
     state.files.push_back(
-        {text.substr(0, blank), text.substr(blank + 1), static_cast<std::uintmax_t>(bytes)});
+        {text.substr(0, blank), text.substr(blank + 1), static_cast<std::uintmax_t>(bytes), sum});
   }
   reader.end();
   return state;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "scene/scales.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +35,11 @@ struct MasterFile {
   std::string name;  ///< relative to MASTER's folder
   std::uintmax_t bytes =
       0;  ///< length at MASTER's step; 0 where the length says nothing (RESULTS.h5)
+  std::optional<std::uint64_t> sum;  ///< of these bytes, or of the steps in RESULTS.h5
 };
+
+/// In MasterState::averages: last step that RESULTS.h5 has.
+inline constexpr const char* kLastSaved = "last step in RESULTS";
 
 struct MasterState {
   FinalState last;                         ///< version, run code and state at MASTER's step
@@ -45,8 +51,8 @@ struct MasterState {
 };
 
 /// Replace the file atomically. @throws InputError when it cannot be written.
-void write_final(const FinalState& state, const std::filesystem::path& path);
-void write_master(const MasterState& state, const std::filesystem::path& path);
+void write_final(const FinalState& state, const WritePath& place);
+void write_master(const MasterState& state, const WritePath& place);
 
 /// @throws InputError when the file is missing, is something else, or is damaged (with the line).
 [[nodiscard]] FinalState read_final(const std::filesystem::path& path);

@@ -1,9 +1,10 @@
 #include "results/results_h5.hpp"
 
-#include "base/atomic_file.hpp"
+#include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "base/write_error.hpp"
+#include "base/write_folder.hpp"
 #include "contact/groove.hpp"
 #include "results/continuation.hpp"
 #include "results/h5_driver.hpp"
@@ -127,6 +128,7 @@ struct Series {
   std::size_t width = 1;      ///< values per row
   int channel = -1;           ///< index into the run's table; -1: one of kSeries
   std::vector<double> waiting;
+  std::uint64_t sum = 0;  ///< checksum of its name and its values
 };
 
 }  // namespace
@@ -243,12 +245,13 @@ struct H5Writer::Impl {
     made.channel = channel;
     if (channel >= 0) made.dims = dimensions(channels()[static_cast<std::size_t>(channel)], shape);
     for (hsize_t size : made.dims) made.width *= size;
+    if (channel >= 0) made.sum = checksum(channels()[static_cast<std::size_t>(channel)].id);
     return made;
   }
   /// The bytes of a file with every dataset and no step.
   std::string empty_file(const bearing::Bearing& bearing);
   /// Puts such a file there and opens it for growing.
-  void open_empty(const std::filesystem::path& name, const bearing::Bearing& bearing);
+  void open_empty(const WritePath& place, const bearing::Bearing& bearing);
 
   /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
   /// comes last, so that its length tells of whole rows.
@@ -258,8 +261,11 @@ struct H5Writer::Impl {
       Series made = plan(static_cast<int>(c));
       if (made.width > 0) use(std::move(made), dataset_path(channels()[c].id));
     }
-    for (auto name = kSeries.rbegin(); name != kSeries.rend(); ++name)
-      use(plan(-1), dataset_path(name->name));
+    for (auto name = kSeries.rbegin(); name != kSeries.rend(); ++name) {
+      Series made = plan(-1);
+      made.sum = checksum(name->name);
+      use(std::move(made), dataset_path(name->name));
+    }
   }
 
   /// @param creation list of properties, of which the chunk is set here: one list serves all
@@ -358,6 +364,7 @@ struct H5Writer::Impl {
             "choose another disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
+      one.sum = sum_of_values(one.waiting, one.sum);
       one.waiting.clear();
     }
     written += waiting;
@@ -421,13 +428,12 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
   return bytes;
 }
 
-void H5Writer::Impl::open_empty(const std::filesystem::path& name,
-                                const bearing::Bearing& bearing) {
+void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& bearing) {
   const std::string bytes = empty_file(bearing);
-  write_file_atomically(name, bytes);
+  write_file_atomically(place, bytes);
   const Handle access = access_list();
-  use_safe_driver(access);
-  file = Handle(H5Fopen(name.c_str(), H5F_ACC_RDWR, access));
+  use_safe_driver(access, place.folder());
+  file = Handle(H5Fopen(place.name().c_str(), H5F_ACC_RDWR, access));
   if (!file.valid()) fail(path, "the file cannot be created");
   start_single_writer();  // opens again what is open, so it comes first
   std::map<std::size_t, Handle> access_by_width;
@@ -441,16 +447,14 @@ void H5Writer::Impl::open_empty(const std::filesystem::path& name,
   });
 }
 
-H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearing,
                           const ChannelTable& table, int block) {
   const Quiet quiet;
   auto impl = std::make_unique<Impl>(table);
-  impl->path = path;
+  impl->path = place.path();
   impl->shape = shape_of(bearing);
   impl->set_block(block);
-  std::error_code ignored;
-  if (std::filesystem::is_symlink(path, ignored)) std::filesystem::remove(path, ignored);
-  impl->open_empty(path, bearing);
+  impl->open_empty(place, bearing);
   return H5Writer(std::move(impl));
 }
 
@@ -492,9 +496,9 @@ std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
   return path.parent_path() / fmt::format(".{}.new", path.filename().string());
 }
 
-H5Writer H5Writer::continue_after(const std::filesystem::path& path,
-                                  const bearing::Bearing& bearing, const ChannelTable& table,
-                                  long last_step, int block) {
+H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing& bearing,
+                                  const ChannelTable& table, long last_step, int block) {
+  const std::filesystem::path path = place.path();
   const H5Reader old(path);
   check_file(old, path, bearing, table);
   const std::vector<long> steps = old.step_numbers();
@@ -507,9 +511,9 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
   impl->set_block(block);
   // A new file, and the steps that stay: the bytes are those of a run that was never interrupted,
   // and damage of the old file is found before it is given up.
-  const std::filesystem::path next = unfinished(path);
+  const std::string next = unfinished(place.name()).string();
   try {
-    impl->open_empty(next, bearing);
+    impl->open_empty({place.folder(), next}, bearing);
     while (impl->written < rows) {
       impl->waiting = std::min(rows - impl->written, impl->rows);
       std::size_t name = kSeries.size();
@@ -521,14 +525,10 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
       }
       impl->write_waiting();
     }
-    std::error_code error;
-    std::filesystem::rename(next, path, error);
-    if (error)
-      throw InputError(
-          fmt::format("{}: the file cannot be replaced ({})", path.string(), error.message()));
+    check_writable_file(place);
+    place.folder().rename(next, place.folder(), place.name());
   } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(next, ignored);
+    place.folder().remove(next);
     throw;
   }
   return H5Writer(std::move(impl));
@@ -553,6 +553,12 @@ void H5Writer::write(const StepRecord& record) {
   if (impl_->waiting + impl_->written % impl_->block >= impl_->block ||
       std::chrono::steady_clock::now() - impl_->flushed >= kLongest)
     flush();
+}
+
+std::uint64_t H5Writer::sum() const noexcept {
+  std::uint64_t total = 0;
+  for (const Series& one : impl_->series) total += one.sum;
+  return total;
 }
 
 void H5Writer::flush() {

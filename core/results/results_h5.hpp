@@ -1,9 +1,11 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "bearing/bearing.hpp"
 #include "results/channels.hpp"
 #include "results/h5_reader.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -33,12 +35,12 @@ class H5Writer {
   /// smaller blocks lose less when the process is killed. A block that has waited for a second
   /// goes to the file with the next step although it is not full.
   /// @throws InputError when it cannot be written.
-  static H5Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+  static H5Writer create(const WritePath& place, const bearing::Bearing& bearing,
                          const ChannelTable& table, int block = kBlock);
   /// Continues a file: checks run code and sizes, and goes on behind the steps <= `last_step` in a
   /// new file that takes the old one's place when all of them are in it.
   /// @throws InputError saying what does not fit or cannot be read; the old file is as it was.
-  static H5Writer continue_after(const std::filesystem::path& path, const bearing::Bearing& bearing,
+  static H5Writer continue_after(const WritePath& place, const bearing::Bearing& bearing,
                                  const ChannelTable& table, long last_step, int block = kBlock);
 
   /// Where continue_after() makes the new file: what a process killed there leaves behind.
@@ -55,6 +57,8 @@ class H5Writer {
   void write(const StepRecord& record);
   /// Hands everything so far to the system. @throws InputError (disk full ...)
   void flush();
+  /// Checksum of the values of all steps that the file has (file_sums.hpp).
+  [[nodiscard]] std::uint64_t sum() const noexcept;
   /// Writes what waits and closes the file: its bytes are final. Nothing can be written any more.
   void close();
 

@@ -1,6 +1,6 @@
 #include "base/counted.hpp"
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "results/h5_layout.hpp"
 #include "results/h5_process.hpp"
 #include "results/results_h5.hpp"

@@ -1,8 +1,8 @@
 #include "results/run_folder.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "results/growing_file.hpp"
 #include "results/sol_file.hpp"
 
 #include <fmt/format.h>

@@ -1,20 +1,26 @@
 #include "results/run_json.hpp"
 
 #include "base/arithmetic.hpp"
-#include "base/atomic_file.hpp"
+#include "base/checksum.hpp"
+#include "base/errors.hpp"
+#include "base/input_file.hpp"
+#include "base/json_text.hpp"
 #include "base/own_files.hpp"
 #include "base/version.hpp"
+#include "base/write_folder.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace adore::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kNoChecksum = "0000000000000000";
 
 template <class T>
 Json object_of(const std::vector<std::pair<std::string, T>>& items) {
@@ -211,13 +217,17 @@ Json run_json(const RunSummary& run) {
   }
   out["measured"] = {{"seconds", run.seconds}, {"accounted seconds", accounted}, {"cost", cost}};
   if (run.measured_from > 0) out["measured"]["from step"] = run.measured_from;
+  for (const FileSum& file : run.sums)
+    out["measured"]["checksums"][file.name] = {{"bytes", file.bytes},
+                                               {"checksum", fmt::format("{:016x}", file.sum)}};
+  out["measured"][kOwnChecksum] = std::string(kNoChecksum);
   return out;
 }
 
 RunMark read_run_mark(const std::filesystem::path& path) {
   RunMark out;
   if (!is_own_file(path)) return out;
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   // Members of the outer object stand two blanks in; those looked for come before anything long.
   std::string line;
   for (int count = 0; count < 40 && std::getline(stream, line); ++count)
@@ -232,14 +242,27 @@ RunMark read_run_mark(const std::filesystem::path& path) {
 
 nlohmann::json read_run_member(const std::filesystem::path& path, const char* name) {
   if (!is_own_file(path)) return {};
-  std::ifstream stream(path, std::ios::binary);
-  const auto run = nlohmann::json::parse(stream, nullptr, false);
-  return run.is_object() ? run.value(name, nlohmann::json()) : nlohmann::json();
+  try {
+    const auto run = parse_json(read_text_file(path), path.string());
+    return run.is_object() ? run.value(name, nlohmann::json()) : nlohmann::json();
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
-void write_run_json(const RunSummary& run, const std::filesystem::path& path) {
-  write_file_atomically(path,
-                        run_json(run).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+std::string own_checksum(std::string text) {
+  const std::string key = fmt::format("\"{}\": \"", kOwnChecksum);
+  const std::size_t at = text.rfind(key);
+  if (at == std::string::npos || text.size() < at + key.size() + kNoChecksum.size()) return {};
+  text.replace(at + key.size(), kNoChecksum.size(), kNoChecksum);
+  return fmt::format("{:016x}", checksum(text));
+}
+
+void write_run_json(const RunSummary& run, const WritePath& place) {
+  std::string text = dump_json(run_json(run), 2) + "\n";
+  const std::string key = fmt::format("\"{}\": \"", kOwnChecksum);
+  text.replace(text.rfind(key) + key.size(), kNoChecksum.size(), own_checksum(text));
+  write_file_atomically(place, text);
 }
 
 }  // namespace adore::results

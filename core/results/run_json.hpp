@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "deck/defaults.hpp"
 #include "deck/no_part.hpp"
+#include "results/file_sums.hpp"
 #include "results/key_results.hpp"
 #include "results/mean_load.hpp"
 #include "scene/cost_ledger.hpp"
@@ -65,15 +67,21 @@ struct RunSummary {
   nlohmann::ordered_json thermal_network;
   // Measured.
   std::vector<scene::CostLedger::Row> cost;
-  double seconds = 0.0;    ///< of this process
-  long measured_from = 0;  ///< step at which it took the run over; 0: the start
+  std::vector<FileSum> sums;  ///< of the files; empty while the run is under way
+  double seconds = 0.0;       ///< of this process
+  long measured_from = 0;     ///< step at which it took the run over; 0: the start
 
   std::string instruction_set;  ///< of the contact kernel, chosen at run time
 };
 
 [[nodiscard]] nlohmann::ordered_json run_json(const RunSummary& run);
 /// Replaces the file atomically. @throws InputError
-void write_run_json(const RunSummary& run, const std::filesystem::path& path);
+void write_run_json(const RunSummary& run, const WritePath& place);
+
+/// Under "measured": checksum of the text with zeros in its place.
+inline constexpr const char* kOwnChecksum = "checksum of this file";
+/// As write_run_json() puts it into the text; empty where the text has none.
+[[nodiscard]] std::string own_checksum(std::string text);
 
 /// What an earlier RUN.json says first, as far as it says it; empty texts when there is none of
 /// this program.

@@ -217,19 +217,18 @@ void append_sol8_frame(std::string& out, const Sol8Frame& frame) {
   append_block(out, in_order(frame));
 }
 
-Sol8Writer Sol8Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+Sol8Writer Sol8Writer::create(const WritePath& place, const bearing::Bearing& bearing,
                               UnitSystem units) {
   check_allowed(bearing);
-  Sol8Writer writer(GrowingFile::create(path), units);
+  Sol8Writer writer(GrowingFile::create(place), units);
   writer.file_.append(header_text(bearing, units));
   return writer;
 }
 
-Sol8Writer Sol8Writer::continue_after(const std::filesystem::path& path,
-                                      const bearing::Bearing& bearing, UnitSystem units,
-                                      long last_step) {
+Sol8Writer Sol8Writer::continue_after(const WritePath& place, const bearing::Bearing& bearing,
+                                      UnitSystem units, long last_step) {
   check_allowed(bearing);
-  return {continue_sol_file(path, header_text(bearing, units), last_step), units};
+  return {continue_sol_file(place, header_text(bearing, units), last_step), units};
 }
 
 void Sol8Writer::check(const std::filesystem::path& path, const bearing::Bearing& bearing,

@@ -1,26 +1,25 @@
 #include "results/sol_file.hpp"
 
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
 #include "results/read_watch.hpp"
 #include "results/sol_parser.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 namespace adore::results {
 namespace {
 
-std::ifstream open_file(const std::filesystem::path& path) {
+InputFile open_file(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw InputError(
         fmt::format("{}: this is a folder; give the name of a SOL file in it", path.string()));
   refuse_pipe(path);
-  std::ifstream stream(path, std::ios::binary);
+  InputFile stream(path);
   if (!stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
                                  path.string()));
@@ -203,24 +202,24 @@ Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange
 }
 
 SolFile read_sol(const std::filesystem::path& path, const SolRange& range) {
-  std::ifstream stream = open_file(path);
+  InputFile stream = open_file(path);
   return read_sol(stream, path.string(), range);
 }
 
 SolFile read_sol(const std::filesystem::path& path, const SolRange& range, const ReadWatch& watch) {
-  std::ifstream stream = open_file(path);
+  InputFile stream = open_file(path);
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   return read_steps(stream, path.string(), range, watch, error ? 0 : bytes);
 }
 
 Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range) {
-  std::ifstream stream = open_file(path);
+  InputFile stream = open_file(path);
   return read_sol8(stream, path.string(), range);
 }
 
 long stored_steps(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
+  InputFile stream = open_file(path);
   SolParser parser(stream, path.string());
   SolStep step;
   const std::uintmax_t header = parser.good_bytes();
@@ -233,7 +232,7 @@ long stored_steps(const std::filesystem::path& path) {
 }
 
 SolKind sol_kind(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
+  InputFile stream = open_file(path);
   return SolParser(stream, path.string()).kind();
 }
 

@@ -131,16 +131,15 @@ SolWriter::SolWriter(GrowingFile file, SolHeader header, UnitSystem units)
       units_(units),
       columns_(sol_columns(header_)) {}
 
-SolWriter SolWriter::create(const std::filesystem::path& path, const SolHeader& header,
-                            UnitSystem units) {
-  SolWriter writer(GrowingFile::create(path), header, units);
+SolWriter SolWriter::create(const WritePath& place, const SolHeader& header, UnitSystem units) {
+  SolWriter writer(GrowingFile::create(place), header, units);
   writer.file_.append(format_sol_header(header));
   return writer;
 }
 
-SolWriter SolWriter::continue_after(const std::filesystem::path& path, const SolHeader& header,
+SolWriter SolWriter::continue_after(const WritePath& place, const SolHeader& header,
                                     UnitSystem units, long last_step) {
-  return {continue_sol_file(path, format_sol_header(header), last_step), header, units};
+  return {continue_sol_file(place, format_sol_header(header), last_step), header, units};
 }
 
 void SolWriter::check(const std::filesystem::path& path, const SolHeader& header) {

@@ -34,13 +34,12 @@ void append_sol_step(std::string& out, const SolStep& step);
 class SolWriter {
  public:
   /// A new file, replacing what was there.
-  static SolWriter create(const std::filesystem::path& path, const SolHeader& header,
-                          UnitSystem units);
+  static SolWriter create(const WritePath& place, const SolHeader& header, UnitSystem units);
   /// Continues a file: checks that it is of the same run and layout, and cuts it back to
   /// `last_step`.
   /// @throws InputError naming both run codes, or what differs.
-  static SolWriter continue_after(const std::filesystem::path& path, const SolHeader& header,
-                                  UnitSystem units, long last_step);
+  static SolWriter continue_after(const WritePath& place, const SolHeader& header, UnitSystem units,
+                                  long last_step);
 
   /// The checks of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const SolHeader& header);
@@ -77,12 +76,11 @@ void append_sol8_frame(std::string& out, const Sol8Frame& frame);
 
 class Sol8Writer {
  public:
-  static Sol8Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+  static Sol8Writer create(const WritePath& place, const bearing::Bearing& bearing,
                            UnitSystem units);
   /// As SolWriter::continue_after.
-  static Sol8Writer continue_after(const std::filesystem::path& path,
-                                   const bearing::Bearing& bearing, UnitSystem units,
-                                   long last_step);
+  static Sol8Writer continue_after(const WritePath& place, const bearing::Bearing& bearing,
+                                   UnitSystem units, long last_step);
 
   static void check(const std::filesystem::path& path, const bearing::Bearing& bearing,
                     UnitSystem units);

@@ -1,8 +1,8 @@
 #include "results/static_tables.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "results/sweep_table.hpp"
 
 #include "base/errors.hpp"
-#include "results/growing_file.hpp"
+#include "base/input_file.hpp"
 #include "results/key_results.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +44,11 @@ SweepTable read_sweep(const std::filesystem::path& path) {
   if (names.size() < 3 || names[1] != "exit" || names.back() != "message")
     throw InputError(fmt::format("{} is not a table of `adore run --set variable=first:last:count`",
                                  path.string()));
+  if (names.size() > kMaxTableColumns)
+    throw InputError(
+        fmt::format("{}: {} columns are too many for a table of runs (at most {}); "
+                    "give a table of `adore run --set variable=first:last:count`",
+                    path.string(), names.size(), kMaxTableColumns));
   SweepTable out;
   out.variable = names.front();
   if (const std::size_t bracket = out.variable.find(" [");
@@ -73,6 +78,9 @@ SweepTable read_sweep(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < out.columns.size(); ++i)
       out.columns[i].values.push_back(number(values[i + 2]));
   }
+  if (out.values.empty())
+    throw InputError(fmt::format(
+        "{}: this table of runs has no complete row; nothing can be drawn of it", path.string()));
   return out;
 }
 

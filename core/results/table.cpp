@@ -1,6 +1,7 @@
 #include "results/table.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "results/channels.hpp"
 #include "results/results_h5.hpp"
 #include "results/sol_parser.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace adore::results {
 namespace {
@@ -63,15 +63,15 @@ void add_animation_columns(std::vector<TableColumn>& columns, const SolHeader& h
 }
 
 struct SolSource {
-  std::ifstream stream;
+  explicit SolSource(const std::filesystem::path& path) : stream(path) {}
+  InputFile stream;
   std::unique_ptr<SolParser> parser;
 };
 
 }  // namespace
 
 ResultTable sol_table(const std::filesystem::path& path) {
-  auto source = std::make_shared<SolSource>();
-  source->stream.open(path, std::ios::binary);
+  auto source = std::make_shared<SolSource>(path);
   if (!source->stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
                                  path.string()));

@@ -1,15 +1,15 @@
 #include "studies/campaign.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/counted.hpp"
 #include "base/duration.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/interrupted.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/prepare.hpp"
-#include "results/growing_file.hpp"
 #include "studies/slurm.hpp"
 #include "studies/study_check.hpp"
+#include "studies/study_folder.hpp"
 #include "studies/worst_case.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace adore::studies {
@@ -235,8 +236,9 @@ class Campaign {
     // Mistakes of the study file come before anything is made.
     std::vector<Point> points = points_to_begin(study_);
     check_decks(study_, points);
-    job_ = prepare_job(study_, folder_);
-    const facade::FolderLock lock(folder_, kElsewhere);
+    place_.emplace(open_study_folder(folder_));
+    const facade::FolderLock lock(*place_, kElsewhere);
+    job_ = prepare_job(study_, *place_);
     add(points);
     if (request_.retry_failed) forget_failures();
     const Pilot pilot = measure(request_, folder_, tasks_, job_.keep_files, stop_);
@@ -263,14 +265,15 @@ class Campaign {
   void add(const std::vector<Point>& points) {
     const std::vector<Task> more = make_tasks(job_, points, static_cast<long>(tasks_.size()) + 1);
     tasks_.insert(tasks_.end(), more.begin(), more.end());
-    write_tasks(folder_ / kTasks, tasks_);
+    write_tasks(*place_, kTasks, tasks_);
   }
 
   void forget_failures() {
-    std::error_code error;
     for (const Task& task : tasks_)
-      if (const auto record = read_record(folder_, task.key); record && record->exit_code != 0)
-        fs::remove(record_file(folder_, task.key), error);
+      if (const auto record = read_record(folder_, task.key); record && record->exit_code != 0) {
+        const fs::path file = record_file(folder_, task.key).lexically_relative(folder_);
+        place_->folder(file.parent_path()).remove(file.filename().string());
+      }
   }
 
   /// All tasks so far.
@@ -343,6 +346,7 @@ class Campaign {
   std::stop_token stop_;
   const Study& study_;
   fs::path folder_;
+  std::optional<WriteFolder> place_;
   Job job_;
   std::vector<Task> tasks_;
   Plan plan_;
@@ -360,7 +364,7 @@ void require_started(const fs::path& folder) {
 }  // namespace
 
 Study open_study(const fs::path& file) {
-  return open_study_text(results::read_text_file(file), file);
+  return open_study_text(read_text_file(file, kMaxHandwrittenBytes), file);
 }
 
 Study open_study_text(const std::string& text, const fs::path& file) {
@@ -380,8 +384,9 @@ Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
   const fs::path folder = study.folder();
   const std::vector<Point> points = points_to_begin(study);
   check_decks(study, points);
-  const Job job = prepare_job(study, folder);
-  const facade::FolderLock lock(folder, kElsewhere);
+  const WriteFolder place = open_study_folder(folder);
+  const facade::FolderLock lock(place, kElsewhere);
+  const Job job = prepare_job(study, place);
   const std::vector<Task> tasks = make_tasks(job, points, 1);
   const Pilot pilot = measure(request, folder, tasks, job.keep_files, stop);
   return plan_of(request, study, folder, count_points(study), count_known(tasks, folder), pilot);
@@ -436,6 +441,29 @@ Results read_results(const Study& study) {
   return out;
 }
 
+std::vector<results::FileCheck> verify_study(const fs::path& folder) {
+  using State = results::FileCheck::State;
+  require_started(folder);
+  std::vector<results::FileCheck> out;
+  std::set<std::string> seen;
+  long intact = 0;
+  std::error_code error;
+  for (const Task& task : read_tasks(folder / kTasks)) {
+    const fs::path file = record_file(folder, task.key);
+    if (!seen.insert(task.key).second || !fs::exists(file, error)) continue;
+    if (read_record(folder, task.key))
+      ++intact;
+    else
+      out.push_back({file, State::Damaged,
+                     "its text does not have the checksum that it contains; `adore study resume` "
+                     "makes the run again"});
+  }
+  out.push_back(
+      {folder / kTasks, State::Intact,
+       fmt::format("{}, {} of them recorded and intact", counted(seen.size(), "run"), intact)});
+  return out;
+}
+
 Status study_status(const Study& study) {
   const fs::path folder = study.folder();
   const Results results = read_results(study);
@@ -455,7 +483,7 @@ Status study_status(const Study& study) {
       out.diagnoses.push_back(fmt::format("run {}: {}", results.tasks[i].number, record->message));
   }
   try {
-    const facade::FolderLock lock(folder, kElsewhere);
+    const facade::FolderLock lock(WriteFolder(folder), kElsewhere);
   } catch (const InputError&) {
     out.at_work = true;
   }

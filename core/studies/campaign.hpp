@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/errors.hpp"
+#include "results/file_sums.hpp"
 #include "studies/engine.hpp"
 
 /// A whole study: points, engines, records, rounds.
@@ -72,6 +73,10 @@ struct Status {
   bool at_work = false;                ///< a driver is running
   std::vector<std::string> diagnoses;  ///< of failed runs, with number; those alike once
 };
+/// The study's list of runs and the record of each, as far as there is one. @throws InputError when
+/// the folder is none of a study that was started
+[[nodiscard]] std::vector<results::FileCheck> verify_study(const std::filesystem::path& folder);
+
 [[nodiscard]] Status study_status(const Study& study);
 
 /// All tasks and their records, in the order of the table.

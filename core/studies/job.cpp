@@ -1,22 +1,25 @@
 #include "studies/job.hpp"
 
-#include "base/atomic_file.hpp"
+#include "base/checksum.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "base/write_error.hpp"
+#include "base/write_folder.hpp"
 #include "deck/monitored_bodies.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "facade/solver_stamp.hpp"
-#include "results/growing_file.hpp"
 #include "results/reader_killed.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
 #include "studies/quantity_check.hpp"
+#include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -30,8 +33,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLargestFile = std::size_t{4} << 30;
 
 /// Content hash of 128 bits: Fowler, Noll and Vo's FNV-1a twice, from different offsets, the second
 /// over mixed bytes. No defence against malice: a key that collides gives a wrong row, so that 1e5
@@ -104,8 +105,8 @@ Json to_json(const Job& job, const fs::path& folder) {
   out["program"] = kProgramVersion;
   out["decks"] = Json::array();
   for (const Job::Base& base : job.decks)
-    out["decks"].push_back(
-        {{"deck", fs::relative(base.deck, folder).string()}, {"options", to_json(base.options)}});
+    out["decks"].push_back({{"deck", base.deck.lexically_relative(folder).string()},
+                            {"options", to_json(base.options)}});
   out["sets"] = to_json(job.sets);
   out["options"] = to_json(job.options);
   out["until"] = job.until;
@@ -174,27 +175,43 @@ Settings sets_of(const Job& job, const Task& task) {
       file.string()));
 }
 
+/// As Hash writes it: a key is the name of a file and a folder.
+bool is_key(const std::string& text) {
+  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Of a record without its checksum.
+std::string record_sum(const Json& json) {
+  return fmt::format("{:016x}", checksum(dump_json(json)));
+}
+
+/// "decks/1/DATA.txt": a path that stays in the study's folder.
+fs::path path_inside(const fs::path& relative, const fs::path& file) {
+  const bool leaves = relative.empty() || relative.is_absolute() ||
+                      std::any_of(relative.begin(), relative.end(),
+                                  [](const fs::path& part) { return part == ".."; });
+  if (leaves) damaged(file);
+  return relative;
+}
+
 }  // namespace
 
-Job prepare_job(const Study& study, const fs::path& folder) {
+Job prepare_job(const Study& study, const WriteFolder& folder) {
   Job job;
-  std::error_code error;
-  fs::create_directories(folder / "runs", error);
-  if (error)
-    throw WriteError(
-        fmt::format("{}: this folder cannot be made ({}); choose another place for "
-                    "the study file",
-                    folder.string(), error.message()));
+  (void)folder.folder("runs");
   for (std::size_t k = 0; k < study.decks.size(); ++k) {
     const fs::path original = facade::deck_path(study.decks[k]);
+    const WriteFolder place = folder.folder(fs::path("decks") / std::to_string(k + 1));
+    const std::string name = original.filename().string();
     Job::Base base;
-    base.deck = folder / "decks" / std::to_string(k + 1) / original.filename();
-    fs::create_directories(base.deck.parent_path(), error);
-    const std::string text = results::read_text_file(original);
-    if (!fs::exists(base.deck, error) || results::read_text_file(base.deck) != text)
-      write_file_atomically(base.deck, text);
-    for (const auto& [name, value] : facade::options_beside(original))
-      base.options.emplace_back(name, value);
+    base.deck = place.path() / name;
+    const std::string text = read_text_file(original, kMaxHandwrittenBytes);
+    std::error_code error;
+    if (!fs::is_regular_file(fs::symlink_status(base.deck, error)) ||
+        read_text_file(base.deck) != text)
+      write_study_file(place, name, text);
+    for (const auto& [option, value] : facade::options_beside(original))
+      base.options.emplace_back(option, value);
     job.decks.push_back(std::move(base));
   }
   job.sets = study.sets;
@@ -204,18 +221,18 @@ Job prepare_job(const Study& study, const fs::path& folder) {
   job.tolerance = study.tolerance;
   job.quantities = study.quantities;
   job.keep_files = study.keep_files;
-  write_file_atomically(folder / "job.json", to_json(job, folder).dump(1) + "\n");
+  write_study_file(folder, "job.json", dump_json(to_json(job, folder.path()), 1) + "\n");
   return job;
 }
 
 Job read_job(const fs::path& folder) {
   const fs::path file = folder / "job.json";
-  const Json json = parse_json<Json>(results::read_text_file(file), file.string());
+  const Json json = parse_json<Json>(read_text_file(file), file.string());
   try {
     Job job;
     for (const Json& deck : json.at("decks"))
-      job.decks.push_back(
-          {folder / deck.at("deck").get<std::string>(), settings_of(deck.at("options"))});
+      job.decks.push_back({folder / path_inside(deck.at("deck").get<std::string>(), file),
+                           settings_of(deck.at("options"))});
     job.sets = settings_of(json.at("sets"));
     job.options = settings_of(json.at("options"));
     job.until = json.at("until").get<std::string>();
@@ -235,7 +252,7 @@ std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, l
   common.add(job.until);
   common.add(job.integrator);
   common.add(job.tolerance ? fmt::format("{}", *job.tolerance) : "");
-  for (const Quantity& q : job.quantities) common.add(to_json(q).dump());
+  for (const Quantity& q : job.quantities) common.add(dump_json(to_json(q)));
   std::vector<std::optional<deck::ReadResult>> bases(job.decks.size());
   std::vector<Task> out;
   out.reserve(points.size());
@@ -273,7 +290,7 @@ std::string task_line(const Task& task) {
   out["options"] = to_json(task.point.options);
   out["values"] = task.point.values;
   out["label"] = task.point.label;
-  return out.dump() + "\n";
+  return dump_json(out) + "\n";
 }
 
 Task parse_task(const std::string& line, const std::string& name) {
@@ -282,6 +299,7 @@ Task parse_task(const std::string& line, const std::string& name) {
     Task task;
     task.number = json.at("run").get<long>();
     task.key = json.at("key").get<std::string>();
+    if (!is_key(task.key)) damaged(name);
     task.point.deck = json.at("deck").get<std::size_t>();
     task.point.sets = settings_of(json.at("sets"));
     task.point.options = settings_of(json.at("options"));
@@ -293,17 +311,23 @@ Task parse_task(const std::string& line, const std::string& name) {
   }
 }
 
-void write_tasks(const fs::path& file, const std::vector<Task>& tasks) {
-  write_file_atomically(file, [&](const TextSink& sink) {
+void write_tasks(const WriteFolder& folder, const std::string& name,
+                 const std::vector<Task>& tasks) {
+  write_study_file(folder, name, [&](const TextSink& sink) {
     for (const Task& task : tasks) sink(task_line(task));
   });
 }
 
 std::vector<Task> read_tasks(const fs::path& file) {
-  std::istringstream lines(results::read_text_file(file, kLargestFile));
+  std::istringstream lines(read_text_file(file, kMaxStudyTableBytes));
   std::vector<Task> out;
   for (std::string line; std::getline(lines, line);)
-    if (!line.empty()) out.push_back(parse_task(line, file.string()));
+    if (!line.empty()) {
+      if (out.size() >= static_cast<std::size_t>(kMaxStudyRuns))
+        throw InputError(
+            fmt::format("{}: a study has {} runs at most", file.string(), kMaxStudyRuns));
+      out.push_back(parse_task(line, file.string()));
+    }
   return out;
 }
 
@@ -316,7 +340,12 @@ std::optional<Record> read_record(const fs::path& folder, const std::string& key
   std::error_code error;
   if (!fs::exists(file, error)) return {};
   try {
-    const Json json = parse_json<Json>(results::read_text_file(file), file.string());
+    Json json = parse_json<Json>(read_text_file(file), file.string());
+    if (const auto sum = json.find("checksum"); sum != json.end()) {
+      const std::string stored = sum->get<std::string>();
+      json.erase("checksum");
+      if (stored != record_sum(json)) return {};
+    }
     Record out;
     out.key = json.at("key").get<std::string>();
     if (out.key != key) return {};
@@ -338,9 +367,7 @@ std::optional<Record> read_record(const fs::path& folder, const std::string& key
 }
 
 void write_record(const fs::path& folder, const Record& record) {
-  const fs::path file = record_file(folder, record.key);
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
+  const fs::path file = record_file(folder, record.key).lexically_relative(folder);
   Json json;
   json["adore_run"] = 1;
   json["key"] = record.key;
@@ -353,7 +380,9 @@ void write_record(const fs::path& folder, const Record& record) {
                       {"memory_megabytes", record.memory_megabytes},
                       {"disk_megabytes", record.disk_megabytes},
                       {"host", record.host}};
-  write_file_atomically(file, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  json["checksum"] = record_sum(json);
+  write_study_file(open_study_folder(folder).folder(file.parent_path()), file.filename().string(),
+                   dump_json(json) + "\n");
 }
 
 std::optional<Record> run_task(const Job& job, const Task& task, const fs::path& folder,
@@ -370,7 +399,9 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   request.tolerance = job.tolerance;
   request.overwrite = true;
   if (job.keep_files) {
-    request.out = folder / "files" / task.key;
+    // NAME.study is looked up in the folder of the study file: it must not be a link, either.
+    request.out = folder.parent_path();
+    request.below = folder.filename() / "files" / task.key;
   } else {
     passing.emplace();
     request.out = passing->path();
@@ -379,6 +410,7 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
       request.options.emplace_back("resultsH5", "0");
     }
   }
+  const fs::path files = *request.out / request.below;
   facade::RunEnding ending;
   try {
     ending = facade::end_of_run(request, stop);
@@ -396,11 +428,11 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   if (ending.exit_code == 0) {
     try {
-      Answers answers = answer(job.quantities, ending.outcome.summary, *request.out,
-                               [&](const Quantity& quantity) {
-                                 const facade::LoadedDeck read = facade::load_deck(request);
-                                 return why_missing(quantity, read.deck, job.until);
-                               });
+      Answers answers =
+          answer(job.quantities, ending.outcome.summary, files, [&](const Quantity& quantity) {
+            const facade::LoadedDeck read = facade::load_deck(request);
+            return why_missing(quantity, read.deck, job.until);
+          });
       out.values = std::move(answers.values);
       out.message = std::move(answers.missing);
     } catch (const results::ReaderKilled&) {
@@ -408,9 +440,9 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
     }
   }
   // The same sentence wherever the study's folder is: tables are compared.
-  leave_out(out.message, request.out->string() + "/");
+  leave_out(out.message, files.string() + "/");
   leave_out(out.message, folder.string() + "/");
-  out.disk_megabytes = megabytes_in(*request.out);
+  out.disk_megabytes = megabytes_in(files);
   out.processor = scene::processor_seconds() - processor;
   out.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   out.memory_megabytes = peak_megabytes();

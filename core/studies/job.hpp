@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/write_folder.hpp"
 #include "studies/points.hpp"
 #include "studies/study.hpp"
 
@@ -51,7 +52,7 @@ struct Record {
 };
 
 /// Copies the decks and writes job.json. @throws InputError
-[[nodiscard]] Job prepare_job(const Study& study, const std::filesystem::path& folder);
+[[nodiscard]] Job prepare_job(const Study& study, const WriteFolder& folder);
 [[nodiscard]] Job read_job(const std::filesystem::path& folder);
 
 /// Numbers and keys of the points. A key is the content hash of the deck with its sets as it is
@@ -63,7 +64,8 @@ struct Record {
 /// @throws InputError
 [[nodiscard]] Task parse_task(const std::string& line, const std::string& name);
 /// tasks.jsonl, whole. @throws InputError
-void write_tasks(const std::filesystem::path& file, const std::vector<Task>& tasks);
+void write_tasks(const WriteFolder& folder, const std::string& name,
+                 const std::vector<Task>& tasks);
 [[nodiscard]] std::vector<Task> read_tasks(const std::filesystem::path& file);
 
 [[nodiscard]] std::filesystem::path record_file(const std::filesystem::path& folder,
@@ -71,7 +73,7 @@ void write_tasks(const std::filesystem::path& file, const std::vector<Task>& tas
 /// Nothing when there is none, or a damaged one: the run is made again.
 [[nodiscard]] std::optional<Record> read_record(const std::filesystem::path& folder,
                                                 const std::string& key);
-/// @throws WriteError
+/// @param folder of the study @throws WriteError
 void write_record(const std::filesystem::path& folder, const Record& record);
 
 /// Computes one run. Nothing when it was interrupted, or a process that it needs was killed.

@@ -1,7 +1,7 @@
+#include "base/input_file.hpp"
 #include "studies/engine.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <sched.h>
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 
 double number_in(const char* path) {
   double value = 0.0;
-  return std::ifstream(path) >> value ? value : -1.0;  // "max" is no number
+  return InputFile(path) >> value ? value : -1.0;  // "max" is no number
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ int usable_cores() {
 
 double free_megabytes() {
   double free = std::numeric_limits<double>::infinity();
-  std::ifstream file("/proc/meminfo");
+  InputFile file("/proc/meminfo");
   std::string name, unit;
   for (double kilobytes = 0.0; file >> name >> kilobytes;) {
     std::getline(file, unit);

@@ -1,9 +1,10 @@
 #include "studies/report.hpp"
 
-#include "base/atomic_file.hpp"
 #include "base/counted.hpp"
+#include "base/json_text.hpp"
 #include "facade/prepare.hpp"
 #include "studies/reporter.hpp"
+#include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -65,7 +66,7 @@ Report Reporter::make() {
   }
   no_part();
   failures();
-  return {text_, charts_.dump(1) + "\n"};
+  return {text_, dump_json(charts_, 1) + "\n"};
 }
 
 void Reporter::head() {
@@ -175,8 +176,9 @@ Report write_report(const Study& study) {
   const Results results = read_results(study);
   const StudyTable table = write_tables(study, results);
   Report report = make_report(study, results, table);
-  write_file_atomically(study.folder() / "REPORT.txt", report.text);
-  write_file_atomically(study.folder() / "CHARTS.json", report.charts);
+  const WriteFolder folder = open_study_folder(study.folder());
+  write_study_file(folder, "REPORT.txt", report.text);
+  write_study_file(folder, "CHARTS.json", report.charts);
   return report;
 }
 

@@ -52,6 +52,11 @@ std::string first_word(const std::string& text) { return text.substr(0, text.fin
 
 }  // namespace
 
+bool is_slurm_job(const std::string& text) {
+  return !text.empty() && text.size() <= 20 &&
+         text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 std::optional<std::string> command_output(const std::vector<std::string>& words,
                                           std::string* error) {
   std::array<int, 2> out{}, err{};

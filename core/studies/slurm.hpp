@@ -12,6 +12,9 @@ namespace adore::studies {
 [[nodiscard]] std::optional<std::string> command_output(const std::vector<std::string>& words,
                                                         std::string* error = nullptr);
 
+/// Is it a number, as Slurm names jobs? Anything else could be an option of its commands.
+[[nodiscard]] bool is_slurm_job(const std::string& text);
+
 /// Processors of all nodes that are up. @throws InputError when there is no Slurm here, or none
 /// that answers.
 [[nodiscard]] int slurm_cores();

@@ -1,11 +1,11 @@
-#include "base/atomic_file.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "base/write_error.hpp"
-#include "results/growing_file.hpp"
 #include "studies/engine.hpp"
 #include "studies/slurm.hpp"
+#include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +39,15 @@ constexpr double kOfTime = 4.0;          ///< time limit over what the pilot say
 constexpr int kLeastMinutes = 2;
 constexpr double kOfMemory = 2.0;
 constexpr double kLeastMegabytes = 256.0;
+constexpr const char* kCurrent = "current.json";
+constexpr const char* kTasks = "tasks.jsonl";
+constexpr const char* kSubmission = "submission";  ///< folders: submission-1, submission-2 ...
+
+bool is_submission(const std::string& name) {
+  const std::string stem = std::string(kSubmission) + "-";
+  return name.starts_with(stem) && name.size() > stem.size() &&
+         name.find_first_not_of("0123456789", stem.size()) == std::string::npos;
+}
 
 std::string quoted(const std::string& text) {
   std::string out = "'";
@@ -67,11 +76,14 @@ class SlurmEngine {
  public:
   SlurmEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news,
               const std::stop_token& stop)
-      : work_(work), done_(done), news_(news), stop_(stop), folder_(work.folder / "slurm") {
+      : work_(work),
+        done_(done),
+        news_(news),
+        stop_(stop),
+        place_(open_study_folder(work.folder).folder("slurm")),
+        folder_(place_.path()) {
     for (const Task& task : work.tasks) left_.insert(&task);
     cores_ = slurm_cores();
-    std::error_code error;
-    fs::create_directories(folder_, error);
     megabytes_ = std::max(kLeastMegabytes, kOfMemory * work.megabytes_each);
   }
 
@@ -103,16 +115,20 @@ class SlurmEngine {
   }
 
  private:
-  [[nodiscard]] fs::path current() const { return folder_ / "current.json"; }
+  [[nodiscard]] std::string job_name() const { return "adore-" + work_.folder.stem().string(); }
+  [[nodiscard]] fs::path current() const { return folder_ / kCurrent; }
 
   bool take_over() {
     std::error_code error;
     if (!fs::exists(current(), error)) return false;
     try {
-      const Json json = parse_json<Json>(results::read_text_file(current()), current().string());
+      const Json json = parse_json<Json>(read_text_file(current()), current().string());
       job_ = json.at("job").get<std::string>();
       piece_ = json.at("piece").get<long>();
-      batch_ = read_tasks(json.at("tasks").get<std::string>());
+      const std::string folder = json.at("folder").get<std::string>();
+      if (!is_slurm_job(job_) || piece_ < 1 || !is_submission(folder)) throw InputError("damaged");
+      submission_ = folder_ / folder;
+      batch_ = read_tasks(submission_ / kTasks);
     } catch (const std::exception&) {
       forget_job();
       return false;
@@ -121,8 +137,7 @@ class SlurmEngine {
   }
 
   void forget_job() {
-    std::error_code error;
-    fs::remove(current(), error);
+    place_.remove(kCurrent);
     job_.clear();
   }
 
@@ -141,13 +156,12 @@ class SlurmEngine {
     const int minutes =
         minutes_ + static_cast<int>(std::ceil(more_time_ * kOfTime * static_cast<double>(piece_) *
                                               std::max(0.05, work_.seconds_each) / 60.0));
-    int number = 1;
-    std::error_code error;
-    while (fs::exists(folder_ / fmt::format("tasks-{}.jsonl", number), error)) ++number;
-    const fs::path tasks = folder_ / fmt::format("tasks-{}.jsonl", number);
-    const fs::path script = folder_ / fmt::format("job-{}.sh", number);
-    write_tasks(tasks, batch_);
-    write_file_atomically(script,
+    // A new folder: Slurm itself writes into it, and follows links.
+    const WriteFolder place = place_.new_folder(kSubmission);
+    submission_ = place.path();
+    const fs::path tasks = submission_ / kTasks, script = submission_ / "job.sh";
+    write_tasks(place, kTasks, batch_);
+    write_file_atomically({place, "job.sh"},
                           fmt::format("#!/bin/sh\nexec {} study work {} --tasks {} --first "
                                       "$((SLURM_ARRAY_TASK_ID * {})) --count {}\n",
                                       quoted(work_.program.string()), quoted(work_.folder.string()),
@@ -155,21 +169,23 @@ class SlurmEngine {
     std::string array = fmt::format("--array=0-{}", elements - 1);
     if (work_.workers > 0) array += fmt::format("%{}", work_.workers);
     std::string said;
-    const auto answer =
-        command_output({"sbatch", "--parsable", array, "--requeue", "--open-mode=append",
-                        "--ntasks=1", "--cpus-per-task=1", fmt::format("--time={}", minutes),
-                        fmt::format("--mem={:.0f}M", std::ceil(more_memory_ * megabytes_)),
-                        "--job-name=adore-" + work_.folder.stem().string(),
-                        "--output=" + (folder_ / "said-%A_%a.txt").string(),
-                        "--chdir=" + work_.folder.string(), script.string()},
-                       &said);
+    const auto answer = command_output(
+        {"sbatch", "--parsable", array, "--requeue", "--open-mode=append", "--ntasks=1",
+         "--cpus-per-task=1", fmt::format("--time={}", minutes),
+         fmt::format("--mem={:.0f}M", std::ceil(more_memory_ * megabytes_)),
+         "--job-name=" + job_name(), "--output=" + (submission_ / "said-%A_%a.txt").string(),
+         "--chdir=" + work_.folder.string(), script.string()},
+        &said);
     if (!answer || answer->empty())
       throw InputError(fmt::format("--engine slurm: sbatch refuses the job: {}",
                                    said.substr(0, said.find('\n'))));
     job_ = answer->substr(0, answer->find_first_of(";\n"));
-    write_file_atomically(
-        current(),
-        Json({{"job", job_}, {"piece", piece_}, {"tasks", tasks.string()}}).dump() + "\n");
+    if (!is_slurm_job(job_)) throw InputError("--engine slurm: sbatch names no job: " + *answer);
+    write_study_file(
+        place_, kCurrent,
+        dump_json(
+            Json{{"job", job_}, {"piece", piece_}, {"folder", submission_.filename().string()}}) +
+            "\n");
   }
 
   /// Records that are new.
@@ -217,7 +233,7 @@ class SlurmEngine {
 
   [[nodiscard]] std::string said(long element) const {
     try {
-      return results::read_text_file(folder_ / fmt::format("said-{}_{}.txt", job_, element));
+      return read_text_file(submission_ / fmt::format("said-{}_{}.txt", job_, element));
     } catch (const InputError&) {
       return {};
     }
@@ -314,7 +330,8 @@ class SlurmEngine {
   }
 
   void cancel() {
-    (void)command_output({"scancel", job_});
+    // Of this name only: the number comes from a file.
+    (void)command_output({"scancel", "--name=" + job_name(), job_});
     constexpr int kPatience = 100;  // of 100 ms: the runs under way end at once
     for (int i = 0; i < kPatience; ++i) {
       const auto queue = slurm_queue(job_);
@@ -329,7 +346,8 @@ class SlurmEngine {
   const TaskDone& done_;
   const EngineNews& news_;
   std::stop_token stop_;
-  fs::path folder_;
+  WriteFolder place_;
+  fs::path folder_, submission_;
   std::set<const Task*> left_;
   std::vector<Task> batch_;
   std::string job_, reason_;

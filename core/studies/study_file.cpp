@@ -1,4 +1,6 @@
 #include "base/errors.hpp"
+#include "base/input_limits.hpp"
+#include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "base/spelling.hpp"
 #include "deck/schema.hpp"
@@ -35,7 +37,6 @@ constexpr std::array<std::pair<const char*, Statistic>, 9> kStatistics{
      {"span", Statistic::Span},
      {"last", Statistic::Last},
      {"percentile", Statistic::Percentile}}};
-constexpr long kMostRuns = 10'000'000;
 
 template <class Names>
 std::string listed(const Names& names) {
@@ -55,7 +56,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
 
 std::string value_of(const Json& json, JsonObject& object, std::string_view key) {
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_number() || json.is_boolean()) return json.dump();
+  if (json.is_number() || json.is_boolean()) return dump_json(json);
   object.refuse(key, "an object of names with numbers or texts, {\"appLoadX\": 500}");
 }
 
@@ -269,7 +270,7 @@ void read_sampling(const Json& json, const std::string& where, Study& out) {
       object.refuse("method", "latin, sobol or random");
   }
   if (object.has("runs"))
-    out.samples = object.whole("runs", 1, kMostRuns, "a whole number from 1 to 10000000");
+    out.samples = object.whole("runs", 1, kMaxStudyRuns, "a whole number from 1 to 10000000");
   if (object.has("seed"))
     out.seed = static_cast<std::uint64_t>(
         object.whole("seed", 0, 1L << 53, "a whole number from 0 to 2^53"));
@@ -284,7 +285,7 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
     const std::string at = fmt::format("{}[{}]", where, i + 1);
     if (!row.is_array() || row.size() != 3 || !row[0].is_string() || !row[1].is_string() ||
         !row[2].is_number())
-      throw InputError(at + " = " + row.dump() + ": give [\"first\", \"second\", correlation]");
+      throw InputError(at + " = " + dump_json(row) + ": give [\"first\", \"second\", correlation]");
     Correlation next{row[0].get<std::string>(), row[1].get<std::string>(), row[2].get<double>()};
     for (const std::string& name : {next.first, next.second}) {
       const auto found =
@@ -297,7 +298,7 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
             at, name));
     }
     if (!(std::abs(next.value) <= 1.0) || next.first == next.second)
-      throw InputError(at + " = " + row.dump() +
+      throw InputError(at + " = " + dump_json(row) +
                        ": give two different variables and a number from -1 to 1");
     out.correlations.push_back(std::move(next));
   }

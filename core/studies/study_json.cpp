@@ -1,6 +1,7 @@
 #include "studies/study_json.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "base/spelling.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kLongestValue = 80;
 
 std::string shown(const nlohmann::ordered_json& value) {
-  std::string text = value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::string text = dump_json(value);
   if (text.size() > kLongestValue) text = text.substr(0, kLongestValue) + "...";
   return text;
 }

@@ -1,7 +1,7 @@
 #include "studies/study_table.hpp"
 
-#include "base/atomic_file.hpp"
 #include "facade/run_ending.hpp"
+#include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -99,10 +99,11 @@ std::string times_csv(const Results& results) {
 
 StudyTable write_tables(const Study& study, const Results& results) {
   StudyTable table = make_table(study, results);
-  const std::filesystem::path folder = study.folder();
-  write_file_atomically(folder / "RUNS.csv", table_csv(table));
-  write_file_atomically(folder / "TIMES.csv", times_csv(results));
-  write_table_h5(table, kind_name(study.kind), folder / "STUDY.h5");
+  const WriteFolder folder = open_study_folder(study.folder());
+  write_study_file(folder, "RUNS.csv", table_csv(table));
+  write_study_file(folder, "TIMES.csv", times_csv(results));
+  write_study_file(folder, "STUDY.h5",
+                   table_h5(table, kind_name(study.kind), folder.path() / "STUDY.h5"));
   return table;
 }
 

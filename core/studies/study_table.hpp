@@ -33,11 +33,11 @@ struct StudyTable {
 [[nodiscard]] std::string table_csv(const StudyTable& table);
 /// TIMES.csv: what each run cost, where.
 [[nodiscard]] std::string times_csv(const Results& results);
-/// STUDY.h5: one dataset of n numbers per column, /variables/NAME and /quantities/NAME with the
-/// attribute unit, /run, /exit, and /message, /deck, /label as text. Replaced as a whole.
-/// @throws WriteError
-void write_table_h5(const StudyTable& table, const std::string& kind,
-                    const std::filesystem::path& path);
+/// The bytes of STUDY.h5: one dataset of n numbers per column, /variables/NAME and
+/// /quantities/NAME with the attribute unit, /run, /exit, and /message, /deck, /label as text.
+/// @param path for messages @throws WriteError
+[[nodiscard]] std::string table_h5(const StudyTable& table, const std::string& kind,
+                                   const std::filesystem::path& path);
 
 /// RUNS.csv, TIMES.csv and STUDY.h5 in the study's folder.
 StudyTable write_tables(const Study& study, const Results& results);

@@ -1,4 +1,3 @@
-#include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "base/write_error.hpp"
 #include "facade/solver_stamp.hpp"
@@ -102,8 +101,8 @@ class Writer {
 
 }  // namespace
 
-void write_table_h5(const StudyTable& table, const std::string& kind,
-                    const std::filesystem::path& path) {
+std::string table_h5(const StudyTable& table, const std::string& kind,
+                     const std::filesystem::path& path) {
   const results::h5::Quiet quiet;
   const Writer file(path);
   file.attribute("program", std::string(kProgramVersion));
@@ -121,7 +120,7 @@ void write_table_h5(const StudyTable& table, const std::string& kind,
   if (!table.deck.empty()) file.texts("deck", table.deck);
   if (!table.label.empty()) file.texts("case", table.label);
   file.texts("message", table.message);
-  write_file_atomically(path, file.bytes());
+  return file.bytes();
 }
 
 }  // namespace adore::studies

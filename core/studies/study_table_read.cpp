@@ -2,9 +2,9 @@
 
 #include "base/counted.hpp"
 #include "base/errors.hpp"
-#include "base/plain_file.hpp"
+#include "base/input_file.hpp"
+#include "base/json_text.hpp"
 #include "deck/schema.hpp"
-#include "results/growing_file.hpp"
 #include "results/h5_process.hpp"
 #include "setup/run_control.hpp"
 #include "studies/charts.hpp"
@@ -17,7 +17,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -26,8 +25,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kLargestFile = std::size_t{4} << 30;
-
 std::string no_table_text(const std::string& why) {
   return fmt::format(
       "this is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or its "
@@ -79,7 +76,7 @@ TableColumn column_of(const std::string& heading) {
 }
 
 StudyTable read_csv(const fs::path& file) {
-  const std::string text = results::read_text_file(file, kLargestFile);
+  const std::string text = read_text_file(file, kMaxStudyTableBytes);
   StudyTable out;
   std::vector<std::string> head;
   // Where a column's values go: run, exit, deck, case, message, or a number of a column.
@@ -93,6 +90,9 @@ StudyTable read_csv(const fs::path& file) {
       head = fields;
       if (head.size() < 3 || head[0] != "run" || head[1] != "exit" || head.back() != "message")
         no_table(file, "its first line is not run,exit,...,message");
+      if (head.size() > kMaxTableColumns)
+        no_table(file, fmt::format("it has {} columns, and {} are read at most", head.size(),
+                                   kMaxTableColumns));
       out.variables.reserve(head.size());
       out.quantities.reserve(head.size());
       for (const std::string& heading : head) {
@@ -151,6 +151,7 @@ class H5Table {
     out.run = whole("run");
     out.exit = whole("exit");
     if (out.exit.size() != out.run.size()) no_table("run and exit differ in length");
+    if (out.rows() > static_cast<std::size_t>(kMaxStudyRuns)) no_table("it has too many runs");
     out.variables = group("variables", out.rows());
     out.quantities = group("quantities", out.rows());
     out.message = texts("message", out.rows());
@@ -168,7 +169,9 @@ class H5Table {
   [[nodiscard]] std::vector<long> whole(const std::string& name) const {
     const Handle set = open(name);
     if (!set.valid()) no_table("it has no " + name);
-    std::vector<long> out(rows_of(set));
+    const hsize_t rows = rows_of(set);
+    if (rows > static_cast<hsize_t>(kMaxStudyRuns)) no_table(name + " has too many rows");
+    std::vector<long> out(rows);
     if (!out.empty() &&
         H5Dread(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
       no_table(name + " cannot be read");
@@ -180,7 +183,7 @@ class H5Table {
     const Handle type(H5Dget_type(set));
     const std::size_t width = H5Tget_size(type);
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 ||
-        width > kLargestFile / rows)
+        width > kMaxStudyTableBytes / rows)
       return {};
     std::string all(width * rows, '\0');
     if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0) return {};
@@ -202,6 +205,7 @@ class H5Table {
           return 0;
         },
         &names);
+    if (names.size() > kMaxTableColumns) no_table("it has too many columns");
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
       if (!set.valid() || rows_of(set) != rows) no_table(column + " has another length");
@@ -312,7 +316,7 @@ Task task_of(const fs::path& folder, long run) {
 bool is_study_table(const fs::path& file) {
   if (file.extension() == ".h5") return file.filename() != "RESULTS.h5";
   if (file.extension() != ".csv" || !is_plain_file(file)) return false;
-  std::ifstream in(file);
+  InputFile in(file);
   std::string start(9, '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));
   return start == "run,exit,";
@@ -361,7 +365,7 @@ std::string charts_of_table(const StudyTable& table) {
           fmt::format("curves-{}-over-{}", file_name(y.name), file_name(x.name)), x, y, {line}));
     }
   }
-  return charts.dump(1) + "\n";
+  return dump_json(charts, 1) + "\n";
 }
 
 std::string run_text(const StudyTable& table, long run) {

@@ -15,9 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kWidth = 100;
 
-std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string quoted(const std::string& text) { return dump_json(Json(text)); }
 
 /// "mode" stands as it is in TOML, "cageGsCls[1]" in quotes.
 std::string toml_key(const std::string& key) {
@@ -29,8 +27,7 @@ std::string toml_key(const std::string& key) {
 
 /// TOML knows no "1e-7" without digits before the exponent's sign being fine, and no null.
 std::string scalar(const Json& value) {
-  return value.is_string() ? quoted(value.get<std::string>())
-                           : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return value.is_string() ? quoted(value.get<std::string>()) : dump_json(value);
 }
 
 class Writer {
@@ -100,7 +97,7 @@ class Writer {
   static std::string comment(const Json& remark) {
     std::string out;
     const auto line = [&](const Json& text) {
-      std::string words = text.is_string() ? text.get<std::string>() : text.dump();
+      std::string words = text.is_string() ? text.get<std::string>() : dump_json(text);
       for (char& c : words)
         if (static_cast<unsigned char>(c) < 0x20) c = ' ';
       out += "# " + words + "\n";

@@ -1,3 +1,4 @@
+#include "base/input_file.hpp"
 #include "base/write_error.hpp"
 #include "results/growing_file.hpp"
 #include "studies/engine.hpp"
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -47,7 +47,7 @@ int work_through_file(const std::filesystem::path& folder, const std::filesystem
                       long first, long count, const std::stop_token& stop) {
   try {
     const Job job = read_job(folder);
-    std::ifstream lines(tasks);
+    InputFile lines(tasks);
     if (!lines) throw InputError(tasks.string() + ": cannot be read");
     long at = 0;
     for (std::string line; at < first + count && std::getline(lines, line); ++at) {

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "base/json_text.hpp"
 #include "user/table.hpp"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
 #include <muParser.h>
 #include <numbers>
@@ -234,7 +234,7 @@ Call motion(Section& section) {
   auto suppress = std::make_shared<std::vector<std::string>>();
   if (const Json* list = section.find("suppress"))
     for (const Json& one : *list) {
-      suppress->push_back(one.is_string() ? one.get<std::string>() : one.dump());
+      suppress->push_back(one.is_string() ? one.get<std::string>() : dump_json(one));
       const std::vector<std::string> known{"element_axial", "element_tilt", "element_all",
                                            "cage_axial", "cage_tilt"};
       if (std::find(known.begin(), known.end(), suppress->back()) == known.end())
@@ -530,10 +530,7 @@ Call heat_map(Section& section) {
 }  // namespace
 
 PlugIn load_formulas(const fs::path& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const Json json = parse_json(text.str(), file.string());
+  const Json json = parse_json(read_text_file(file, kMaxHandwrittenBytes), file.string());
   if (!json.is_object())
     throw InputError(file.string() +
                      ": give an object, e.g. {\"adrx7\": {\"element_race\": {\"formula\": "

@@ -1,6 +1,7 @@
 #include "user/plug_in.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 #include "user/formulas.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ PlugIn load_plug_in(const fs::path& file) {
         "there is no plug-in {}; `adore user new adrx7 --lang c` writes an example of one",
         file.string()));
   if (file.extension() == ".json") return load_formulas(file);
+  refuse_pipe(file);  // dlopen() would wait for its other end
   const std::string path = fs::absolute(file).string();
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {

@@ -1,12 +1,12 @@
 #include "user/table.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -46,11 +46,10 @@ double MonotoneTable::operator()(double x) const noexcept {
 }
 
 MonotoneTable read_table(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("there is no table {}", file.string()));
   std::vector<double> x, y;
+  std::istringstream lines(read_text_file(file, kMaxHandwrittenBytes));
   std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
+  for (int number = 1; std::getline(lines, line); ++number) {
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
     std::istringstream words(line);
@@ -66,6 +65,9 @@ MonotoneTable read_table(const std::filesystem::path& file) {
                                    file.string(), number, a, x.empty() ? 0.0 : x.back()));
     x.push_back(a);
     y.push_back(b);
+    if (x.size() > kMaxTableRows)
+      throw InputError(fmt::format("{}: a table has {} lines at most. Leave out lines.",
+                                   file.string(), kMaxTableRows));
   }
   if (x.size() < 2)
     throw InputError(

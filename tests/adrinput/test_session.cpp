@@ -4,7 +4,7 @@
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/session.hpp"
-#include "base/atomic_file.hpp"
+#include "base/write_folder.hpp"
 #include "deck/templates.hpp"
 #include "support/qt_app.hpp"
 

@@ -203,7 +203,7 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     REQUIRE(mark);
     CHECK(mark->status == "interrupted");
     mark->status = "running";
-    facade::write_sweep_mark(*mark, place);
+    facade::write_sweep_mark(*mark, WriteFolder(place));
   };
   {
     Document document;
@@ -251,7 +251,7 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     auto mark = *facade::read_sweep_mark(sweep);
     CHECK(mark.failed == 0);
     mark.failed = 1;
-    facade::write_sweep_mark(mark, sweep);
+    facade::write_sweep_mark(mark, WriteFolder(sweep));
     Bench bench("1");
     QAction& entry = opened(bench);
     CHECK(entry.text() == "&Continue the sweep in sweep-001");
@@ -277,7 +277,7 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     auto mark = *facade::read_sweep_mark(sweep);
     mark.status = "interrupted";
     mark.deck = "OTHER.txt";
-    facade::write_sweep_mark(mark, sweep);
+    facade::write_sweep_mark(mark, WriteFolder(sweep));
     Bench bench("1");
     CHECK(opened(bench).text() == "&Continue the run");
     fs::remove_all(sweep);

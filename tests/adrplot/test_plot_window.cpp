@@ -260,7 +260,7 @@ TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", 
   REQUIRE(dialog->selectedFiles().size() == 1);
   CHECK(dialog->selectedFiles().front().endsWith("wave-2.jpg"));
   emit dialog->fileSelected("/proc/no/such/folder/x.jpg");
-  CHECK(test::take_message(window).contains("cannot write"));
+  CHECK(test::take_message(window).contains("cannot be written"));
   // Lines and text, too; any other name is refused and told what there is.
   for (const auto& [ending, begins] : {std::pair{"svg", "<?xml"}, std::pair{"pdf", "%PDF"}}) {
     const QString page = folder.filePath(QString("wave.") + ending);

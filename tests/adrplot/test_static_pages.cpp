@@ -1,7 +1,7 @@
 #include "adrplot/plot_document.hpp"
 #include "adrplot/render.hpp"
-#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/write_folder.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/static_pages.hpp"
 #include "desktop/theme.hpp"

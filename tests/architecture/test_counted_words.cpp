@@ -78,6 +78,8 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "{} elements do not fit",
                                       "the file has {} lines",
                                       "it has at most {} lines",
+                                      "a table has {} lines at most",
+                                      "a study has {} runs at most",
                                       "{} elements of {} mm on a pitch diameter",
                                       "an array of {} values",
                                       "as in a deck, as {} values",

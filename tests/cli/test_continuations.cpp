@@ -167,7 +167,7 @@ TEST_CASE(
   std::vector<std::size_t> chosen;
   // As of a release before checksums, which would refuse all.
   for (std::string line; std::getline(lines, line);)
-    master.push_back(line == "format 3" ? "format 2" : line.starts_with("end ") ? "end" : line);
+    master.push_back(line == "format 4" ? "format 2" : line.starts_with("end ") ? "end" : line);
   CHECK(master[2] == "format 2");
   for (std::size_t i = 4; i < master.size(); ++i) {
     const std::string& line = master[i];

@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const testing::InputFile file(data, size);
   try {
     const std::array files{file.path()};
-    (void)report_text(validate_files(files));
+    const ValidateReport report = validate_files(files);
+    for (const FileResult& one : report.files) (void)file_text(one, true);
   } catch (const InputError&) {
   }
   return 0;

@@ -8,7 +8,7 @@
  * name.0000, name.0001, ..., when the next one takes its place
  *
  * Counted: write beyond the standard streams, pwrite, ftruncate, fsync, rename, link, unlink, and
- * open that creates. */
+ * open that creates; those in an open folder (renameat, openat ...), too. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -93,22 +93,37 @@ int fsync(int fd) {
   REAL(fsync);
   AROUND(int, real(fd));
 }
-static void keep_copy(const char* path) {
+static void keep_copy(int folder, const char* path) {
   char name[4096];
   const size_t length = strlen(path), tail = strlen(keep);
   if (length < tail || strcmp(path + length - tail, keep) != 0) return;
   snprintf(name, sizeof name, "%s.%04d", path, kept++);
-  if (link(path, name) != 0) abort();
+  if (linkat(folder, path, folder, name, 0) != 0) abort();
 }
 typedef int (*type_rename)(const char*, const char*);
 int rename(const char* from, const char* to) {
   REAL(rename);
   if (keep != NULL) {
     const int result = real(from, to);
-    if (result == 0) keep_copy(to);
+    if (result == 0) keep_copy(AT_FDCWD, to);
     return result;
   }
   AROUND(int, real(from, to));
+}
+typedef int (*type_renameat)(int, const char*, int, const char*);
+int renameat(int a, const char* from, int b, const char* to) {
+  REAL(renameat);
+  if (keep != NULL) {
+    const int result = real(a, from, b, to);
+    if (result == 0) keep_copy(b, to);
+    return result;
+  }
+  AROUND(int, real(a, from, b, to));
+}
+typedef int (*type_unlinkat)(int, const char*, int);
+int unlinkat(int folder, const char* name, int flags) {
+  REAL(unlinkat);
+  AROUND(int, real(folder, name, flags));
 }
 typedef int (*type_unlink)(const char*);
 int unlink(const char* name) {
@@ -139,4 +154,24 @@ int open64(const char* name, int flags, ...) {
   va_end(list);
   if ((flags & O_CREAT) == 0) return real(name, flags, mode);
   AROUND(int, real(name, flags, mode));
+}
+typedef int (*type_openat)(int, const char*, int, ...);
+int openat(int folder, const char* name, int flags, ...) {
+  REAL(openat);
+  va_list list;
+  va_start(list, flags);
+  const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(list, mode_t) : 0;
+  va_end(list);
+  if ((flags & O_CREAT) == 0) return real(folder, name, flags, mode);
+  AROUND(int, real(folder, name, flags, mode));
+}
+typedef int (*type_openat64)(int, const char*, int, ...);
+int openat64(int folder, const char* name, int flags, ...) {
+  REAL(openat64);
+  va_list list;
+  va_start(list, flags);
+  const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(list, mode_t) : 0;
+  va_end(list);
+  if ((flags & O_CREAT) == 0) return real(folder, name, flags, mode);
+  AROUND(int, real(folder, name, flags, mode));
 }

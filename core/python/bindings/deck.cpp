@@ -1,5 +1,6 @@
 #include "deck/deck.hpp"
 
+#include "base/input_file.hpp"
 #include "bindings.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/defaults.hpp"
@@ -11,7 +12,6 @@
 #include "deck/unit_change.hpp"
 #include "facade/deck_request.hpp"
 #include "facade/deck_story.hpp"
-#include "results/growing_file.hpp"
 
 namespace adore::python {
 namespace {
@@ -115,8 +115,7 @@ void bind_deck(py::module_& module) {
             const std::filesystem::path file = facade::deck_path(std::filesystem::path(path));
             deck::ReadResult read = deck::read_deck(file);
             if (!read.ok()) throw InputError(std::move(read.issues));
-            return DeckObject{read.deck, read.deck, results::read_text_file(file),
-                              std::move(read.issues)};
+            return DeckObject{read.deck, read.deck, read_text_file(file), std::move(read.issues)};
           },
           py::arg("path"), "Reads a deck file, or DATA.txt of a folder.")
       .def_static("from_text", &from_text, py::arg("text"), py::arg("name"),

@@ -62,14 +62,14 @@ void bind_calculators(py::module_& module) {
   module.def(
       "describe_calculator_json",
       [find](const std::string& name) {
-        return calculators::describe_calculator(find(name)).dump();
+        return dump_json(calculators::describe_calculator(find(name)));
       },
       py::arg("name"), "The same as JSON text.");
   module.def(
       "calculate",
       [](const std::string& name, const std::string& input) {
         const py::gil_scoped_release release;
-        return calculators::calculate(name, parse_json(input, "")).dump();
+        return dump_json(calculators::calculate(name, parse_json(input, "")));
       },
       py::arg("name"), py::arg("input"), "Runs a calculator: JSON text in, JSON text out.");
 }

@@ -1,3 +1,4 @@
+#include "base/json_text.hpp"
 #include "bindings.hpp"
 #include "facade/check.hpp"
 #include "facade/equilibrium.hpp"
@@ -255,7 +256,7 @@ void bind_work(py::module_& module) {
         const facade::DeckRequest request = deck_request(text, name, options, user);
         const facade::PlanReport report = interruptible(
             [&](std::stop_token stop) { return facade::plan(request, std::move(stop)); });
-        return py::make_tuple(report.text, report.json.dump(), report.remarks);
+        return py::make_tuple(report.text, dump_json(report.json), report.remarks);
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
       "Plan as text and JSON, and remarks.");

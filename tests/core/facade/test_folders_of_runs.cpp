@@ -95,7 +95,7 @@ TEST_CASE("passing folders of killed processes go, those of living ones and of o
   fs::last_write_time(left / FolderLock::kName, old);
   {
     fs::create_directory(place / "adore-passing-living");
-    const FolderLock held(place / "adore-passing-living");
+    const FolderLock held{WriteFolder(place / "adore-passing-living")};
     fs::last_write_time(place / "adore-passing-living" / FolderLock::kName, old);
     in_a_child([] { const PassingFolder folder; });
     CHECK(fs::exists(place / "adore-passing-living"));

@@ -154,7 +154,7 @@ TEST_CASE("a folder that cannot be written into is told before the run, in the l
     const std::vector<Issue> said = rehearsed(deck, folder / "DATA.txt", {});
     std::string lock;
     try {
-      const facade::FolderLock held(folder);
+      const facade::FolderLock held{WriteFolder(folder)};
     } catch (const InputError& error) {
       lock = error.what();
     }

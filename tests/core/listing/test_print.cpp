@@ -390,7 +390,6 @@ TEST_CASE("PRINT.txt is continued after MASTER's length of it", "[unit][print]")
              Contains("cannot be opened"));
   CHECK_THAT(message_of([&] {
                PrintFile print = PrintFile::create("/dev/full", bearing.run_id, UnitSystem::SI);
-               step(print, 1);
              }),
-             Contains("No space left"));
+             Contains("not a regular file"));
 }

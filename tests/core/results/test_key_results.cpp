@@ -1,4 +1,4 @@
-#include "base/atomic_file.hpp"
+#include "base/write_folder.hpp"
 #include "results/key_results.hpp"
 #include "results/sweep_table.hpp"
 

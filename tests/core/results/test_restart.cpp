@@ -66,7 +66,8 @@ TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
   MasterState master;
   master.last = state;
   master.averages = {{"average time", 0.125}, {"branch cage.theta[0]", -6.25}};
-  master.files = {{"PRINT", "PRINT.txt", 123456789012ULL}, {"SOL1", "my file with blanks", 42}};
+  master.files = {{"PRINT", "PRINT.txt", 123456789012ULL, {}},
+                  {"SOL1", "my file with blanks", 42, {}}};
   write_master(master, folder / "MASTER");
   const MasterState back = read_master(folder / "MASTER");
   check_equal(back.last, state);
@@ -82,7 +83,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
   MasterState master;
   master.last = make_state();
   master.averages = {{"average time", 0.125}};
-  master.files = {{"PRINT", "PRINT.txt", 10}};
+  master.files = {{"PRINT", "PRINT.txt", 10, {}}};
   write_master(master, folder / "MASTER");
   write_final(make_state(), folder / "FINAL");
   CHECK_THAT(message_of([&] { (void)read_final(folder / "MASTER"); }), Contains("no FINAL file"));
@@ -119,7 +120,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("checksum") && Contains("the file is damaged"));
     wrong = text;
-    wrong.replace(wrong.find("format 3"), 8, "format 9");
+    wrong.replace(wrong.find("format 4"), 8, "format 9");
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("format 9"));
   }
@@ -143,11 +144,11 @@ TEST_CASE("a FINAL of before checksums still reads", "[unit][restart]") {
   TemporaryFolder folder;
   write_final(make_state(), folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
-  text.replace(text.find("format 3"), 8, "format 2");
+  text.replace(text.find("format 4"), 8, "format 2");
   text.replace(text.rfind("end "), std::string::npos, "end\n");
   write_bytes(folder / "FINAL", text);
   check_equal(read_final(folder / "FINAL"), make_state());
-  text.replace(text.find("format 2"), 8, "format 3");
+  text.replace(text.find("format 2"), 8, "format 4");
   write_bytes(folder / "FINAL", text);
   CHECK_THAT(message_of([&] { (void)read_final(folder / "FINAL"); }), Contains("checksum"));
 }
@@ -157,7 +158,7 @@ TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") 
   FinalState state = make_state();
   write_final(state, folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
-  text.replace(text.find("format 3"), 8, "format 1");
+  text.replace(text.find("format 4"), 8, "format 1");
   text.replace(text.find("deck 2"), std::string::npos, "end\n");
   write_bytes(folder / "FINAL", text);
   state.deck.clear();
@@ -351,7 +352,7 @@ TEST_CASE("no number of MASTER or FINAL may be not a number, infinite or a word"
   MasterState master;
   master.last = make_state();
   master.averages = {{"average time", 0.125}, {"stepper memory next step", 1e-6}};
-  master.files = {{"PRINT", "PRINT.txt", 10}};
+  master.files = {{"PRINT", "PRINT.txt", 10, {}}};
   write_master(master, folder / "MASTER");
   write_final(make_state(), folder / "FINAL");
   for (const std::string name : {"FINAL", "MASTER"}) {

@@ -10,10 +10,12 @@
 #include <catch2/catch.hpp>
 
 #include <clocale>
+#include <csignal>
 #include <cstdlib>
 #include <limits>
 #include <locale>
 #include <sstream>
+#include <sys/resource.h>
 
 using namespace adore;
 using namespace adore::results;
@@ -266,9 +268,21 @@ TEST_CASE("an unwritable place and a full disk are told, and earlier steps stay"
       message_of([&] { SolWriter::create(folder / "no/such/SOL1", header, UnitSystem::SI); }),
       Contains("create the folder"));
   CHECK_THAT(message_of([&] { SolWriter::create("/dev/full", header, UnitSystem::SI); }),
-             Contains("No space left") && Contains("disk"));
+             Contains("not a regular file"));
+  {  // no room: a limit on the size of files stands for a full disk
+    struct rlimit before {};
+    REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+    const struct rlimit none { 1, before.rlim_max };
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    REQUIRE(::setrlimit(RLIMIT_FSIZE, &none) == 0);
+    const std::string said =
+        message_of([&] { SolWriter::create(folder / "SOL1", header, UnitSystem::SI); });
+    REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+    std::signal(SIGXFSZ, handler);
+    CHECK_THAT(said, Contains("File too large") && Contains("disk"));
+  }
   CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "missing", 0); }),
-             Contains("cannot be opened"));
+             Contains("cannot be written") && Contains("No such file"));
   write_bytes(folder / "short", "abc");
   CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "short", 10); }),
              Contains("3 bytes") && Contains("10"));

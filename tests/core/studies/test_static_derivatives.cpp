@@ -3,6 +3,7 @@
 #include "studies/job.hpp"
 #include "studies/sensitivity.hpp"
 #include "studies/static_sensitivity.hpp"
+#include "studies/study_folder.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -35,7 +36,7 @@ Agreement agreement(const std::string& deck, const std::string& variables, doubl
     "displacement_z_m", "stiffness_x_N_per_m", "largest_contact_load_N", "largest_pressure_Pa"]})";
   const Study study = open_study(root / "s.json");
   const fs::path folder = study.folder();
-  const Job job = prepare_job(study, folder);
+  const Job job = prepare_job(study, open_study_folder(folder));
   std::vector<Record> records;
   for (const Task& task : make_tasks(job, sensitivity_points(study), 1)) {
     records.push_back(run_task(job, task, folder, {}).value());

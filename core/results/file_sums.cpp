@@ -1,0 +1,210 @@
+#include "results/file_sums.hpp"
+
+#include "base/checksum.hpp"
+#include "base/errors.hpp"
+#include "base/input_file.hpp"
+#include "base/json_text.hpp"
+#include "base/own_files.hpp"
+#include "results/results_h5.hpp"
+#include "results/run_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace adore::results {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using State = FileCheck::State;
+
+/// Of at most `bytes` bytes.
+FileSum sum_of_start(const fs::path& path, std::uintmax_t bytes) {
+  InputFile stream(path);
+  if (!stream)
+    throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
+                                 path.string()));
+  FileSum out{path.filename().string(), 0, checksum({})};
+  std::string block(std::size_t{1} << 16, '\0');
+  while (out.bytes < bytes) {
+    const auto most =
+        static_cast<std::streamsize>(std::min<std::uintmax_t>(block.size(), bytes - out.bytes));
+    stream.read(block.data(), most);
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    if (count == 0) break;
+    out.sum = checksum(std::string_view(block).substr(0, count), out.sum);
+    out.bytes += count;
+  }
+  return out;
+}
+
+std::string hex(std::uint64_t sum) { return fmt::format("{:016x}", sum); }
+
+/// Whether the file has this length and checksum.
+FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string& sum) {
+  FileCheck out{path, State::Damaged, {}};
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    out.state = State::Missing;
+    out.detail = "the file is missing";
+    return out;
+  }
+  try {
+    const FileSum found = sum_of_file(path);
+    if (found.bytes != bytes)
+      out.detail = fmt::format("it has {} bytes, and the run wrote {}", found.bytes, bytes);
+    else if (hex(found.sum) != sum)
+      out.detail = fmt::format("its {} bytes have the checksum {}, and the run wrote {}", bytes,
+                               hex(found.sum), sum);
+    else
+      out = {path, State::Intact, fmt::format("{} bytes", bytes)};
+  } catch (const InputError& refused) {
+    out.detail = refused.what();
+  }
+  return out;
+}
+
+/// The checksum that RUN.json has of its own text.
+FileCheck check_summary(const fs::path& path, const std::string& text, const Json& json) {
+  FileCheck out{path, State::Unchecked, "an earlier version wrote no checksum of it"};
+  const auto measured = json.find("measured");
+  if (measured == json.end() || !measured->is_object() || !measured->contains(kOwnChecksum))
+    return out;
+  const Json& stored = measured->at(kOwnChecksum);
+  const bool same = stored.is_string() && stored.get<std::string>() == own_checksum(text);
+  out.state = same ? State::Intact : State::Damaged;
+  out.detail = same ? fmt::format("{} bytes", text.size())
+                    : "its text does not have the checksum that it contains";
+  return out;
+}
+
+/// The parts that MASTER names: of a run that was not finished.
+void check_parts(const fs::path& folder, std::vector<FileCheck>& out) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (sort_of_file(entry.path()) != FileSort::Master) continue;
+    try {
+      const MasterState master = read_master(entry.path());
+      out.push_back({entry.path(), State::Intact, "its own checksum"});
+      const auto saved = master.averages.find(kLastSaved);
+      for (const MasterFile& file : master.files) {
+        const fs::path path = folder / file.name;
+        if (!file.sum) continue;
+        if (!fs::exists(path, error)) {
+          out.push_back({path, State::Missing, "the file is missing"});
+          continue;
+        }
+        std::string damage;
+        try {
+          damage = damage_of(
+              file, path, static_cast<long>(saved == master.averages.end() ? -1.0 : saved->second));
+        } catch (const InputError& refused) {
+          damage = refused.what();
+        }
+        out.push_back({path, damage.empty() ? State::Intact : State::Damaged,
+                       damage.empty() ? fmt::format("up to step {}", master.last.step) : damage});
+      }
+    } catch (const InputError& refused) {
+      out.push_back({entry.path(), State::Damaged, refused.what()});
+    }
+  }
+}
+
+bool verify_one(const fs::path& folder, std::vector<FileCheck>& out) {
+  const fs::path summary = folder / "RUN.json";
+  std::error_code error;
+  if (!fs::exists(summary, error)) {
+    const std::size_t before = out.size();
+    check_parts(folder, out);
+    return out.size() > before;
+  }
+  Json json;
+  std::string text;
+  try {
+    text = read_text_file(summary);
+    json = parse_json<Json>(text, summary.string());
+    out.push_back(check_summary(summary, text, json));
+  } catch (const InputError& refused) {
+    out.push_back({summary, State::Damaged, refused.what()});
+  }
+  const Json measured = json.is_object() ? json.value("measured", Json()) : Json();
+  const Json sums = measured.is_object() ? measured.value("checksums", Json()) : Json();
+  if (!sums.is_object() || sums.empty()) {
+    check_parts(folder, out);
+    return true;
+  }
+  for (const auto& [name, item] : sums.items()) {
+    const bool plain = name.find('/') == std::string::npos;
+    if (!plain || !item.is_object() || !item.value("bytes", Json()).is_number_unsigned() ||
+        !item.value("checksum", Json()).is_string()) {
+      out.push_back({summary, State::Damaged, "its list of checksums is damaged"});
+      continue;
+    }
+    out.push_back(compare(folder / name, item.at("bytes").get<std::uintmax_t>(),
+                          item.at("checksum").get<std::string>()));
+  }
+  return true;
+}
+
+}  // namespace
+
+FileSum sum_of_file(const fs::path& path) { return sum_of_start(path, UINTMAX_MAX); }
+
+std::uint64_t sum_of_steps(const H5Reader& file, std::size_t rows) {
+  constexpr std::size_t kRows = 256;
+  std::vector<std::string> names{"step", "time", "step_size", "shaft_rotation"};
+  for (const H5Reader::ChannelInfo& channel : file.channels()) names.push_back(channel.id);
+  std::uint64_t total = 0;
+  for (const std::string& name : names) {
+    std::uint64_t sum = checksum(name);
+    for (std::size_t first = 0; first < rows; first += kRows)
+      sum = sum_of_values(file.read(name, first, std::min(kRows, rows - first)), sum);
+    total += sum;
+  }
+  return total;
+}
+
+std::string damage_of(const MasterFile& file, const fs::path& path, long last_step) {
+  if (!file.sum) return {};
+  constexpr const char* kDiffers =
+      "what the run stored up to its last checkpoint has the checksum {}, and was written with {}";
+  if (file.role == "RESULTS") {
+    const H5Reader reader(path);
+    const std::vector<long> steps = reader.step_numbers();
+    const auto rows = static_cast<std::size_t>(
+        std::upper_bound(steps.begin(), steps.end(), last_step) - steps.begin());
+    const std::uint64_t sum = sum_of_steps(reader, rows);
+    return sum == *file.sum ? std::string() : fmt::format(kDiffers, hex(sum), hex(*file.sum));
+  }
+  const FileSum found = sum_of_start(path, file.bytes);
+  if (found.bytes < file.bytes)
+    return fmt::format("it has {} bytes, and the run left {} at its last checkpoint", found.bytes,
+                       file.bytes);
+  return found.sum == *file.sum ? std::string()
+                                : fmt::format(kDiffers, hex(found.sum), hex(*file.sum));
+}
+
+std::vector<FileCheck> verify_run(const fs::path& folder) {
+  std::vector<FileCheck> out;
+  bool any = verify_one(folder, out);
+  std::error_code error;
+  std::vector<fs::path> below;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (fs::is_directory(entry.symlink_status(error)) &&
+        fs::exists(entry.path() / "RUN.json", error) &&
+        !entry.path().filename().string().starts_with("earlier-"))
+      below.push_back(entry.path());
+  std::sort(below.begin(), below.end());
+  for (const fs::path& run : below) any = verify_one(run, out) || any;
+  if (!any)
+    throw InputError(
+        fmt::format("{}: there is no run in this folder (no RUN.json and no MASTER); "
+                    "give the folder of a run, a sweep or a study",
+                    folder.string()));
+  return out;
+}
+
+}  // namespace adore::results
