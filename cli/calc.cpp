@@ -148,7 +148,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->callback([=] {
       if (*markdown) {
         if (!*list) throw InputError("--markdown belongs to --list");
-        fmt::print("{}", calculators::calculators_markdown());
+        print("{}", calculators::calculators_markdown());
         return;
       }
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
