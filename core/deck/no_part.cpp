@@ -57,6 +57,24 @@ std::vector<NoPart> values_not_read(const Deck& deck) {
             {std::string(spec.id), std::move(name), value_text(value), {}, option && !at_default});
       }
   }
+  // Records that were given and that the options do not ask for.
+  for (const RecordData& record : deck.shelf) {
+    const RecordSpec& spec = *find_record(record.id);
+    for (std::size_t v = 1; v < std::min(record.values.size(), spec.variables.size()); ++v)
+      for (std::size_t k = 0; k < record.values[v].size(); ++k) {
+        const Value& value = record.values[v][k];
+        const VariableSpec& variable = spec.variables[v];
+        if (std::holds_alternative<std::monostate>(value) || value == default_value(variable))
+          continue;
+        std::string name(variable.name);
+        if (!spec.repeat.empty()) name += fmt::format("[{}]", record.instance);
+        if (variable.length != "1") name += fmt::format("[{}]", k + 1);
+        out.push_back(
+            {std::string(spec.id), std::move(name), value_text(value),
+             fmt::format("the record is not needed, because `{}` does not hold", spec.condition),
+             !variable.options.empty() || !variable.option_table.empty()});
+      }
+  }
   return out;
 }
 

@@ -567,6 +567,23 @@ NewEquilibrium move_to_equilibrium(const MovingScene& before, double t_before,
   return out;
 }
 
+NewEquilibrium judge_start(const MovingScene& scene, double t, std::span<const double> y) {
+  NewEquilibrium out;
+  Instant at(scene, t, y);
+  std::optional<Rest> rest;
+  for (const bool conservative : {false, true})
+    if (!rest) rest = rest_of(at, y, conservative, at.race());
+  if (!rest) {
+    out.why_not = "the elements have no equilibrium at the start";
+    return out;
+  }
+  double elastic = 0.0;
+  const std::optional<double> excess = departure_energy(at, y, rest->race, elastic);
+  out.elastic = std::max(elastic, energy_floor(scene.system));
+  if (excess) out.excess = std::max(0.0, *excess);
+  return out;
+}
+
 void book_change(System& before, std::span<const double> y_before, System& after, double t,
                  std::span<double> y) {
   const Snapshot was = before.snapshot(t, y_before), is = after.snapshot(t, y);

@@ -60,6 +60,11 @@ struct MovingScene {
                                                  const MovingScene& after, double t,
                                                  std::span<double> y);
 
+/// Excess energy of a start: of the departures of y from its equilibrium. Velocities have no part:
+/// those that the deck specifies are exempt.
+[[nodiscard]] NewEquilibrium judge_start(const MovingScene& scene, double t,
+                                         std::span<const double> y);
+
 /// Books a change between two steps in the integrals of effect "thermal steps": stored energy and
 /// momenta after less before. Integrals of y are those of y_before.
 /// @throws SolverError when a state is not valid

@@ -435,6 +435,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (!from.remark.empty()) s.remark(from.remark);
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
+      if (const StartJudgement start_energy = judge_start_energy(s.prepared, system, out.y);
+          !start_energy.text.empty())
+        s.remark(start_energy.text, start_energy.severity);
     } catch (const SolverError& refused) {
       refuse_start(s.prepared, refused);
     }

@@ -1,7 +1,9 @@
 #include "facade/start_state.hpp"
 
+#include "base/errors.hpp"
 #include "dynamics/element_masses.hpp"
 #include "dynamics/friction_start.hpp"
+#include "facade/changed_equilibrium.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +49,25 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
         "the first turns hold their way to it, averages over later turns do not",
         left, found.rollers);
   return out;
+}
+
+StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
+                                  const std::vector<double>& y) {
+  if (prepared.plan.suppressed.of_elements()) return {};
+  const dynamics::NewEquilibrium start =
+      dynamics::judge_start(moving_scene(prepared, system), 0.0, y);
+  if (!start.why_not.empty())
+    return {"excess energy of the start is not judged, because " + start.why_not, Severity::Note};
+  if (!(start.ratio() > dynamics::kExcessWarned)) return {};
+  const std::string text = fmt::format(
+      "start: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} "
+      "J)",
+      start.excess, 100.0 * start.ratio(), start.elastic);
+  if (start.ratio() > dynamics::kExcessRefused)
+    throw SolverError(text +
+                      ": contact loads are those of an impact. Check the clearances, "
+                      "displacements and free directions of the races");
+  return {text + ": loads of the first revolutions contain a vibration", Severity::Warning};
 }
 
 }  // namespace adore::facade

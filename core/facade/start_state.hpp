@@ -21,4 +21,15 @@ struct StartState {
 /// rolling.
 [[nodiscard]] StartState start_state(const Prepared& prepared, dynamics::System& system);
 
+/// Of the excess energy of a start (dynamics::judge_start).
+struct StartJudgement {
+  std::string text;  ///< empty: nothing to report
+  Severity severity = Severity::Note;
+};
+
+/// Above 10 % a warning; a note where there is no equilibrium to judge against.
+/// @throws SolverError above 100 %
+[[nodiscard]] StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
+                                                const std::vector<double>& y);
+
 }  // namespace adore::facade

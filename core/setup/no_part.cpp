@@ -152,6 +152,7 @@ std::vector<deck::NoPart> values_without_part(const Deck& deck) {
   const deck::ReportOnly quiet(deck);
   const Scene scene = scene_of(deck);
   for (deck::NoPart& value : out) {
+    if (!value.because.empty()) continue;
     value.because = reason(value, scene);
     if (value.because.empty()) value.because = kNoReason;
   }

@@ -28,6 +28,8 @@ using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
 constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
+/// Largest gyroscopic slip over rolling speed at which a ball keeps the axis of its spin rule.
+constexpr double kLargestTurn = 0.2;
 
 /// The root of an increasing function between two bounds by regula falsi with halving (Illinois).
 template <class F>
@@ -342,7 +344,7 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     }
     const double moment = std::abs(ball.gyroscopic_moment);
     if (!contacts.empty() && moment > 0.0 &&
-        !turn_against_friction(contacts, moment, std::abs(ball.spin_speed), rule))
+        !turn_against_friction(contacts, moment, kLargestTurn * std::abs(ball.spin_speed), rule))
       turned.push_back(out.race[0].size());
     for (BallContact& c : contacts) {
       FrictionOfContact& one = out.race[c.race].back();
@@ -360,11 +362,12 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     }
   }
   if (!turned.empty())
-    out.notes.push_back(
-        fmt::format("gyroscopic moment of {} balls (the first: {}): larger than the friction of "
-                    "both races at any "
-                    "slip. The heat of their gyroscopic slip is not computed; use mode 0 or 1",
-                    turned.size(), turned.front()));
+    out.notes.push_back(fmt::format(
+        "gyroscopic moment of {} balls (the first: {}): friction carries it only at a slip above "
+        "{:.0f} % of the rolling speed, which changes the axis of these balls. Heat of that slip "
+        "is "
+        "not computed; use mode 0 or 1",
+        turned.size(), turned.front(), 100.0 * kLargestTurn));
   add_drag(bearing, orbit, spin, out);
   return out;
 }

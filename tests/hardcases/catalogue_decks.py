@@ -122,6 +122,8 @@ def draw_deck(dice, example, kind):
         angle = sets["freeConAng"] = dice.uniform(6.0, 10.0)
         geometry["f1"], geometry["f2"] = dice.uniform(0.508, 0.52), dice.uniform(0.508, 0.52)
         sets["freeIntCls"] = scale * dice.uniform(0.0, 3e-5)
+        if cage:  # barrels skew between open races as far as their windows let them (decision 261)
+            sets["bPocCls1"] *= dice.decades(0.2, 1.0)
     elif kind == "cylindrical":
         angle = 0.0
         sets["freeIntCls"] = scale * dice.uniform(5e-6, 4e-5)
@@ -136,6 +138,12 @@ def draw_deck(dice, example, kind):
     if kind in ("ball", "spherical", "spherical-tapered"):
         sets["raceCurFac1"], sets["raceCurFac2"] = geometry["f1"], geometry["f2"]
     geometry["a"] = math.radians(angle)
+    if cage and "7.2.1" not in example:
+        # Windows alone do not centre a cage: within two revolutions it is beside the bearing axis by more than its clearance to the outer race.
+        sets["nGL"] = 2
+        for k in (1, 2):
+            sets.update({f"iCageGuide[{k}]": 1, f"cageGsDia[{k}]": sets["cageDia1"], f"cageGsWidth[{k}]": scale * 0.002,
+                         f"cageGsPos[{k}]": (-0.5 if k == 1 else 0.5) * sets["cageWidth"], f"cageGsCls[{k}]": scale * 0.0003})
 
     capacity = rating(kind, geometry)
     load = capacity * dice.decades(0.02, 0.2)

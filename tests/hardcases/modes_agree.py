@@ -4,13 +4,16 @@
     modes_agree.py PROGRAM [--decks N] [--seed S] [--first N] [--only N] [--jobs N] [--types A,B] [--keep FOLDER] [--report FILE]
 
 PROGRAM is `adore`. Deck N of a seed is the same on every machine (catalogue_decks.py); nothing about a deck is listed here. Each motion runs
-until the means of two successive windows of revolutions differ by less than 2 % (settled_windows.py). In the settled window
+until the means of two successive windows of revolutions differ by less than 2 % (settled_windows.py); rollers in modes 1 and 2 start from the
+end of mode 0 (start_independence.py shows that results do not depend on that). In the settled window
 - modes 0 and 1, whose inner race is held, are compared with the equilibrium at the displacement that they have there, mode 2 and the free race
   with the equilibrium at the load of the deck; of a thermal deck both equilibria have the temperatures of the window;
 - mean load within 3 %: the force on the inner race of held races, the mean of all contact loads of all modes; largest load within 15 %, life of
   the window within 20 %;
 - race heat of modes 0, 1 and 2 within 10 % of each other, and without a cage also that of statics; cage speed of all modes within 1 %;
   temperatures of all modes within 1 K, and without a cage also those of statics.
+Race heat that scatters from revolution to revolution (decision 264) is compared within the 95 % interval of its means, which must not exceed
+the heat itself; the table counts the decks that need it.
 A rejected deck, exit 3, and a motion that does not settle are failures. A larger difference is explained only by a finding that names body,
 time and quantity and that a check independent of the comparison confirms (see findings()); decks that agree must not have it.
 The exit code is 0 when no deck failed and at most 10 % are explained.
@@ -28,7 +31,7 @@ import tempfile
 import time
 
 from catalogue_decks import LARGEST_PRESSURE, TYPES, Dice, draw_deck, example_values
-from settled_windows import Motion, RunError, displacement_of, equilibrium, new_deck, phase_mean
+from settled_windows import Motion, RunError, displacement_of, equilibrium, interval, new_deck, phase_mean
 
 MODES = ("0", "1", "2", "free")
 FREE_RACE = {"mode": 0, "kDCR": 1, "kFD22": 0, "kFD32": 0}
@@ -36,11 +39,14 @@ THRUST = ("ball", "tapered", "spherical-tapered")  # types whose inner race is h
 LIMITS = {"load": 0.03, "contact load": 0.03, "largest load": 0.15, "life": 0.20, "race heat": 0.10, "cage speed": 0.01, "temperature": 1.0}
 MOST_EXPLAINED = 0.10
 # Longest run and shortest window [rev]; processor time of one part of a run [s]. Rollers take ten times as long as balls.
-LONGEST = {"ball": (16.0, 1.0), "cylindrical": (6.0, 0.5), "spherical": (6.0, 0.5), "tapered": (6.0, 0.5), "spherical-tapered": (6.0, 0.5)}
+LONGEST = {"ball": (16.0, 1.0), "cylindrical": (8.0, 0.5), "spherical": (8.0, 0.5), "tapered": (6.0, 0.5), "spherical-tapered": (6.0, 0.5)}
+# Revolutions before the first window [rev]. Skew of rollers between flanges, which impacts of pockets wake, is there from revolution 3 on (decision 264).
+EARLIEST = {"cylindrical": 3.0, "spherical": 1.5}
 SECONDS = 300.0
 STORED = {True: 40, False: 200}  # steps between stored ones, of balls and rollers: some hundred a revolution; extremes and means between are stored
 OUTPUT = {"kNumPltElem": 1, "kPltElemInd": 1, "nStps": 1, "kAGraf": 0, "kPrtFreq": 10 ** 7, "maxStps": 10 ** 8, "kPrtOpt": 1}
 OPTIONS = {"rollerSlices": 11}  # of the equilibria, too
+LARGE_SKEW = 0.02  # [rad]
 TEMPERATURES = ("outer", "inner", "elements", "cage")
 
 
@@ -106,7 +112,7 @@ def compare(program, deck, windows, bulk):
         if mode in ("0", "1"):  # channels count from another place than displacements: the start is the same in both
             cold = equilibrium(program, deck["path"], isothermal(deck), OPTIONS) if deck["thermal"] else deck["start"]
             start = displacement_of(cold)
-            place = [start[k] + window["position"][k] - window.columns[f"race.{axis}.2"][0] for k, axis in enumerate("xyz")]
+            place = [start[k] + window["position"][k] - deck["race"][k] for k in range(3)]
         still = phase_mean(program, deck["path"], sets, deck["sets"]["nRe"], place, OPTIONS)
         if place:
             first = 0 if deck["type"] in THRUST else 1  # along x only where the deck gives a load there
@@ -127,7 +133,11 @@ def compare(program, deck, windows, bulk):
         for other in names[i + 1:]:
             a, b = windows[one], windows[other]
             if "free" not in (one, other):
-                out.append(("race heat", one, other, relative(a["race_heat"], b["race_heat"]), a["race_heat"], b["race_heat"]))
+                size, scatter = relative(a["race_heat"], b["race_heat"]), interval(a, b)
+                if size > LIMITS["race heat"] and abs(a["race_heat"] - b["race_heat"]) <= scatter <= max(a["race_heat"], b["race_heat"]):
+                    deck["scatter"] = max(deck.get("scatter", 0.0), scatter / max(a["race_heat"], b["race_heat"]))
+                    size = 0.0
+                out.append(("race heat", one, other, size, a["race_heat"], b["race_heat"]))
             if deck["cage"]:
                 out.append(("cage speed", one, other, relative(a["cage_ratio"], b["cage_ratio"]), a["cage_ratio"], b["cage_ratio"]))
             if deck["thermal"]:
@@ -142,7 +152,8 @@ def findings(deck, windows, still):
     """What the motion shows by itself, without the comparison: (kind, body, time [s], quantity as text, mode).
     - slip: an element that carries load in the equilibrium orbits or turns about its gyroscopic axis with more than 5 % of its rolling speed;
     - zero load: an element that always carries load in the equilibrium loses its inner race;
-    - cage whirl: the cage's centre runs at the limit of its clearance for half of the window."""
+    - cage whirl: the cage's centre runs at the limit of its clearance for half of the window;
+    - skew: a roller is skewed by more than LARGE_SKEW, which statics do not know; narrow_windows() confirms it."""
     out = []
     shaft = deck["sets"]["rpm2"] * math.pi / 30.0
     diameter, pitch = deck["sets"]["bReDia"], deck["pitch"]
@@ -153,7 +164,7 @@ def findings(deck, windows, still):
         worst = (0.0, 0.0, "", "")
         for i in range(1, deck["sets"]["nRe"] + 1):
             load, orbit = w.columns[f"contact.load.{i}.2"], w.columns[f"element.orbital_velocity.{i}"]
-            turn = w.columns.get(f"element.angular_velocity_vector.{i}.3")
+            turn = w.columns.get(f"element.angular_velocity_vector.{i}.2")  # azimuth frame: axial, along the orbit, radial
             middle = w["orbital_ratio"] * shaft
             for k in w.inside:
                 if not load[k] > 0.0:
@@ -163,6 +174,10 @@ def findings(deck, windows, still):
                 for size, name in ((lag, "orbital speed off the mean"), (gyroscopic, "gyroscopic slip over rolling speed")):
                     if size > worst[0]:
                         worst = (size, w.columns["time"][k], f"element {i}", name)
+        skew = max(((abs(w.columns[name][k]), w.columns["time"][k], name.split(".")[-1]) for name in w.columns if name.startswith("element.phi.")
+                    for k in w.inside), default=(0.0, 0.0, ""))
+        if deck["type"] != "ball" and skew[0] > LARGE_SKEW:
+            out.append(("skew", f"element {skew[2]}", skew[1], f"skew {1e3 * skew[0]:.0f} mrad", mode))
         if worst[0] > 0.05:
             out.append(("slip", worst[2], worst[1], f"{worst[3]} {100.0 * worst[0]:.1f} %", mode))
         if loaded:
@@ -177,6 +192,24 @@ def findings(deck, windows, still):
                 out.append(("cage whirl", "cage", w.columns["time"][k], f"radial position {1e6 * w.columns['cage.radial_position.1'][k]:.0f} µm, "
                             f"whirl ratio {w.mean('cage.whirl_ratio.1'):.2f}", mode))
     return out
+
+
+def narrow_windows(program, deck, options, seconds):
+    """Separate check of the finding "skew": mode 0 with a quarter of the pocket clearance, which is what limits skew. @return departure of the
+    contact load from the equilibrium"""
+    sets = motion_sets(deck, "0")
+    sets.update(kPltFreq=STORED[False], kLifeFreq=STORED[False], bPocCls1=0.25 * deck["sets"]["bPocCls1"])
+    motion = Motion(program, deck["path"], f"{deck['folder']}-narrow", sets, options, seconds)
+    try:
+        first = EARLIEST.get(deck["type"], 0.0)
+        motion.extend(first + 1.0)
+        window = motion.window(first, first + 1.0)
+        start = displacement_of(deck["start"])
+        place = [start[k] + window["position"][k] - window.columns[f"race.{axis}.2"][0] for k, axis in enumerate("xyz")]
+        still = phase_mean(program, deck["path"], deck["sets"], deck["sets"]["nRe"], place, OPTIONS)
+        return relative(window["contact_load"], still["contact_load"])
+    finally:
+        motion.remove()
 
 
 def judge(results):
@@ -206,10 +239,15 @@ def play(program, base, seed, number, settings):
         options = {**OPTIONS, **(settings["damping"] if mode in ("0", "free") else {})}
         sets = motion_sets(deck, mode)
         sets.update(kPltFreq=STORED[deck["type"] == "ball"], kLifeFreq=STORED[deck["type"] == "ball"])
-        motion = Motion(program, deck["path"], f"{deck['folder']}-{mode}", sets, options, settings["seconds"])
+        # Rollers in modes 1 and 2, which take most of the time, start from the settled end of mode 0.
+        origin = f"{deck['folder']}-0" if mode in ("1", "2") and deck["type"] != "ball" and "0" in windows else None
+        motion = Motion(program, deck["path"], f"{deck['folder']}-{mode}", sets, options, settings["seconds"], origin)
         start = time.monotonic()
         try:
-            window, settled = motion.settle(longest, shortest, tuple(f"temperature_{k}" for k in TEMPERATURES) if deck["thermal"] else ())
+            window, settled = motion.settle(longest, shortest, tuple(f"temperature_{k}" for k in TEMPERATURES) if deck["thermal"] else (),
+                                            0.0 if origin else EARLIEST.get(deck["type"], 0.0))
+            if mode == "0":
+                deck["race"] = [motion.columns[f"race.{axis}.2"][0] for axis in "xyz"]
             result["settled"][mode] = [window.first, window.last]
             windows[mode], bulk[mode] = window, motion.bulk
             if not settled:
@@ -218,13 +256,29 @@ def play(program, base, seed, number, settings):
             result["failures"].append(f"mode {mode}: {error if error.code != 3 else 'exit 3: ' + str(error)}"[:300])
         finally:
             result["cost"][mode] = round(time.monotonic() - start, 1)
-            if not settings["keep"]:
+            if not settings["keep"] and mode != "0":
                 motion.remove()
+    if not settings["keep"]:
+        shutil.rmtree(f"{deck['folder']}-0", ignore_errors=True)
     try:
         result["differences"] = compare(program, deck, windows, bulk)
         result["findings"] = findings(deck, windows, deck["start"])
     except RunError as error:
         result["failures"].append(f"equilibrium of the window: {error}")
+    result["scatter"] = deck.get("scatter", 0.0)
+    by_load = [d for d in result["differences"] if d[0] in ("load", "contact load", "largest load", "life") and d[3] > LIMITS[d[0]]]
+    if any(f[0] == "skew" for f in result["findings"]):
+        confirmed = None
+        if by_load and deck["cage"] and not deck["thermal"]:
+            before = max(d[3] for d in result["differences"] if d[0] == "contact load")
+            try:
+                after = narrow_windows(program, deck, {**OPTIONS, **settings["damping"]}, settings["seconds"])
+                confirmed = f"with a quarter of the pocket clearance contact loads depart by {100.0 * after:.1f} % instead of {100.0 * before:.1f} %"
+                confirmed = confirmed if after < 0.5 * before else None
+            except RunError:
+                pass
+        result["findings"] = [f for f in result["findings"] if f[0] != "skew"] + [
+            (*f[:3], f"{f[3]}; {confirmed}", f[4]) for f in result["findings"] if f[0] == "skew" and confirmed]
     for quantity, one, other, size, a, b in result["differences"]:
         if size > LIMITS[quantity]:
             amount = f"{size:.2f} K" if quantity == "temperature" else f"{100.0 * size:.1f} %"
@@ -244,26 +298,43 @@ def worst_by_quantity(result):
 
 def table(results, args):
     lines = ["# Modes agree: statics, modes 0, 1, 2 and a free inner race", "",
-             "Written by `tests/hardcases/modes_agree.py PROGRAM --report FILE`, whose head explains the comparison; decks are random "
-             f"(tests/hardcases/catalogue_decks.py, seed {args.seed}).", "",
+             "Random bearings of five types, dry and in oil, a third of them thermal: decks that an engineer would run "
+             "(`tests/hardcases/catalogue_decks.py`). Each runs in modes 0, 1, 2 and with a free inner race until two successive windows have the "
+             "same means; the settled windows are compared with each other and with equilibria of mode -1 (`tests/hardcases/modes_agree.py`, whose "
+             "head has the limits). The preset `modes-agree` runs 300 decks. This table was written by", "",
+             f"    tests/hardcases/modes_agree.py build/release/bin/adore --seed {args.seed} --decks {args.decks} --seconds {args.seconds:g} --jobs 1 "
+             "--report resources/docs/modes-agree.md", "",
+             f"and has the {len(results)} decks that were done." if len(results) < args.decks else "and is complete.", "",
+             "- agree: every difference is within its limit; in brackets the decks whose race heat scatters and agrees within the 95 % interval of its "
+             "means (decision 264)",
+             "- explained: a finding names body, time and quantity, no deck of that type that agrees has it, and a separate check confirms it",
+             "- failed: anything else; rejected decks, exit 3, unfinished runs and motions that do not settle are failures", "",
              "| type | dry or oil | decks | agree | explained | failed |", "|---|---|---:|---:|---:|---:|"]
+
+    def row(name, medium, chosen):
+        counts = collections.Counter(r["verdict"] for r in chosen)
+        scatter = sum(r["verdict"] == "agrees" and r.get("scatter", 0.0) > 0.0 for r in chosen)
+        return (f"| {name} | {medium} | {len(chosen)} | {counts['agrees']}{f' ({scatter})' if scatter else ''} | {counts['explained']} | "
+                f"{counts['failed']} |")
+
     for kind in TYPES:
         for name, oil in (("dry", False), ("oil", True)):
             chosen = [r for r in results if r["type"] == kind and (r["oil"] > 0) == oil]
             if chosen:
-                counts = collections.Counter(r["verdict"] for r in chosen)
-                lines.append(f"| {kind} | {name} | {len(chosen)} | {counts['agrees']} | {counts['explained']} | {counts['failed']} |")
-    counts = collections.Counter(r["verdict"] for r in results)
+                lines.append(row(kind, name, chosen))
     thermal = sum(r["thermal"] for r in results)
-    lines += [f"| all | | {len(results)} | {counts['agrees']} | {counts['explained']} | {counts['failed']} |", "",
-              f"{thermal} of the decks are thermal, {sum(not r['cage'] for r in results)} have no cage.", "",
-              "Decks whose difference is above the limit, by quantity, and the 90 % quantile of the difference over the limit:", "",
-              "| quantity | limit | decks above | 90 % quantile over limit |", "|---|---:|---:|---:|"]
+    lines += [row("all", "", results), "", f"{thermal} of the decks are thermal, {sum(not r['cage'] for r in results)} have no cage.", "",
+              "Largest differences by type (in brackets the number of decks above the limit):", "",
+              "| quantity | limit | " + " | ".join(TYPES) + " |", "|---|---:|" + "---:|" * len(TYPES)]
     for quantity, limit in LIMITS.items():
-        sizes = sorted(w[quantity] for w in map(worst_by_quantity, results) if quantity in w)
-        if sizes:
-            name = f"{limit:g} K" if quantity == "temperature" else f"{100.0 * limit:.0f} %"
-            lines.append(f"| {quantity} | {name} | {sum(x > 1.0 for x in sizes)} | {sizes[min(len(sizes) - 1, int(0.9 * len(sizes)))]:.2f} |")
+        kelvin = quantity == "temperature"
+        cells = []
+        for kind in TYPES:
+            sizes = [limit * w[quantity] for r in results if r["type"] == kind for w in [worst_by_quantity(r)] if quantity in w]
+            above = sum(x > limit for x in sizes)
+            largest = max(sizes, default=None)
+            cells.append("-" if largest is None else (f"{largest:.2f} K" if kelvin else f"{100.0 * largest:.1f} %") + (f" ({above})" if above else ""))
+        lines.append(f"| {quantity} | {f'{limit:g} K' if kelvin else f'{100.0 * limit:.0f} %'} | " + " | ".join(cells) + " |")
     bad = [r for r in results if r["verdict"] != "agrees"]
     if bad:
         lines += ["", "| deck | type | bearing | verdict | differences | findings |", "|---:|---|---|---|---|---|"]

@@ -6,6 +6,9 @@ ends: heat and turns from the ledgers and angles that the run itself integrates,
 *settled* when the means of two successive windows of equal length differ by less than 2 %; the later of the two is the settled window. Its life is the
 harmonic mean over time of the life at the loads of each stored step.
 
+Race heat of rollers whose skew is woken by impacts of their pockets scatters from revolution to revolution for ever (decision 264). Of windows of
+two revolutions and more the standard error of the mean is that of half revolutions; a change of race heat within its 95 % interval is no change.
+
 An equilibrium *at a displacement* is mode -1 with the forces replaced by the displacement (kFS1 to kFS3 = 1); one *at a load* is mode -1 as
 the deck has it. Both are means over the phases of the elements, which a motion passes. Only the program and the files that it writes are used; no package is needed.
 """
@@ -19,6 +22,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import tempfile
 
 SETTLED = 0.02  # largest relative difference between the means of successive windows
 
@@ -61,7 +65,7 @@ def words_of(sets, options):
 
 def equilibrium(program, deck, sets, options=None, seconds=120.0, folder=None):
     """Equilibrium at the load of the deck (mode -1): the summary of RUN.json, SI units, and "tables". @raises RunError"""
-    folder = folder or deck + ".equilibrium"
+    folder = folder or tempfile.mkdtemp(prefix="equilibrium_", dir=os.path.dirname(deck))  # decks of a type run side by side
     words = [program, "run", deck, "--out", folder, "--quiet", "--overwrite"] + words_of({**sets, "mode": -1}, options or {})
     try:
         call(words, seconds)
@@ -121,10 +125,10 @@ def load_of(solution):
 BULK = ("raceTemp1", "raceTemp2", "reTemp", "cageTemp", "hsngTemp", "shftTemp")
 
 class Motion:
-    """A run that is made longer until it has settled."""
+    """A run that is made longer until it has settled. @param origin folder of a run whose FINAL it starts from (kIcOpt = -1)"""
 
-    def __init__(self, program, deck, folder, sets, options=None, seconds=600.0):
-        self.program, self.deck, self.folder = program, deck, folder
+    def __init__(self, program, deck, folder, sets, options=None, seconds=600.0, origin=None):
+        self.program, self.deck, self.folder, self.origin = program, deck, folder, origin
         self.sets, self.options, self.seconds = dict(sets), dict(options or {}), seconds
         self.started = False
         self.messages = ""
@@ -134,6 +138,10 @@ class Motion:
         """Runs or continues until so many revolutions since the start. @raises RunError"""
         words = [self.program, "run", self.deck, "--out", self.folder, "--quiet", "--until", f"{revolutions:g}rev"]
         words += ["--continue"] if self.started else ["--overwrite"]
+        if self.origin and not self.started:
+            os.makedirs(self.folder, exist_ok=True)
+            shutil.copy(os.path.join(self.origin, "FINAL"), self.folder)
+            words += ["--set", "kIcOpt=-1"]
         _, self.messages = call(words + words_of(self.sets, self.options), self.seconds)
         self.started = True
         with open(os.path.join(self.folder, "RUN.json"), encoding="utf-8") as file:
@@ -156,14 +164,15 @@ class Motion:
         """Values between two revolutions since the start."""
         return Window(self.columns, first, last)
 
-    def settle(self, longest, shortest=1.0, also=()):
+    def settle(self, longest, shortest=1.0, also=(), earliest=0.0):
         """Extends the run window by window, at most to `longest` revolutions, until two successive windows of 1, 2 or 4 times `shortest`
-        revolutions have the same means. @param also further keys of window values that have to settle @return window, and whether it has settled"""
-        count = round(longest / shortest)
-        for last in range(2, count + 1):
+        revolutions have the same means. @param also further keys of window values that have to settle
+        @param earliest revolutions that belong to no window @return window, and whether it has settled"""
+        count, begin = round(longest / shortest), round(earliest / shortest)
+        for last in range(begin + 2, count + 1):
             self.extend(last * shortest)
             for length in (1, 2, 4):
-                if 2 * length <= last:
+                if 2 * length <= last - begin:
                     now, before = (self.window((last - k - length) * shortest, (last - k) * shortest) for k in (0, length))
                     if now.change_since(before, also) < SETTLED:
                         return now, True
@@ -189,7 +198,7 @@ class Window:
     MEANS = ("load", "contact_load", "race_heat", "cage_ratio", "orbital_ratio")
 
     def __init__(self, columns, first, last):
-        turns = [abs(angle) / (2.0 * math.pi) for angle in columns["shaft_rotation"]]
+        turns = [abs(angle - columns["shaft_rotation"][0]) / (2.0 * math.pi) for angle in columns["shaft_rotation"]]
         self.columns, self.turns, self.first, self.last = columns, turns, first, last
         self.inside = [k for k, turn in enumerate(turns) if first + 1e-9 < turn <= last + 1e-9]  # a stored step stands for the interval before it
         time = columns["time"]
@@ -218,6 +227,19 @@ class Window:
     def rate(self, name):
         """Change per time of a cumulative channel."""
         return (self.at(name, self.last) - self.at(name, self.first)) / self.span
+
+    PIECE = 0.5  # revolutions
+
+    def standard_error(self, cumulative):
+        """Of the mean rate of a sum of cumulative channels, from pieces of half a revolution; 0 of less than four pieces."""
+        pieces = round((self.last - self.first) / self.PIECE)
+        if pieces < 4:
+            return 0.0
+        ends = [self.first + (self.last - self.first) * k / pieces for k in range(pieces + 1)]
+        totals, times = [sum(self.at(name, turn) for name in cumulative) for turn in ends], [self.at("time", turn) for turn in ends]
+        rates = [(totals[k + 1] - totals[k]) / (times[k + 1] - times[k]) for k in range(pieces)]
+        middle = sum(rates) / pieces
+        return math.sqrt(sum((r - middle) ** 2 for r in rates) / (pieces - 1) / pieces)
 
     def mean(self, name):
         """Time mean: of the means between stored steps, where there are such, else of trapezoids."""
@@ -255,7 +277,9 @@ class Window:
         damage = sum(w / lives[k] if lives[k] > 0.0 else math.nan for k, w in self.weights.items()) / sum(self.weights.values())
         out["life"] = 1.0 / damage if damage > 0.0 else math.inf
         if "energy.heat.1" in self.columns:
-            out["race_heat"] = sum(self.rate(name) for name in self.names(r"energy\.(heat|rolling_heat|flange_heat)\.[12]"))
+            names = self.names(r"energy\.(heat|rolling_heat|flange_heat)\.[12]")
+            out["race_heat"] = sum(map(self.rate, names))
+            out["race_heat_error"] = self.standard_error(names)
         if "cage.rotation.1" in self.columns:
             out["cage_ratio"] = abs(self.rate("cage.rotation.1")) / shaft
         for key, name in (("outer", "race.temperature.1"), ("inner", "race.temperature.2"), ("elements", "power.element_temperature"),
@@ -274,8 +298,19 @@ class Window:
             if key.startswith("temperature"):
                 worst = max(worst, abs(now - then) / 50.0)
             elif max(abs(now), abs(then)) > 0.0:
-                worst = max(worst, abs(now - then) / max(abs(now), abs(then)))
+                change = abs(now - then)
+                if key == "race_heat" and change <= interval(self, before):
+                    continue
+                worst = max(worst, change / max(abs(now), abs(then)))
         return worst
+
+
+STUDENT = 2.45  # 95 %, of the difference of two means of four pieces each (6 degrees of freedom)
+
+
+def interval(one, other):
+    """Half width of the 95 % interval of the difference of race heat of two windows [W]."""
+    return STUDENT * math.hypot(one.get("race_heat_error") or 0.0, other.get("race_heat_error") or 0.0)
 
 
 def with_suffix(name, suffix):

@@ -132,6 +132,43 @@ TEST_CASE("balance of friction is the same in modes 0 and 1, and stays out where
   for (const double skew : suppressed) CHECK(std::abs(skew) < 1e-14);
 }
 
+TEST_CASE("start: an element pressed into its races → excess energy is judged",
+          "[physics][facade]") {
+  for (const char* type : {"ball", "cylindrical"}) {
+    INFO(type);
+    const facade::Prepared ready = prepared(type, {});
+    dynamics::System system = facade::make_system(ready);
+    std::vector<double> y = facade::start_state(ready, system).y;
+    system.set_start(0.0, y);
+    CHECK(facade::judge_start_energy(ready, system, y).text.empty());
+    double& r = y[static_cast<std::size_t>(slice(system, "element.r").first)];
+    const double rest = r;
+    r = rest + (ready.roller_scene ? 4e-6 : 1e-5);
+    const facade::StartJudgement warned = facade::judge_start_energy(ready, system, y);
+    CHECK(warned.severity == Severity::Warning);
+    CHECK(warned.text.find("start: excess energy") == 0);
+    r = rest + 1e-4;
+    CHECK_THROWS_WITH(facade::judge_start_energy(ready, system, y),
+                      Catch::Contains("start: excess energy"));
+  }
+}
+
+TEST_CASE("an orbit in a deck of mode -1 → listed without part, and noted", "[unit][facade]") {
+  facade::LoadedDeck input;
+  input.path = facade::kStandardInput;
+  input.deck = deck::new_deck("ball");
+  input.deck.set_all(Sets{{"kRotFrame", "1"}});
+  input.deck.set_all(Sets{{"brgOrbitRad", "0.1"}, {"brgAngVel", "2000"}});
+  input.deck.set_all(Sets{{"mode", "-1"}});
+  const facade::Prepared ready = facade::prepare(std::move(input));
+  std::string listed, noted;
+  for (const deck::NoPart& value : ready.no_part) listed += value.variable + " ";
+  for (const Issue& issue : ready.input.warnings) noted += issue.text();
+  CHECK(listed.find("brgAngVel") != std::string::npos);
+  CHECK(listed.find("brgOrbitRad") != std::string::npos);
+  CHECK(noted.find("kRotFrame = 1") != std::string::npos);
+}
+
 TEST_CASE("rollers without a balance of friction start as they are, and a remark says so",
           "[physics][facade][rollers]") {
   const facade::Prepared ready = prepared("spherical", {});
