@@ -28,8 +28,6 @@ using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
 constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
-/// Largest gyroscopic slip over rolling speed at which a ball keeps the axis of its spin rule.
-constexpr double kLargestTurn = 0.2;
 
 /// The root of an increasing function between two bounds by regula falsi with halving (Illinois).
 template <class F>
@@ -58,7 +56,7 @@ double root_between(const F& f, double low, double high) {
 
 /// Traction of an ellipse that creeps freely.
 tribology::EllipseTraction free_traction(const tribology::TractionLaw& law,
-                                         const EllipseGeometry& g, EllipseKinematics& m,
+                                         const EllipseGeometry& g, EllipseKinematics m,
                                          const tribology::EllipseRule& rule) {
   // u_t of a surface point is u + range; no creep beyond it leaves force in one direction only.
   const double middle = m.W_c * g.height(0.0), edge = m.W_c * g.height(g.a);
@@ -72,46 +70,6 @@ tribology::EllipseTraction free_traction(const tribology::TractionLaw& law,
       },
       low, high);
   return tribology::ellipse_traction(law, g, m, rule);
-}
-
-/// One loaded contact of a ball.
-struct BallContact {
-  std::size_t race = 0;
-  tribology::TractionLaw law;
-  EllipseGeometry surface;
-  EllipseKinematics motion;
-  tribology::FilmContact film;
-};
-
-/// Turn of a ball about the direction of its orbit whose friction carries the gyroscopic moment:
-/// Σ M_t(W_t) = |M_g|, with the creep of each contact free.
-/// @returns false, without a turn, when friction carries less even at `fastest`: the ball's axis
-/// does not keep its direction then
-bool turn_against_friction(std::vector<BallContact>& contacts, double moment, double fastest,
-                           const tribology::EllipseRule& rule) {
-  constexpr int kPasses = 4;
-  constexpr double kSettled = 1e-3;
-  const auto carried = [&](double turn) {
-    double sum = 0.0;
-    for (BallContact& c : contacts) {
-      c.motion.W_t = turn;
-      sum += tribology::ellipse_traction(c.law, c.surface, c.motion, rule).M_t;
-    }
-    return sum;
-  };
-  double turn = 0.0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const double before = turn;
-    turn = root_between([&](double w) { return carried(w) - moment; }, 0.0, fastest);
-    const bool held = turn < fastest;
-    for (BallContact& c : contacts) {
-      c.motion.W_t = held ? turn : 0.0;
-      (void)free_traction(c.law, c.surface, c.motion, rule);
-    }
-    if (!held) return false;
-    if (std::abs(turn - before) <= kSettled * turn) break;
-  }
-  return true;
 }
 
 /// Does the film alone carry the traction of a contact (no metal contact)?
@@ -315,14 +273,12 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
   const double race_speed =
       0.5 * balls.pitch_diameter * std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
   double orbit = 0.0, spin = 0.0;
-  std::vector<std::size_t> turned;  ///< balls whose gyroscopic moment no friction carries
   for (const StaticBall& ball : solution.balls) {
     const auto share = 1.0 / static_cast<double>(solution.balls.size());
     orbit += share * ball.orbital_speed;
     spin += share * std::hypot(ball.omega_x - bearing.speed[0], ball.omega_r);
-    std::vector<BallContact> contacts;
     for (std::size_t j = 0; j < 2; ++j) {
-      out.race[j].emplace_back();
+      FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
       const double alpha = ball.alpha[j];
       const double groove = 2.0 * balls.groove_factor[j] * R;
@@ -338,36 +294,19 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       m.W_c = -W_x * n_r + W_r * n_x;
       const tribology::FilmContact film = film_of(bearing, ball, j);
       m.entrainment = film.speed;
-      contacts.push_back(
-          {j, oil.law(j, false, film.radius, ball.b[j] / ball.p_max[j], race_speed), g, m, film});
-      (void)free_traction(contacts.back().law, g, contacts.back().motion, rule);
-    }
-    const double moment = std::abs(ball.gyroscopic_moment);
-    if (!contacts.empty() && moment > 0.0 &&
-        !turn_against_friction(contacts, moment, kLargestTurn * std::abs(ball.spin_speed), rule))
-      turned.push_back(out.race[0].size());
-    for (BallContact& c : contacts) {
-      FrictionOfContact& one = out.race[c.race].back();
-      const tribology::EllipseTraction traction =
-          tribology::ellipse_traction(c.law, c.surface, c.motion, rule);
+      const tribology::TractionLaw law =
+          oil.law(j, false, film.radius, ball.b[j] / ball.p_max[j], race_speed);
+      const tribology::EllipseTraction traction = free_traction(law, g, m, rule);
+      const double all = traction.heat;
       one.load_slip = traction.load_slip;
-      one.of_oil = is_film(c.law, c.film);
-      EllipseGeometry flat = c.surface;
+      one.of_oil = is_film(law, film);
+      EllipseGeometry flat = g;
       flat.rho = 0.0;
-      EllipseKinematics spin_alone = c.motion;
-      spin_alone.W_t = 0.0;
-      one.spin = std::min(free_traction(c.law, flat, spin_alone, rule).heat, traction.heat);
-      one.sliding = traction.heat - one.spin;
-      one.rolling = oil.rolling(c.race, c.film, 0.0);
+      one.spin = std::min(free_traction(law, flat, m, rule).heat, all);
+      one.sliding = all - one.spin;
+      one.rolling = oil.rolling(j, film, 0.0);
     }
   }
-  if (!turned.empty())
-    out.notes.push_back(fmt::format(
-        "gyroscopic moment of {} balls (the first: {}): friction carries it only at a slip above "
-        "{:.0f} % of the rolling speed, which changes the axis of these balls. Heat of that slip "
-        "is "
-        "not computed; use mode 0 or 1",
-        turned.size(), turned.front(), 100.0 * kLargestTurn));
   add_drag(bearing, orbit, spin, out);
   return out;
 }
@@ -443,9 +382,8 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       if (!(g.rho > g.a)) g.rho = 0.0;
       const auto heat_of = [&](const EllipseGeometry& surface) {
         if (!line) {
-          EllipseKinematics motion = m;
           const tribology::EllipseTraction traction =
-              free_traction(law, surface, motion, tribology::make_split_ellipse_rule(30, 8));
+              free_traction(law, surface, m, tribology::make_split_ellipse_rule(30, 8));
           one.load_slip = traction.load_slip;
           return traction.heat;
         }

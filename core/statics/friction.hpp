@@ -17,12 +17,6 @@
 /// acts with the deck's traction law; u is the creep for which the contact carries no force along
 /// the rolling direction, ∫ τ_t dA = 0, as a freely rolling element does. Heat = ∫ τ u dA. Its part
 /// `spin` is that of W_n alone (curvature left out), the rest `sliding`.
-/// Balls: their gyroscopic moment M_g turns them about e_θ until friction carries it,
-///   Σ_j M_t,j = M_g at the slip u_c = W_t h of both races, as in motion and by the same law.
-/// Limits: W_t up to 0.2 of the rolling speed; beyond, the ball leaves the axis of its spin rule, and
-/// a note says that this slip is not computed (decision 826). Contact loads have the share of M_g
-/// that kAngVel gives each race.
-///
 /// Oil in the inlet resists rolling and takes 2 F u (tribology/laws/rolling_resistance.hpp: the law
 /// of motion, too).
 /// Films have the law and the limiting stress of motion (tribology/film_law.hpp).
