@@ -1,5 +1,6 @@
 #include "calculators/calculator_description.hpp"
 
+#include "base/counted.hpp"
 #include "base/json_text.hpp"
 #include "calculators/calculator_schema.hpp"
 
@@ -92,8 +93,9 @@ std::string allowed_text(const SchemaInput& input) {
   std::string out = input.value_text();
   if (out.starts_with("a ")) out.erase(0, 2);
   if (!input.length.is_null())
-    out += fmt::format(", {} values", input.length.is_string() ? input.length.get<std::string>()
-                                                               : dump_json(input.length));
+    out += ", " + counted(input.length.is_string() ? input.length.get<std::string>()
+                                                   : dump_json(input.length),
+                          "value");
   return out;
 }
 

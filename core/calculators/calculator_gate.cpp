@@ -1,5 +1,6 @@
 #include "calculators/calculator_gate.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "calculators/calculator_schema.hpp"
@@ -294,7 +295,7 @@ class InputCheck {
     if (static_cast<double>(list.size()) == wanted) return;
     Issue issue;
     issue.variable = shown;
-    issue.message = fmt::format("the list has {} values", list.size());
+    issue.message = "the list has " + counted(list.size(), "value");
     issue.remedy = fmt::format("give {}{}", wanted, of);
     issues_.push_back(std::move(issue));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/rotation.hpp"
 #include "bearing/bearing.hpp"
@@ -67,9 +68,9 @@ inline void require(bool condition, const std::string& text) {
 inline void require_elements_fit(int count, double diameter, double pitch_diameter) {
   const double chord = pitch_diameter * std::sin(kPi / std::max(count, 2));
   require(diameter <= chord * (1.0 + 1e-9),
-          fmt::format("{} elements of diameter {:.4g} do not fit on the pitch diameter {:.4g}: at "
+          fmt::format("{} of diameter {:.4g} do not fit on the pitch diameter {:.4g}: at "
                       "most {:.4g} each; enter fewer or smaller elements",
-                      count, diameter, pitch_diameter, chord));
+                      counted(count, "element"), diameter, pitch_diameter, chord));
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {
   return the_case.value("kind", std::string());

@@ -130,7 +130,7 @@ TEST_CASE("Slurm state with an option in place of the job → no such word reach
   }
 }
 
-TEST_CASE("--continue over a plot file that lost steps, or was changed → exit 2, file named",
+TEST_CASE("continue: over a plot file that lost steps, or was changed → exit 2, file named",
           "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
