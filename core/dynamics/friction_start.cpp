@@ -274,10 +274,13 @@ double balance_race(System& system, std::vector<double>& y, const Mat3& stiffnes
   const Mat3 inverse = K.inverse();
   constexpr int kSteps = 6;
   constexpr double kBalancedRace = 1e-6;  ///< of the force scale
-  std::vector<double> dydt(y.size());
+  std::vector<double> dydt(y.size()), before;
   double left = 0.0;
   for (int n = 0; n <= kSteps; ++n) {
-    if (system.rhs(0.0, y.data(), dydt.data()) != RhsStatus::Ok) return left;
+    if (system.rhs(0.0, y.data(), dydt.data()) != RhsStatus::Ok) {
+      if (n > 0) y = before;
+      return left;
+    }
     Vec3 residual = Vec3::Zero();
     if (centre != nullptr)
       residual = system.balanced_race().asked - system.balanced_race().carried;
@@ -286,9 +289,13 @@ double balance_race(System& system, std::vector<double>& y, const Mat3& stiffnes
     for (int k = 0; k < 3; ++k)
       if (!free[static_cast<std::size_t>(k)]) residual[k] = 0.0;
     const double now = residual.norm() / system.scales().force;
-    if (n > 0 && now > left) return left;  // friction that jumps with the slip
+    if (n > 0 && now > left) {  // friction that jumps with the slip
+      y = before;
+      return left;
+    }
     left = now;
     if (left < kBalancedRace || n == kSteps) return left;
+    before = y;
     store_at(y.data(), *place, Vec3(vector_at(y.data(), *place) + inverse * residual));
     (void)balance_friction(system, y);
   }

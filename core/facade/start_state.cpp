@@ -51,6 +51,23 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
   return out;
 }
 
+namespace {
+
+std::string free_directions(const scene::ScenePlan& plan) {
+  std::string names;
+  if (const auto& race = plan.race_motions.free[1])
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!race->translation_held[k])
+        names += fmt::format("{}kFD{}2 = 0", names.empty() ? "" : ", ", k + 1);
+  return names.empty()
+             ? names
+             : ", and whether its loads can balance the inner race in its free directions "
+               "(" +
+                   names + ")";
+}
+
+}  // namespace
+
 StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
                                   const std::vector<double>& y) {
   if (prepared.plan.suppressed.of_elements()) return {};
@@ -65,8 +82,9 @@ StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& sy
       start.excess, 100.0 * start.ratio(), start.elastic);
   if (start.ratio() > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": contact loads are those of an impact. Check the clearances, "
-                      "displacements and free directions of the races");
+                      ": contact loads are those of an impact. Check the clearances and "
+                      "displacements of the races" +
+                      free_directions(prepared.plan));
   return {text + ": loads of the first revolutions contain a vibration", Severity::Warning};
 }
 

@@ -8,7 +8,7 @@ chosen greedily until every pair of levels that the records allow stands in one,
 from the example deck of its type and runs T turns of the shaft. Its outcome is one of
 - ran: exit 0, every step finite, energy residual below 1e-4 of the energy moved (or, where next to nothing is moved, as by a
   race that coasts, below 1e-6 of the elastic energy of the static solution),
-- refused: exit 2 with a sentence; sentences are grouped with their numbers taken out,
+- refused: exit 2 with a sentence, or exit 3 for a start that is no equilibrium; sentences are grouped with their numbers taken out,
 - FAILED: anything else: a crash, a hang, exit 1 or 3, a residual above the bound.
 Writes the table of outcomes as Markdown; exit code 1 when anything failed or fewer than 90 % of the rows ran.
 """
@@ -282,7 +282,7 @@ def run_deck(command, folder, keep, limit=LONGEST_RUN):
     try:
         if done.returncode == -signal.SIGXCPU:
             return "FAILED", f"no end in {seconds} s of processor time"
-        if done.returncode == 2:
+        if done.returncode == 2 or (done.returncode == 3 and "start: excess energy" in done.stderr):
             return "refused", done.stderr
         if done.returncode != 0:
             return "FAILED", f"exit {done.returncode}: {sentence(done.stderr)}"

@@ -181,7 +181,7 @@ TEST_CASE("thermal steps may begin in oil too thick for a film, but not in a gla
     // It warms: the temperatures settle, the energy closes. Windows are 1/90 of the passing of an
     // element, so that the mean heat is followed slowly (decision 812).
     const testing::Ran ran = testing::run_deck(
-        deck_of(type, with(warmed, {{"maxStps", "300"}, {"nStps", "10"}})), folder / type);
+        deck_of(type, with(warmed, {{"maxStps", "600"}, {"nStps", "10"}})), folder / type);
     INFO(ran.outcome.message);
     CHECK(ran.outcome.status == facade::RunStatus::Done);
     CHECK(ran.print.find("temperatures settled at thermal step") != std::string::npos);
