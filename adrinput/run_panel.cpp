@@ -346,7 +346,7 @@ void RunPanel::showListing() {
   bytes.truncate(static_cast<qsizetype>(file.gcount()));
   QString text = QString::fromUtf8(bytes).replace(QChar('\f'), QChar('\n'));
   if (file && file.peek() != std::char_traits<char>::eof())
-    text += tr("\n… the listing goes on in %1").arg(name);
+    text += tr("\n… continued in %1").arg(name);
   auto* window = new QDialog(this);
   window->setObjectName("listing-window");
   desktop::delete_when_done(*window);

@@ -580,7 +580,10 @@ NewEquilibrium judge_start(const MovingScene& scene, double t, std::span<const d
   double elastic = 0.0;
   const std::optional<double> excess = departure_energy(at, y, rest->race, elastic);
   out.elastic = std::max(elastic, energy_floor(scene.system));
-  if (excess) out.excess = std::max(0.0, *excess);
+  if (excess)
+    out.excess = std::max(0.0, *excess);
+  else
+    out.why_not = "the energy of the start cannot be evaluated";
   return out;
 }
 

@@ -89,7 +89,8 @@ struct LawRanges::Impl {
   life::HeaviestContacts peaks{};  ///< of all instants
   std::array<double, 2> peak_time{kNoBound, kNoBound};
   CoefficientUse use;
-  std::vector<validity::Finding> earlier;  ///< of the motion that this one continues
+  /// Of other watches and of the motion that this one continues.
+  std::vector<validity::Finding> others;
   double given_largest = 0.0, given_time = kNoBound;
   std::string given_body;
 
@@ -430,7 +431,7 @@ std::vector<validity::Finding> LawRanges::findings() const {
     one.detail = fmt::format("{:.2g} % of load x slip above it", 100.0 * above / use.slip_power);
     out.push_back(std::move(one));
   }
-  for (const validity::Finding& before : impl_->earlier) {
+  for (const validity::Finding& before : impl_->others) {
     const auto same = std::find_if(out.begin(), out.end(), [&](const validity::Finding& found) {
       return found.range == before.range;
     });
@@ -441,6 +442,8 @@ std::vector<validity::Finding> LawRanges::findings() const {
   }
   return out;
 }
+
+void LawRanges::add(const validity::Finding& finding) { impl_->others.push_back(finding); }
 
 void LawRanges::restore(const nlohmann::json& outside_validity) {
   for (const nlohmann::json& one : outside_validity) {
@@ -453,13 +456,13 @@ void LawRanges::restore(const nlohmann::json& outside_validity) {
     const auto range =
         std::find_if(known.begin(), known.end(), [&](const Range& r) { return r.id == id; });
     if (range == known.end() || std::isnan(number("time_s"))) continue;
-    impl_->earlier.push_back({&*range,
-                              number("value_si"),
-                              {number("least_si"), number("most_si")},
-                              one.at("body"),
-                              number("time_s"),
-                              1,
-                              {}});
+    impl_->others.push_back({&*range,
+                             number("value_si"),
+                             {number("least_si"), number("most_si")},
+                             one.at("body"),
+                             number("time_s"),
+                             1,
+                             {}});
   }
 }
 

@@ -42,6 +42,8 @@ class LawRanges {
   /// Load of ISO 281.
   void look(const life::BearingLife& life);
 
+  /// A finding of another watch, for the same list.
+  void add(const validity::Finding& finding);
   /// Findings of the motion that this one continues, as RUN.json has them.
   void restore(const nlohmann::json& outside_validity);
 
@@ -56,7 +58,7 @@ class LawRanges {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Findings without those of the ranges that more detailed remarks describe.
+/// Removes findings of the ranges `described`, for which there are more detailed remarks.
 [[nodiscard]] std::vector<validity::Finding> without(
     std::vector<validity::Finding> findings, std::initializer_list<std::string_view> described);
 /// Why the results are not trusted: a finding of that grade; empty: none.

@@ -32,7 +32,7 @@ class RunFiles {
     return place_.path / name;
   }
   [[nodiscard]] const WriteFolder& folder() const;
-  /// Where the file is written.
+  /// Place of an output file of this name.
   [[nodiscard]] WritePath place(const std::string& name) const { return {folder(), name}; }
   /// What this run will write, and what it reads.
   [[nodiscard]] Outputs outputs() const;

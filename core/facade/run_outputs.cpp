@@ -612,9 +612,10 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
+  if (const auto yields = s.watch.cage_yield()) s.ranges.add(*yields);
   const std::vector<validity::Finding> left = s.ranges.findings();
   for (const auto& [severity, text] :
-       validity::remarks(without(left, {"hertz.shoulder", "hertz.yield"})))
+       validity::remarks(without(left, {"hertz.shoulder", "hertz.yield", "cage.yield"})))
     s.remark(text, severity);
   if (const std::string text = s.ranges.given_coefficient(); !text.empty()) s.remark(text);
   s.files.written.push_back(s.path(s.control.final_file));
@@ -681,7 +682,6 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.thermal_network = s.network;
   std::vector<validity::Finding> all_left = s.prepared.left_ranges;
   all_left.insert(all_left.end(), left.begin(), left.end());
-  if (const auto yields = s.watch.cage_yield()) all_left.push_back(*yields);
   if (!all_left.empty()) run.validity = validity_json(all_left);
   s.close(run, run_life);
 }

@@ -82,7 +82,7 @@ StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& sy
       start.excess, 100.0 * start.ratio(), start.elastic);
   if (start.ratio() > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": contact loads are those of an impact. Check the clearances and "
+                      ": the contacts start with an impact. Check the clearances and "
                       "displacements of the races" +
                       free_directions(prepared.plan));
   return {text + ": loads of the first revolutions contain a vibration", Severity::Warning};

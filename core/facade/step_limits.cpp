@@ -119,7 +119,7 @@ class Judge {
     for (std::size_t b = 0; b < request_.bands.size(); ++b) {
       const VibrationBand& band = request_.bands[b];
       const auto peak = curves_[b].largest(order_, h * band.lowest, h * band.highest);
-      // Shorter steps than those of the curve cannot raise the growth per time.
+      // Below the first phase of the curve the growth per time is at most that of its first point.
       const double per_turn = peak.value * time_ / std::max(h, kLowestPhase / band.highest);
       if (per_turn > out.per_turn)
         out = {per_turn, std::clamp(peak.phase / h, band.lowest, band.highest), b};

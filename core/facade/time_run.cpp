@@ -153,7 +153,7 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
     parts_.outputs.remark(fmt::format(
         "thermal analysis: aveTime = {:.3g} ms is shorter than the passing of one element ({:.3g} "
         "ms), so the heat of a thermal step fluctuates. Temperatures of the bearing follow its "
-        "mean; printed networks are those of single steps",
+        "mean. Each printed network shows one thermal step",
         1e3 * done.window, 1e3 * done.passing));
   if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
       !grown_) {
