@@ -1,5 +1,6 @@
 #include "facade/changed_equilibrium.hpp"
 
+#include "facade/continued_deck.hpp"
 #include "facade/kept_races.hpp"
 #include "facade/ring_growth.hpp"
 #include "facade/thermal_run.hpp"
@@ -49,11 +50,9 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
 StoredScene stored_scene(const results::FinalState& stored,
                          const std::map<std::string, double>& thermal, const Prepared& now,
                          const std::filesystem::path& file) {
-  deck::ReadResult read = deck::read_deck_text(stored.deck, file.string());
-  if (!read.ok()) throw InputError(std::move(read.issues));
   LoadedDeck input;
   input.path = file;
-  input.deck = std::move(read.deck);
+  input.deck = deck_in(stored.deck, file);
   input.deck.set("kStif", "0");
   input.option_values = now.input.option_values;
   input.user = now.input.user;

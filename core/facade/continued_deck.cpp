@@ -62,9 +62,19 @@ Issue note(const std::filesystem::path& file, std::string message) {
 
 }  // namespace
 
+deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file) {
+  // Not under the name of the file, which the deck may give as finName or masName.
+  deck::ReadResult read = deck::read_deck_text(stored, file.string() + " (its deck)");
+  if (!read.ok())
+    throw InputError(
+        fmt::format("{}: the deck in this file has errors, so the file is damaged; take the file "
+                    "of an earlier run, or start from statics (kIcOpt = 0)\n{}",
+                    file.string(), to_text(read.issues)));
+  return std::move(read.deck);
+}
+
 bool acts_on_bearing(const std::string& stored, const deck::Deck& now, setup::StartState start) {
-  const deck::ReadResult read = deck::read_deck_text(stored, "");
-  const auto differences = deck::differences(read.deck, now);
+  const auto differences = deck::differences(deck_in(stored, {}), now);
   return std::any_of(differences.begin(), differences.end(), [&](const deck::Difference& d) {
     const bool output =
         is_one_of(d.record, {"12", "2.1", "3.1"}) ||
@@ -81,16 +91,11 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
     return {note(file,
                  "the file does not hold the deck of its run: whether this deck fits it "
                  "cannot be said beyond the number of elements and the cage")};
-  deck::ReadResult read = deck::read_deck_text(stored, file.string());
-  if (!read.ok())
-    throw InputError(
-        fmt::format("{}: the file is damaged: the deck in it does not read; take the "
-                    "file of an earlier run, or start from statics (kIcOpt = 0)",
-                    file.string()));
+  const deck::Deck before = deck_in(stored, file);
   const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;
   std::string accepted, idle;
-  for (const deck::Difference& d : deck::differences(read.deck, now)) {
+  for (const deck::Difference& d : deck::differences(before, now)) {
     if (d.label || d.record == "12") continue;
     const Change kind = kind_of(d.record, d.variable, continues);
     switch (kind) {

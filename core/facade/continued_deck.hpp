@@ -11,6 +11,11 @@
 /// A run that starts from the files of another one, under a deck that may have changed since.
 namespace adore::facade {
 
+/// The deck that FINAL or MASTER holds.
+/// @param file named in the message
+/// @throws InputError when it has errors, with each of them
+[[nodiscard]] deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file);
+
 /// Compares the deck stored in `file` (FINAL or MASTER) with the one to be run now. Loads, speeds,
 /// temperatures, friction, steps and output may change; a continued run (StartState::Continue)
 /// keeps the bearing itself, because its state, files and sums are of that bearing. What every

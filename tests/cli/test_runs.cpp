@@ -175,6 +175,13 @@ TEST_CASE("a run goes on under changed loads and speeds and says so, and with no
   const Result smaller = run("--set kIcOpt=-1 --set cageGsCls[2]=2.5e-4 --set rpm2=9000");
   CHECK(smaller.code == 0);
   CHECK(contains(smaller.out, "starts under a changed deck"));
+
+  // Record 2.3 of the stored deck names the file that holds it.
+  for (const char* keeps_files : {"--set kFnOpt=1 --overwrite", "--set kIcOpt=-1 --overwrite"}) {
+    const Result stored = run(keeps_files);
+    INFO(stored.out);
+    CHECK(stored.code == 0);
+  }
 }
 
 TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked for", "[cli]") {
