@@ -61,7 +61,9 @@ std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_vi
     return real(
         name(stem), kPure, kNotNegative,
         keep(fmt::format("{} exponent of the {} model, {}.{}", what, model, part,
-                         what == "Depth" ? "" : " 0 takes the built-in exponents of the model.")));
+                         what == "Depth"
+                             ? " 0 beside a shear stress exponent of 0 takes the built-in one."
+                             : " 0 takes the built-in one.")));
   };
   constexpr std::string_view kLp = "updated Lundberg-Palmgren";
   constexpr std::string_view kGz = "Gupta-Zaretsky";

@@ -28,11 +28,12 @@ ModelParameters model_parameters(const LifeModelInput& input, const Marked& stre
                                  const Marked& depth) {
   ModelParameters out;
   out.factor = given_or(input.factor, {1.0, "default"});
-  // A zero stress exponent is a record left blank: no model has it.
+  // No model has a stress exponent of 0: it stands for the built-in one. A depth exponent of 0 has
+  // a meaning, so it stands for the built-in one only beside it.
   const bool blank = !input.stress_exponent || *input.stress_exponent == 0.0;
   out.stress_exponent = blank ? stress : Marked{*input.stress_exponent, "deck"};
-  out.depth_exponent =
-      blank || !input.depth_exponent ? depth : Marked{*input.depth_exponent, "deck"};
+  const bool own_depth = input.depth_exponent && (!blank || *input.depth_exponent != 0.0);
+  out.depth_exponent = own_depth ? Marked{*input.depth_exponent, "deck"} : depth;
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "setup/check_pockets.hpp"
 
+#include "contact/roller_pocket_play.hpp"
+#include "contact/roller_shape.hpp"
 #include "setup/deck_text.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +9,9 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace adore::setup {
@@ -26,6 +30,7 @@ class PocketCheck {
     of_ = random_ ? fmt::format(" of pocket {} (drawn at random)", pocket + 1) : std::string();
     room(own);
     if (deck_.integer("mode") < 0) return;
+    if (issues_.empty()) play(pocket, own);
     if (cage_.pocket_faces.empty()) wall(own);
     place(own);
   }
@@ -39,17 +44,16 @@ class PocketCheck {
     return deck.has("bPocClsVar1") && deck.integer("kCagePocImp") == 3;
   }
 
-  void error(const std::string& variable, std::string message, std::string remedy) {
+  void error(const std::string& variable, std::string message, std::string remedy,
+             int instance = 1) {
     if (!named_.insert(variable).second) return;  // of the first pocket that shows it
-    issues_.push_back(
-        deck_.issue(Severity::Error, variable, std::move(message) + of_, std::move(remedy)));
+    issues_.push_back(deck_.issue(Severity::Error, variable, std::move(message) + of_,
+                                  std::move(remedy), instance));
   }
 
   void room(const PocketDeviation& own) {
     opening("1", cage_.pocket_clearance_1 + own.clearance[0]);
-    // Of the pockets of balls that have one.
-    if (bearing_.rollers() == nullptr && deck_.integer("kPocType") >= 2)
-      opening("2", cage_.pocket_clearance_2 + own.clearance[1]);
+    if (has_second_clearance()) opening("2", cage_.pocket_clearance_2 + own.clearance[1]);
   }
 
   /// @param which of clearance I and II
@@ -72,6 +76,80 @@ class PocketCheck {
               ? std::string("put the guide faces beside the roller, at about half its diameter")
               : fmt::format("give a clearance between {} and {}, best above 0",
                             length_text(deck_, -D), length_text(deck_, pitch - D)));
+  }
+
+  /// A pocket without play presses its element from both sides for good. A cone is exempt: it
+  /// carries its ball by an opening that is smaller than the ball.
+  void play(std::size_t k, const PocketDeviation& own) {
+    if (cage_.pocket == bearing::PocketShape::Conical) return;
+    for (std::size_t i = 0; i < (has_second_clearance() ? 2U : 1U); ++i) {
+      const double left = play_of(k, i) + own.clearance[i];
+      if (left >= 0.0) continue;
+      const auto [variable, instance] = cause(k, i, own.clearance[i]);
+      error(variable,
+            fmt::format("makes the pocket of element {} narrower than the element, by {}", k + 1,
+                        length_text(deck_, -left)),
+            "leave a play of at least 0", instance);
+    }
+  }
+
+  [[nodiscard]] bool has_second_clearance() const {
+    return bearing_.rollers() == nullptr && deck_.integer("kPocType") >= 2;
+  }
+
+  /// Of element k in the pocket that all have in common.
+  [[nodiscard]] double play_of(std::size_t k, std::size_t i) const {
+    const bearing::RollerGeometry* rollers = bearing_.rollers();
+    if (!cage_.pocket_faces.empty())
+      return contact::roller_pocket_play(
+          cage_.pocket_faces, contact::roller_profile(*rollers, rollers->deviation_of(k)));
+    const std::vector<double>& balls = bearing_.imperfections.ball_diameter;
+    const double larger = rollers != nullptr ? rollers->deviation_of(k).diameter
+                          : k < balls.size() ? balls[k]
+                                             : 0.0;
+    return common_play(i) - larger;
+  }
+
+  /// Between the common pocket and an element without deviations.
+  [[nodiscard]] double common_play(std::size_t i) const {
+    return i == 0 ? cage_.pocket_clearance_1 : cage_.pocket_clearance_2;
+  }
+
+  /// The variable without which there is play, and the instance of its record.
+  [[nodiscard]] std::pair<std::string, int> cause(std::size_t k, std::size_t i, double own) const {
+    const std::string n = fmt::format("{}", i + 1);
+    const double of_all = deck_.has("bPocClsVar" + n) && deck_.integer("kCagePocImp") == 2
+                              ? deck_.si("bPocClsVar" + n)
+                              : 0.0;
+    if (common_play(i) - of_all < 0.0)
+      return cage_.pocket_faces.empty() ? std::pair{"bPocCls" + n, 1} : cause_of_face();
+    if (common_play(i) < 0.0) return {"bPocClsVar" + n, 1};
+    if (play_of(k, i) < 0.0 || own >= 0.0) {
+      const std::string each = fmt::format("reDiaVar{}", k + 1);
+      return {deck_.has("reDiaVar") ? "reDiaVar" : deck_.has(each) ? each : "kReGeoImp", 1};
+    }
+    return {deck_.has("bPocClsVar" + n) ? "bPocClsVar" + n : "kCagePocImp", 1};
+  }
+
+  [[nodiscard]] std::pair<std::string, int> cause_of_face() const {
+    const auto roller = contact::roller_profile(*bearing_.rollers());
+    for (std::size_t f = 0; f < cage_.pocket_faces.size(); ++f) {
+      const auto play_with = [&](const bearing::RollerPocketFace& face) {
+        return contact::roller_pocket_play(std::span(&face, 1), roller);
+      };
+      bearing::RollerPocketFace face = cage_.pocket_faces[f];
+      // A face beside the ends of the roller touches nothing.
+      if (std::abs(face.centre[0]) - 0.5 * face.length > 0.5 * roller.length) continue;
+      if (play_with(face) >= 0.0) continue;
+      for (int a = 0; a < 3; ++a) {
+        face = cage_.pocket_faces[f];
+        face.angles[a] = 0.0;
+        if (play_with(face) >= 0.0)
+          return {fmt::format("bPocGsAng{}", a + 1), static_cast<int>(f) + 1};
+      }
+      return {"bPocGsCen2", static_cast<int>(f) + 1};
+    }
+    return {"bPocGsCen2", 1};
   }
 
   void wall(const PocketDeviation& own) {
@@ -115,10 +193,7 @@ class PocketCheck {
 void check_pockets(const Deck& deck, const bearing::Bearing& bearing) {
   const deck::ReportOnly quiet(deck);
   PocketCheck check(deck, bearing);
-  const std::size_t pockets = bearing.cage->pocket_deviation.size();
-  // Behind those with a deviation of their own all are alike.
-  for (std::size_t k = 0; k < pockets + 1 && k < static_cast<std::size_t>(bearing.element_count());
-       ++k)
+  for (std::size_t k = 0; k < static_cast<std::size_t>(bearing.element_count()); ++k)
     check.look_at(k);
   check.finish();
 }

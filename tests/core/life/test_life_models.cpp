@@ -287,11 +287,22 @@ TEST_CASE("multipliers, exponents and slopes of the records act as they say", "[
   CHECK(ratio(LifeModel::Zaretsky, 2) == Approx(std::pow(0.8, 10.8)).epsilon(1e-12));
   CHECK(ratio(LifeModel::Harris, 0) == Approx(std::pow(1.2, 9.0)).epsilon(1e-12));
 
-  // A record left blank (zero) keeps the built-in exponents; a given pair is used.
+  // Zeros keep the built-in exponents, each for itself; a given pair is used.
   LifeInputs blank;
   blank.part[0].updated.stress_exponent = 0.0;
   blank.part[0].updated.depth_exponent = 0.0;
   CHECK(basic(balls.evaluate(kUneven, blank), LifeModel::Updated, 0) ==
+        basic(plain, LifeModel::Updated, 0));
+  LifeInputs depth_alone = blank;
+  depth_alone.part[0].updated.depth_exponent = 2.0;
+  const LifeParameters own = life_parameters(depth_alone, false, steel(), {steel(), steel()});
+  CHECK(own.part[0].model[0].depth_exponent.value == 2.0);
+  CHECK(own.part[0].model[0].stress_exponent.value ==
+        life_parameters(blank, false, steel(), {steel(), steel()})
+            .part[0]
+            .model[0]
+            .stress_exponent.value);
+  CHECK(basic(balls.evaluate(kUneven, depth_alone), LifeModel::Updated, 0) !=
         basic(plain, LifeModel::Updated, 0));
   LifeInputs other;
   other.part[0].updated.stress_exponent = 9.0;

@@ -109,6 +109,60 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
   CHECK_THAT(page(guided, deck), Catch::Contains("roller-guided cage"));
 }
 
+TEST_CASE("pockets: no play left for the element -> refused, the variable that takes it named",
+          "[unit][cage]") {
+  const auto refusal = [](deck::Deck deck) {
+    try {
+      (void)setup::build_bearing(deck);
+    } catch (const InputError& refused) {
+      return std::string(refused.what());
+    }
+    return std::string();
+  };
+  const auto faces = [](double beyond) {
+    deck::Deck deck = deck::new_deck("cylindrical");
+    deck.set("kPocType", "1");
+    deck.complete();
+    for (const char* zero : {"bPocGsAng1", "bPocGsAng2", "bPocGsAng3", "bPocGsCen1", "bPocGsCen3"})
+      deck.set(fmt::format("{}[1]", zero), "0");
+    deck.set("bPocGsCen2[1]", fmt::format("{}", 0.5 * deck.si("bReDia") + beyond));
+    deck.set("bPocGsLen1[1]", "0.002");
+    deck.set("bPocGsLen2[1]", "0.008");
+    return deck;
+  };
+  CHECK(refusal(faces(1e-4)).empty());
+  CHECK_THAT(refusal(faces(-1e-4)),
+             Catch::Contains("bPocGsCen2[1]") && Catch::Contains("0.0002 m"));
+  deck::Deck leaning = faces(1e-4);
+  leaning.set("bPocGsAng3[1]", "3");
+  CHECK_THAT(refusal(leaning), Catch::Contains("bPocGsAng3[1]"));
+  for (const char* which : {"1", "2"}) {  // the first pocket alone, and all of them
+    deck::Deck narrowed = faces(1e-4);
+    narrowed.set("kCagePocImp", which);
+    narrowed.complete();
+    narrowed.set("bPocClsVar1", "-1e-4");
+    CHECK(refusal(narrowed).empty());
+    narrowed.set("bPocClsVar1", "-3e-4");
+    CHECK_THAT(refusal(narrowed), Catch::Contains("bPocClsVar1") && Catch::Contains("0.0001 m"));
+  }
+  deck::Deck thick = faces(1e-4);
+  thick.set("kReGeoImp", "2");
+  thick.complete();
+  thick.set("reDiaVar3", "3e-4");
+  CHECK_THAT(refusal(thick), Catch::Contains("reDiaVar3") && Catch::Contains("element 3"));
+  for (const char* type : {"ball", "tapered"}) {
+    deck::Deck narrow = deck::new_deck(type);
+    narrow.set("bPocCls1", "-1e-5");
+    CHECK_THAT(refusal(narrow), Catch::Contains("bPocCls1"));
+  }
+  deck::Deck cone = deck::new_deck("ball");
+  cone.set("kPocType", "4");
+  cone.complete();
+  cone.set("bPocCls1", "1e-3");
+  cone.set("bPocCls2", "-1e-3");
+  CHECK(refusal(cone).empty());
+}
+
 TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solution",
           "[physics][cage]") {
   for (const auto& [code, name, clearance] : {std::tuple{"0", "cylindrical", "0"},
