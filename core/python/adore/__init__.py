@@ -15,7 +15,14 @@ Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. Code is never loade
 
 from __future__ import annotations
 
+import importlib.util
 from typing import Dict, Tuple
+
+if importlib.util.find_spec(f"{__name__}._core") is None:
+    raise ImportError(
+        "the compiled part of the Python module adore is not built; "
+        "build it with: cmake --build build/release --target adore_python"
+    )
 
 from . import _core, calc, errors, pictures, routines, schema, units
 from ._core import Issue, Progress
