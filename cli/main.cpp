@@ -1,11 +1,28 @@
 #include "cli/commands.hpp"
+#include "cli/no_command.hpp"
 #include "cli/picture_program.hpp"
 #include "cli/whole_program.hpp"
 #include "command_line/program.hpp"
 
+#include <array>
+#include <string>
+
 int main(int argc, char** argv) {
   using namespace adore;
   return cli::whole_program([&] {
+    std::string run = "run";
+    std::array<char*, 3> run_here{argv[0], run.data(), nullptr};
+    if (argc == 1) switch (cli::ask_for_run()) {
+        case cli::NoCommand::NoDeck:
+          break;
+        case cli::NoCommand::Declined:
+          return 0;
+        case cli::NoCommand::NotAsked:
+          return 2;
+        case cli::NoCommand::Run:
+          argc = 2;
+          argv = run_here.data();
+      }
     const auto app = command_line::make_program(
         "Adore: dynamics of rolling bearings, from a deck of records to listings, result files and "
         "pictures.",

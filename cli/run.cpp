@@ -25,7 +25,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <unistd.h>
 
 namespace adore::cli {
 namespace {
@@ -68,21 +67,13 @@ void list_options(bool json) {
   write_text("", "", dump_json(list, 2) + "\n");
 }
 
-/// May the results of an earlier run be replaced? Only somebody at a terminal can say so.
-bool may_replace(const facade::ResultsExist& found) {
-  if (isatty(STDIN_FILENO) == 0 || isatty(STDERR_FILENO) == 0) return false;
-  tell(fmt::format("{}\nReplace them? [y/N] ", found.what()));
-  const int answer = std::getchar();
-  return answer == 'y' || answer == 'Y';
-}
-
 /// Runs, and once more when what stands in the way may go.
 template <class Run>
 auto run_asking(facade::RunRequest& request, Run&& run_it) {
   try {
     return run_it();
   } catch (const facade::ResultsExist& found) {
-    if (!may_replace(found)) throw;
+    if (!ask(fmt::format("{}\nReplace them?", found.what())).value_or(false)) throw;
   }
   request.overwrite = true;
   return run_it();

@@ -42,6 +42,14 @@ void tell(std::string_view said, bool patient) noexcept {
   }
 }
 
+std::optional<bool> ask(std::string_view question) {
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) return std::nullopt;
+  tell(std::string(question) + " [y/N] ");
+  const int answer = std::getchar();
+  for (int rest = answer; rest != '\n' && rest != EOF;) rest = std::getchar();
+  return answer == 'y' || answer == 'Y';
+}
+
 int close_output(int code) noexcept {
   errno = 0;
   const bool flushed = std::fflush(stdout) == 0;

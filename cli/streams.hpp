@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 /// The three standard streams of a program that must not lose a run to them.
@@ -12,6 +13,10 @@ void keep_stream_numbers();
 /// Writes to standard error, and goes on whatever becomes of it. `patient` false: only if that
 /// needs no waiting (progress on a full pipe or a stopped terminal).
 void tell(std::string_view text, bool patient = true) noexcept;
+
+/// Asks `question` on standard error, with "[y/N]" behind it, and reads a line from standard input.
+/// @return whether the answer begins with y; nothing when either stream is no terminal
+[[nodiscard]] std::optional<bool> ask(std::string_view question);
 
 /// Hands everything on standard output to the system and says when that failed.
 /// @return the exit code: `code`, or 2 when it was 0 and something is lost

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <pty.h>
 #include <set>
@@ -355,6 +356,58 @@ TEST_CASE("the progress line is never wider than the terminal", "[cli]") {
     CHECK(longest < static_cast<std::size_t>(width));
     if (width == 200) CHECK(contains(seen, "real time"));
   }
+}
+
+TEST_CASE("adore without a command in a deck's folder: names it, runs after a yes at the terminal",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  {  // a few steps
+    std::string text = read(folder / "DATA.txt");
+    const std::string steps = " 5000, 4, 5";
+    const std::size_t at = text.find(steps);
+    REQUIRE(at != std::string::npos);
+    std::ofstream(folder / "DATA.txt") << text.replace(at, steps.size(), " 5, 4, 5");
+  }
+  const std::string there = "cd " + folder.path().string() + " &&";
+  const Result piped = run_as_given("< /dev/null", there);
+  INFO(piped.out);
+  CHECK(piped.code == 2);
+  CHECK(contains(piped.out, "\n  adore run\n"));
+  CHECK_FALSE(fs::exists(folder / "RUN.json"));
+
+  const std::string adore = program("adore").string(), here = folder.path().string();
+  const auto at_terminal = [&](const char* typed) {
+    int terminal = -1;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      if (chdir(here.c_str()) == 0) execl(adore.c_str(), "adore", nullptr);
+      _exit(99);
+    }
+    REQUIRE(::write(terminal, typed, std::strlen(typed)) > 0);
+    Result out;
+    std::array<char, 4096> block{};
+    for (ssize_t n = 0; (n = ::read(terminal, block.data(), block.size())) > 0;)
+      out.out.append(block.data(), static_cast<std::size_t>(n));
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(terminal);
+    out.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return out;
+  };
+  const Result no = at_terminal("\n");
+  CHECK(no.code == 0);
+  CHECK(contains(no.out, "[y/N]"));
+  CHECK_FALSE(fs::exists(folder / "RUN.json"));
+  const Result yes = at_terminal("y\n");
+  INFO(yes.out);
+  CHECK(yes.code == 0);
+  CHECK(fs::exists(folder / "RUN.json"));
+  const Result again = at_terminal("y\nn\n");  // runs, but replaces nothing
+  INFO(again.out);
+  CHECK(again.code == 2);
+  CHECK(contains(again.out, "--overwrite"));
 }
 
 TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") {
