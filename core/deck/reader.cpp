@@ -259,12 +259,14 @@ void Reader::keep_user_lines() {
     if (!is_blank_line(scanner.lines()[line])) kept.emplace_back(scanner.lines()[line]);
   const std::string_view last =
       state_.deck().records.empty() ? "" : std::string_view(state_.deck().records.back().id);
+  state_.spec = find_record("12");
   state_.report(
       Severity::Warning, static_cast<int>(first) + 1, "", "",
       fmt::format("{} after the last required record{} {} kept as input of user routines",
                   counted(kept.size(), "line"), last.empty() ? "" : fmt::format(" ({})", last),
                   kept.size() == 1 ? "is" : "are"),
       "remove them when no user routine reads them");
+  state_.spec = nullptr;
 }
 
 /// A line such as "'Rec 5A', 0.0127, ..."

@@ -8,8 +8,8 @@
 # --only PATTERN only the runs whose name matches this extended regular expression
 #
 # Runs every deck of resources/decks with every stepper on one of them, and the decks of tests/gate/decks.txt, all with
-# ADORE_ISA=baseline. Must agree: exit code, the set of files, SOL1-SOL8, FINAL and MASTER byte by byte, and the numbers
-# of PRINT.txt and RUN.json but those that are measured times. A run that
+# ADORE_ISA=baseline. Must agree: exit code, the set of files, SOL1-SOL8, FINAL and MASTER byte by byte, and the facts of
+# PRINT.txt, RUN.json and RESULTS.h5 (facts.py: numbers, units, keys, types, names of channels; not sentences). A run that
 # BEFORE refuses counts as a failure, but for the example decks that ask for what no version simulates yet.
 # Exit 0: all agree; 1: something differs; 2: wrong usage.
 set -euo pipefail
@@ -41,18 +41,6 @@ plan() {
     echo "stepper-$stepper|$top/resources/decks/ball.txt|--set intMet=$stepper --set maxStps=30 --set nStps=5|"
   done
   sed '/^ *\(#\|$\)/d' "$here/decks.txt"
-}
-
-# Tokens that are numbers, line by line; measured times apart: of PRINT.txt the section on cost and the start-up estimates
-# made with a clock, of RUN.json what stands under "measured" and such estimates in the plan.
-numbers() {
-  local part
-  case $1 in
-    *PRINT.txt)
-      part='/^ *Cost: where the computing time went/{skip=1} skip&&/^ *whole run/{skip=0;next} skip{next} /[Mm]easured|[Cc]omput(ed|ing)|seconds/{next} {print}' ;;
-    *) part='/"measured"/{exit} /seconds/{next} {print}' ;;
-  esac
-  awk "$part" "$1" | grep -oE '(^|[^A-Za-z0-9_.])[-+]?[0-9]+(\.[0-9]*)?([eE][-+]?[0-9]+)?|[Nn]ot computed|infinite' | sed 's/^[^-+0-9A-Za-z]//' || true
 }
 
 run_one() {  # program, folder, deck, arguments, second arguments
@@ -87,8 +75,12 @@ while IFS='|' read -r name deck first second; do
     [ -e "$b/$base" ] || continue
     case $base in
       SOL* | FINAL* | MASTER* | code.*) cmp -s "$file" "$b/$base" || wrong+=" $base"; compared=$((compared + 1)) ;;
-      PRINT.txt | RUN.json)
-        cmp -s <(numbers "$file") <(numbers "$b/$base") || wrong+=" $base"; compared=$((compared + 1)) ;;
+      PRINT.txt | RUN.json | RESULTS.h5)
+        /usr/bin/python3 "$here/facts.py" "$file" >"$work/facts.before"
+        /usr/bin/python3 "$here/facts.py" "$b/$base" >"$work/facts.after"
+        cmp -s "$work/facts.before" "$work/facts.after" ||
+          wrong+=" $base ($(diff "$work/facts.before" "$work/facts.after" | grep -c '^[<>]') facts)"
+        compared=$((compared + 1)) ;;
     esac
   done
   if [ -n "$wrong" ]; then echo "DIFFERS $name:$wrong"; failed=$((failed + 1)); fi

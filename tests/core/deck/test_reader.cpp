@@ -76,7 +76,7 @@ const BadDeck kBadDecks[] = {
     {"database_material", Severity::Warning, "8.1", "", "is not needed and is ignored"},
     {"double_record", Severity::Error, "4", "", "was there before"},
     {"surplus_land", Severity::Warning, "7.2.i", "", "more of these records than `nGL`"},
-    {"user_lines", Severity::Warning, "", "", "kept as input of user routines"},
+    {"user_lines", Severity::Warning, "12", "", "kept as input of user routines"},
     {"bad_code", Severity::Error, "3.2", "kBrg", "this code does not exist"},
     {"bad_integrator", Severity::Error, "1", "intMet", "this code does not exist"},
     {"bad_material", Severity::Error, "7.0", "kCageMat", "this code does not exist"},

@@ -55,6 +55,11 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(2e-5));
   const double turn = first * 1e-4 + 0.5 * (first + last) * 3e-4 + last * 1e-4;
   CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(4e-5));
+  for (const Issue& remark : ran.outcome.warnings) CHECK(remark.record != "12");
+  request.user.clear();  // nobody reads the lines
+  const auto& unread = facade::prepare(request).input.warnings;
+  CHECK(std::any_of(unread.begin(), unread.end(),
+                    [](const Issue& remark) { return remark.record == "12"; }));
 
   // Without jumps to rounding.
   auto even = request_of("even", deck_with({}, "0 1 10000 1010000\n0 0\n"), "2e-4s");
