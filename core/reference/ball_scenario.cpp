@@ -1,32 +1,52 @@
 #include "reference/ball_scenario.hpp"
 
 #include "base/errors.hpp"
-#include "bearing/material.hpp"
-#include "contact/groove.hpp"
-#include "dynamics/ball_motion.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <complex>
-
 namespace adore::reference {
 namespace {
 
-constexpr std::size_t kX = 0, kR = 1, kTheta = 2, kXRate = 3, kRRate = 4, kThetaRate = 5,
-                      kOmega = 6;
+using dynamics::Evaluation;
 
-/// One element, its quantities in their order.
-dynamics::ElementSlices ball_slices() {
-  dynamics::ElementSlices slices;
-  for (std::size_t q = 0; q < dynamics::kQuantities.size(); ++q)
-    slices[static_cast<dynamics::Quantity>(q)] = {static_cast<int>(q), 1};
-  return slices;
+/// The rates of these vanish in steady motion of one ball.
+constexpr std::array kResidual{"element.x_dot",   "element.r_dot",   "element.theta_dot",
+                               "element.omega_x", "element.omega_r", "element.omega_theta"};
+constexpr std::array kUnknown{"element.x",       "element.r",       "element.theta_dot",
+                              "element.omega_x", "element.omega_r", "element.omega_theta"};
+
+template <class Names>
+std::vector<std::size_t> places(const Motion& motion, const Names& names) {
+  std::vector<std::size_t> out;
+  for (const char* name : names) out.push_back(static_cast<std::size_t>(motion.at(name)));
+  return out;
 }
 
-double density_mass(const Json& in) { return get(in.at("derived"), "ball_mass"); }
+/// Rows of the rates by columns of the state; differences of fourth order (Richardson).
+Eigen::MatrixXd jacobian(Motion& motion, const State& y, const std::vector<std::size_t>& columns,
+                         const std::vector<std::size_t>& rows) {
+  Eigen::MatrixXd J(rows.size(), columns.size());
+  const auto at = [&](std::size_t column, double step) {
+    State moved = y;
+    moved[column] += step;
+    (void)motion.evaluate(0.0, moved.data());
+    return motion.rates();
+  };
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const double h = 1e-4 * motion.scales()[columns[c]];
+    const State plus = at(columns[c], h), minus = at(columns[c], -h),
+                half_plus = at(columns[c], 0.5 * h), half_minus = at(columns[c], -0.5 * h);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const double coarse = (plus[rows[r]] - minus[rows[r]]) / (2 * h);
+      const double fine = (half_plus[rows[r]] - half_minus[rows[r]]) / h;
+      J(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = (4 * fine - coarse) / 3;
+    }
+  }
+  return J;
+}
 
 }  // namespace
 
@@ -44,111 +64,185 @@ tribology::ContactSurface contact_surface(const std::string& name) {
                   name));
 }
 
-BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::ElementViews& balls,
-                   std::size_t index, const dynamics::RaceMotion& race, const TractionRule& rule) {
-  BallLoad load;
-  load.contact = dynamics::race_contact_state(model, balls, index, race);
-  const dynamics::RaceContactState& s = load.contact;
-  if (!(s.approach > 0.0)) return load;
-  load.Q = s.ellipse.Q;
-  load.force = -load.Q * s.n;
-  if (!model.traction) return load;
-  const Vec3 e_r(0.0, -balls.sin_theta[index], balls.cos_theta[index]);
-  const Vec3 velocity = balls.x_dot[index] * Vec3::UnitX() + balls.r_dot[index] * e_r +
-                        balls.r[index] * balls.theta_dot[index] * Vec3::UnitX().cross(e_r);
-  const Vec3 slip = race.velocity + race.speed * race.axis.cross(s.arm) - velocity;
-  const SurfaceTraction surface = rule(model.law, s, slip.dot(s.n));
-  load.traction = surface.in_plane;
-  const tribology::EllipseTraction& f = load.traction;
-  load.force += f.F_c * s.c + f.F_t * s.t + surface.F_n * s.n;
-  load.moment = f.M_c * s.c + f.M_t * s.t + f.M_n * s.n;
-  load.heat = f.heat;
-  return load;
+void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>& factor,
+                 const std::array<double, 2>& centre_radius, double gamma) {
+  bearing::BallGeometry& balls = scene.bearing.balls();
+  const double outer = (factor[0] - 0.5) * diameter, inner = (factor[1] - 0.5) * diameter;
+  balls.diameter = diameter;
+  balls.groove_factor = factor;
+  balls.contact_angle = 0.0;
+  balls.groove_plane = {0.0, 0.0};
+  balls.pitch_diameter = centre_radius[0] + centre_radius[1] + outer - inner;
+  balls.clearance = 4.0 * (centre_radius[0] + outer - 0.5 * balls.pitch_diameter);
+  const double cosine = gamma * balls.pitch_diameter / diameter;
+  require(cosine >= 0.0 && cosine <= 1.0 + 1e-12,
+          "the centre circles of the grooves do not fit the ball and pitch diameters");
+  scene.hertz_angle.fill(std::acos(std::min(cosine, 1.0)));
 }
 
-dynamics::RaceContactModel outer_race_model(const Json& race, const bearing::TractionCurve& curve,
-                                            double ball_radius) {
-  dynamics::RaceContactModel model;
-  model.race = bearing::kOuter;
-  model.groove.ball_radius = ball_radius;
-  model.groove.offset[0] = get(race, "groove_minus_ball_radius");
-  model.groove.groove_radius[0] = ball_radius + model.groove.offset[0];
-  model.groove.centre_radius[0] = get(race, "groove_centre_radius");
-  model.hertz.K = get(race, "K");
-  model.hertz.a_hat = get(race, "a_over_Q13");
-  model.hertz.b_hat = get(race, "b_over_Q13");
-  model.law = curve;
-  model.surface = contact_surface(race.at("contact_surface").get<std::string>());
-  return model;
-}
-
-BallLoad load_on_free_ball(const dynamics::RaceContactModel& model, double race_speed,
-                           const double* y) {
-  const Vec3 position(y[0], y[1], y[2]), velocity(y[3], y[4], y[5]), omega(y[6], y[7], y[8]);
-  const double theta = azimuth(position), s = std::sin(theta), c = std::cos(theta);
-  const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta);
-  const double x = position[0], r = position.dot(e_r), x_dot = velocity[0],
-               r_dot = velocity.dot(e_r);
-  const double theta_dot = velocity.dot(e_t) / r, wx = omega[0], wr = omega.dot(e_r),
-               wt = omega.dot(e_t);
-  const dynamics::ElementViews ball{1, &x, &r, &s, &c, &x_dot, &r_dot, &theta_dot, &wx, &wr, &wt};
-  const dynamics::RaceMotion race{Vec3::Zero(), Vec3::UnitX(), race_speed, Vec3::Zero()};
-  return ball_load(model, ball, 0, race, split_rule(16));
-}
-
-BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, bool traction)
-    : slices_(ball_slices()),
-      mass_(density_mass(in)),
-      ball_radius_(0.5 * get(in.at("bearing"), "D")),
-      orbit_radius_(0.5 * get(in.at("bearing"), "dm")) {
-  const Json& b = in.at("bearing");
-  bearing::BallGeometry balls;
-  balls.count = whole_or(in, "n_balls", whole_or(b, "Z", 1, 1, kMostElements), 1, kMostElements);
-  balls.diameter = get(b, "D");
-  balls.pitch_diameter = get(b, "dm");
-  balls.contact_angle = get(b, "alpha0");
-  balls.groove_factor = {get(b, "fo"), get(b, "fi")};
-  bearing::Material steel;
-  steel.elastic_modulus = get(b, "E");
-  steel.poisson_ratio = get(b, "nu");
-  const double E_star = bearing::contact_modulus(steel, steel);
-  contact::GrooveGeometry groove = contact::groove_geometry(balls);
-  // The family puts the whole clearance on the inner race.
-  groove.centre_radius = {get(in.at("derived"), "Rc_outer"), get(in.at("derived"), "Rc_inner")};
-  for (std::size_t j = 0; j < 2; ++j) {
-    dynamics::RaceContactModel& model = models_[j];
-    model.race = static_cast<bearing::Race>(j);
-    model.groove = groove;
-    model.hertz = contact::hertz_constants(
-        contact::race_curvature(balls, static_cast<int>(j), balls.contact_angle), E_star);
-    model.effective_modulus = E_star;
-    model.traction = traction;
-    if (traction) model.law = traction_law(in.at("traction_law"));
-    if (in.contains("contact_surface"))
-      model.surface = contact_surface(in["contact_surface"].get<std::string>());
-    races_[j] = {Vec3::Zero(), Vec3::UnitX(), 0.0, Vec3::Zero()};
-  }
-  races_[0].speed = in.value("outer_speed_rad_s", 0.0);
-  races_[1].speed = in.value("inner_speed_rad_s", 0.0);
-  races_[1].centre = inner_centre;
-}
-
-State BallBetweenRaces::rolling_start(double x, double r) {
-  Vec3 speeds = Vec3::Zero();  // θ', ω_x, ω_r
-  const auto state = [&](double at_x, double at_r, const Vec3& at) {
-    return State{at_x, at_r, 0, 0, 0, at[0], at[1], at[2], 0, 0, 0, 0};
+std::shared_ptr<TractionRule> converge_traction(SmallScene& scene, TractionRule wanted) {
+  auto rule = std::make_shared<TractionRule>(std::move(wanted));
+  GivenAction correction;
+  correction.act = [rule](Evaluation& e, const dynamics::Races& races) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const dynamics::RaceContactModel& model = races.contacts()[j];
+      dynamics::RaceBody& race = e.race[j];
+      for (std::size_t i = 0; i < e.elements.n; ++i) {
+        const auto s = dynamics::race_contact_state(model, e.elements, i, race.motion());
+        if (!(s.approach > 0.0)) continue;
+        const Vec3 place = e.element_centre(i);
+        const Vec3 slip = race.velocity_at(place) - e.element_velocity(i);
+        const SurfaceTraction exact = (*rule)(model.law, s, slip.dot(s.n));
+        const tribology::EllipseTraction &f = exact.in_plane,
+                                         fixed = tribology::ellipse_traction(model.law, s.ellipse,
+                                                                             s.motion, model.rule);
+        const Vec3 force = (f.F_c - fixed.F_c) * s.c + (f.F_t - fixed.F_t) * s.t + exact.F_n * s.n;
+        const Vec3 moment =
+            (f.M_c - fixed.M_c) * s.c + (f.M_t - fixed.M_t) * s.t + (f.M_n - fixed.M_n) * s.n;
+        e.add_force(i, e.to_cylindrical(i, force));
+        e.add_moment(i, e.to_cylindrical(i, moment));
+        race.add_force(-force, place);
+        race.moment -= moment;
+        e.heat[j][i] += f.heat - fixed.heat;
+      }
+    }
   };
+  add(scene, std::move(correction));
+  return rule;
+}
+
+void book_heat(SmallScene& scene, int balls) {
+  const auto n = static_cast<std::size_t>(balls);
+  auto heat = std::make_shared<std::array<std::vector<double>, 2>>();
+  heat->fill(std::vector<double>(n));
+  GivenAction books;
+  books.account = [heat](Evaluation& e, const dynamics::Races&) { *heat = e.heat; };
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < n; ++i) books.books.push_back({heat_name(j, i), &(*heat)[j][i]});
+  add(scene, std::move(books));
+}
+
+SmallScene ball_scene(const Json& in, const Vec3& inner_centre, bool traction, int count) {
+  const Json &b = in.at("bearing"), &derived = in.at("derived");
+  SmallScene scene;
+  bearing::Bearing& bearing = scene.bearing;
+  set_grooves(scene, get(b, "D"), {get(b, "fo"), get(b, "fi")},
+              {get(derived, "Rc_outer"), get(derived, "Rc_inner")},
+              get(b, "D") * std::cos(get(b, "alpha0")) / get(b, "dm"));
+  bearing.balls().count = count;
+  const double mass = get(derived, "ball_mass");
+  bearing.element_inertia.mass = mass;
+  bearing.element_inertia.moments.setConstant(0.1 * mass * get(b, "D") * get(b, "D"));
+  for (bearing::Material* material :
+       {&bearing.element_material, &bearing.race_material[0], &bearing.race_material[1]}) {
+    material->elastic_modulus = get(b, "E");
+    material->poisson_ratio = get(b, "nu");
+  }
+  bearing.speed = {in.value("outer_speed_rad_s", 0.0), in.value("inner_speed_rad_s", 0.0)};
+  scene.have({scene::Effect::RaceContact});
+  if (traction) {
+    bearing.race_traction = traction_law(in.at("traction_law"));
+    scene.have({scene::Effect::RaceTraction});
+  }
+  if (in.contains("contact_surface"))
+    scene.options.surface = contact_surface(in["contact_surface"].get<std::string>());
+  for (int k = 0; k < 3; ++k)
+    scene.start.displacement[static_cast<std::size_t>(k)] = inner_centre[k];
+  scene.start.balls.resize(static_cast<std::size_t>(count));
+  return scene;
+}
+
+void scale_balls(Motion& motion) {
+  const double length = 1e-5, time = 1e-5;  // of contact deformation and of contact vibration
+  const auto first = [&](const char* group) {
+    return std::max(std::abs(motion.start_of(group)), 1.0);
+  };
+  for (const char* group : {"element.x", "element.r"}) motion.scale(group, length);
+  for (const char* group : {"element.x_dot", "element.r_dot"}) motion.scale(group, length / time);
+  motion.scale("element.theta", 1e-3);
+  motion.scale("element.theta_dot", first("element.theta_dot"));
+  for (const char* group : {"element.omega_x", "element.omega_r", "element.omega_theta"})
+    motion.scale(group, first("element.omega_x"));
+}
+
+BallLoad ball_load(const Motion& motion, const Evaluation& e, std::size_t race, std::size_t ball) {
+  return {e.load[race][ball], e.heat[race][ball],
+          dynamics::race_contact_state(motion.race(race), e.elements, ball, e.race[race].motion())};
+}
+
+State steady_state(Motion& motion, State y) {
+  const auto unknown = places(motion, kUnknown), residual = places(motion, kResidual);
+  for (const char* name : {"element.x_dot", "element.r_dot"})
+    y[static_cast<std::size_t>(motion.at(name))] = 0.0;
+  const auto rates = [&](const State& state) {
+    (void)motion.evaluate(0.0, state.data());
+    Eigen::VectorXd r(residual.size());
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      r[static_cast<Eigen::Index>(i)] = motion.rates()[residual[i]];
+    return r;
+  };
+  Eigen::VectorXd r = rates(y);
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const Eigen::VectorXd step = jacobian(motion, y, unknown, residual).fullPivLu().solve(-r);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      largest = std::max(
+          largest, std::abs(step[static_cast<Eigen::Index>(i)]) / motion.scales()[unknown[i]]);
+    State next = y;
+    double part = 1.0;
+    for (int halving = 0; halving < 12; ++halving, part *= 0.5) {
+      for (std::size_t i = 0; i < unknown.size(); ++i)
+        next[unknown[i]] = y[unknown[i]] + part * step[static_cast<Eigen::Index>(i)];
+      const Eigen::VectorXd trial = rates(next);
+      if (trial.norm() < r.norm() || largest < 1e-6) {
+        r = trial;
+        break;
+      }
+    }
+    y = next;
+    if (largest < 1e-12) return y;
+  }
+  return y;
+}
+
+std::vector<std::complex<double>> eigenvalues(Motion& motion, const State& steady) {
+  constexpr std::array kStates{"element.x",       "element.r",          "element.x_dot",
+                               "element.r_dot",   "element.theta_dot",  "element.omega_x",
+                               "element.omega_r", "element.omega_theta"};
+  const auto states = places(motion, kStates);
+  const Eigen::MatrixXd J = jacobian(motion, steady, states, states);
+  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(J, false).eigenvalues();
+  return {values.data(), values.data() + values.size()};
+}
+
+State rolling_start(Motion& motion, double x, double r) {
+  const auto at = [&](const char* name) { return static_cast<std::size_t>(motion.at(name)); };
+  Vec3 speeds = Vec3::Zero();  // θ', ω_x, ω_r
+  const auto evaluated = [&](double at_x, double at_r, const Vec3& with, State& y) -> const auto& {
+    y.assign(motion.start.size(), 0.0);
+    y[at("element.x")] = at_x;
+    y[at("element.r")] = at_r;
+    y[at("element.theta_dot")] = with[0];
+    y[at("element.omega_x")] = with[1];
+    y[at("element.omega_r")] = with[2];
+    return motion.evaluate(0.0, y.data());
+  };
+  State y;
   const auto rolling = [&](const Vec3& unknown) {
-    const auto [outer, inner] = loads(state(x, r, unknown).data());
+    const Evaluation& e = evaluated(x, r, unknown, y);
+    const BallLoad outer = ball_load(motion, e, 0), inner = ball_load(motion, e, 1);
     const auto slip = [](const BallLoad& load) {
       return load.contact.motion.u_t - load.contact.motion.W_c * load.contact.ellipse.h0;
     };
     return Vec3(slip(outer), slip(inner), outer.contact.motion.W_n);
   };
   const auto imbalance = [&](double at_x, double at_r) {
-    Eigen::Vector2d sum(0.0, mass_ * at_r * speeds[0] * speeds[0]);
-    for (const BallLoad& load : loads(state(at_x, at_r, speeds).data()))
+    const Evaluation& e = evaluated(at_x, at_r, speeds, y);
+    Eigen::Vector2d sum(0.0, motion.mass() * at_r * speeds[0] * speeds[0]);
+    for (const std::size_t j : {0UL, 1UL}) {
+      const BallLoad load = ball_load(motion, e, j);
       sum -= load.Q * Eigen::Vector2d(load.contact.n[0], load.contact.n[2]);  // θ = 0: e_r = e_z
+    }
     return sum;
   };
   for (int iteration = 0; iteration < 40; ++iteration) {
@@ -165,132 +259,8 @@ State BallBetweenRaces::rolling_start(double x, double r) {
     r += step[1];
     if (step.norm() < 1e-16) break;
   }
-  return {x, r, 0, 0, 0, speeds[0], speeds[1], speeds[2], 0};
-}
-
-void BallBetweenRaces::set_surface(tribology::ContactSurface surface) {
-  for (dynamics::RaceContactModel& model : models_) model.surface = surface;
-}
-
-dynamics::ElementViews BallBetweenRaces::view(const double* y) {
-  dynamics::ElementViews ball;
-  (void)dynamics::view_elements(y, slices_, &sin_theta_, &cos_theta_, ball);
-  return ball;
-}
-
-std::array<BallLoad, 2> BallBetweenRaces::loads(const double* y) {
-  const dynamics::ElementViews ball = view(y);
-  std::array<BallLoad, 2> result;
-  for (std::size_t j = 0; j < 2; ++j) result[j] = ball_load(models_[j], ball, 0, races_[j], rule_);
-  return result;
-}
-
-void BallBetweenRaces::rates(const double* y, double* d) {
-  const dynamics::ElementViews ball = view(y);
-  const double theta = y[kTheta];
-  const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta);
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  for (std::size_t j = 0; j < 2; ++j) {
-    const BallLoad load = ball_load(models_[j], ball, 0, races_[j], rule_);
-    force += load.force;
-    moment += load.moment;
-    d[kMechanical + j] = load.heat;
-    if (j == 1)
-      d[kMechanical + 2] =
-          races_[1].speed * (load.contact.arm.cross(load.force) + load.moment).dot(races_[1].axis);
-  }
-  const std::array acting{force[0],  force.dot(e_r),  force.dot(e_t),
-                          moment[0], moment.dot(e_r), moment.dot(e_t)};
-  for (std::size_t k = 0; k < acting.size(); ++k) actions_[k].assign(1, acting[k]);
-  // Inertia of a solid sphere.
-  (void)dynamics::ball_motion(ball, actions_, mass_, 0.4 * mass_ * ball_radius_ * ball_radius_,
-                              dynamics::rates_in(d, slices_));
-}
-
-Problem BallBetweenRaces::problem(const State& mechanical) {
-  Problem problem;
-  problem.start = mechanical;
-  problem.start.resize(kSize, 0.0);
-  const double length = 1e-5, time = 1e-5;  // of contact deformation and of contact vibration
-  const double spin = std::max(std::abs(mechanical[kOmega]), 1.0),
-               orbit = std::max(std::abs(mechanical[kThetaRate]), 1.0);
-  problem.scales = {length, length, 1e-3, length / time, length / time, orbit,
-                    spin,   spin,   spin, 1e-3,          1e-3,          1e-3};
-  problem.rates = [this](double, const double* y, double* d) { rates(y, d); };
-  problem.longest_step = 2e-5;
-  return problem;
-}
-
-Eigen::MatrixXd BallBetweenRaces::jacobian(const State& y, std::span<const std::size_t> columns,
-                                           std::span<const std::size_t> rows) {
-  const State scales = problem(y).scales;
-  Eigen::MatrixXd J(rows.size(), columns.size());
-  State plus(kSize), minus(kSize), half_plus(kSize), half_minus(kSize);
-  const auto at = [&](std::size_t column, double step, State& d) {
-    State moved = y;
-    moved[column] += step;
-    rates(moved.data(), d.data());
-  };
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const double h = 1e-4 * scales[columns[c]];
-    at(columns[c], h, plus);
-    at(columns[c], -h, minus);
-    at(columns[c], 0.5 * h, half_plus);
-    at(columns[c], -0.5 * h, half_minus);
-    for (std::size_t r = 0; r < rows.size(); ++r) {  // Richardson: fourth order
-      const double coarse = (plus[rows[r]] - minus[rows[r]]) / (2 * h);
-      const double fine = (half_plus[rows[r]] - half_minus[rows[r]]) / h;
-      J(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = (4 * fine - coarse) / 3;
-    }
-  }
-  return J;
-}
-
-State BallBetweenRaces::steady_state(State y) {
-  constexpr std::array<std::size_t, 6> kUnknown = {kX,     kR,         kThetaRate,
-                                                   kOmega, kOmega + 1, kOmega + 2};
-  constexpr std::array<std::size_t, 6> kResidual = {kXRate, kRRate,     kThetaRate,
-                                                    kOmega, kOmega + 1, kOmega + 2};
-  y.resize(kSize, 0.0);
-  y[kXRate] = y[kRRate] = 0.0;
-  const State scales = problem(y).scales;
-  State d(kSize);
-  const auto residual = [&](const State& state) {
-    rates(state.data(), d.data());
-    Eigen::VectorXd r(6);
-    for (std::size_t i = 0; i < 6; ++i) r[static_cast<Eigen::Index>(i)] = d[kResidual[i]];
-    return r;
-  };
-  Eigen::VectorXd r = residual(y);
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    const Eigen::VectorXd step = jacobian(y, kUnknown, kResidual).fullPivLu().solve(-r);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < 6; ++i)
-      largest =
-          std::max(largest, std::abs(step[static_cast<Eigen::Index>(i)]) / scales[kUnknown[i]]);
-    State next = y;
-    double part = 1.0;
-    for (int halving = 0; halving < 12; ++halving, part *= 0.5) {
-      for (std::size_t i = 0; i < 6; ++i)
-        next[kUnknown[i]] = y[kUnknown[i]] + part * step[static_cast<Eigen::Index>(i)];
-      const Eigen::VectorXd trial = residual(next);
-      if (trial.norm() < r.norm() || largest < 1e-6) {
-        r = trial;
-        break;
-      }
-    }
-    y = next;
-    if (largest < 1e-12) return y;
-  }
+  (void)evaluated(x, r, speeds, y);
   return y;
-}
-
-std::vector<std::complex<double>> BallBetweenRaces::eigenvalues(const State& steady) {
-  constexpr std::array<std::size_t, 8> kStates = {kX,         kR,     kXRate,     kRRate,
-                                                  kThetaRate, kOmega, kOmega + 1, kOmega + 2};
-  const Eigen::MatrixXd J = jacobian(steady, kStates, kStates);
-  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(J, false).eigenvalues();
-  return {values.data(), values.data() + values.size()};
 }
 
 }  // namespace adore::reference

@@ -101,29 +101,27 @@ Json orbit_case(const Json& in) {
   };
   const auto momentum_rate = [&](const BallBalance& b) { return b.r * (b.force_theta + outside); };
 
-  Problem problem;
-  problem.start = {theta0, L0};
-  problem.scales = {1.0, L0};
-  problem.rates = [&](double, const double* y, double* d) {
+  Rates rates({1.0, std::abs(L0)}, [&](const double* y, double* d) {
     const BallBalance b = balance(y[0], y[1]);
     d[0] = b.speed;
     d[1] = momentum_rate(b);
-  };
-  const Solution solution = solve(problem, in.at("times").get<std::vector<double>>());
+  });
+  const Solution solution =
+      solve(Problem{rates, {theta0, L0}}, in.at("times").get<std::vector<double>>());
   Json out = Json::object();
   for (const State& y : solution.samples) {
     const BallBalance b = balance(y[0], y[1]);
-    const Vec2 rates = implicit_rates(sensitivity(b, y[0]), b.speed, momentum_rate(b));
+    const Vec2 rate = implicit_rates(sensitivity(b, y[0]), b.speed, momentum_rate(b));
     out["theta"].push_back(y[0]);
     out["theta_rate"].push_back(b.speed);
     out["x"].push_back(b.x);
     out["r"].push_back(b.r);
-    out["x_rate"].push_back(rates[0]);
-    out["r_rate"].push_back(rates[1]);
+    out["x_rate"].push_back(rate[0]);
+    out["r_rate"].push_back(rate[1]);
     out["Q_outer"].push_back(b.contact[0].load);
     out["Q_inner"].push_back(b.contact[1].load);
     out["energy"].push_back(b.potential);
-    out["eliminated_kinetic_energy"].push_back(0.5 * ball.mass() * rates.squaredNorm());
+    out["eliminated_kinetic_energy"].push_back(0.5 * ball.mass() * rate.squaredNorm());
   }
   return out;
 }

@@ -6,7 +6,7 @@
 #include "dynamics/rigid_body.hpp"
 #include "reference/adapter.hpp"
 #include "reference/cases_constrained.hpp"
-#include "reference/trajectory.hpp"
+#include "reference/motion.hpp"
 #include "statics/kinematics.hpp"
 
 #include <nlohmann/json.hpp>
@@ -58,47 +58,42 @@ Json azimuth_spin_case(const Json& in) {
            0.5 * polar * spin * spin + 0.5 * transverse * (omega.squaredNorm() - spin * spin)}};
 }
 
-/// State: quaternion, ω (geometric axes), mass centre, its velocity.
+/// A cage off its mass centre, with principal axes of its own, under a force.
 Json trajectory_case(const Json& in) {
   const dynamics::RigidBody body = rigid_body(in);
   const Quat q0 = quaternion(in.at("initial_quaternion"));
   const Vec3 omega0 = vec3(in.at("initial_omega_geometric"));
   const Mat3 R0 = rotation_matrix(q0);
-  const Vec3 G0 = vec3(in.at("initial_geometric_centre")) - R0 * body.to_geometric_centre;
-  const Vec3 v0 = vec3(in.at("initial_geometric_centre_velocity")) -
-                  R0 * omega0.cross(body.to_geometric_centre);
   const Vec3 force = vec3(in.at("force_inertial_at_geometric_centre"));
-  Problem problem;
-  problem.start = {q0[0], q0[1], q0[2], q0[3], omega0[0], omega0[1], omega0[2],
-                   G0[0], G0[1], G0[2], v0[0], v0[1],     v0[2]};
-  const double speed = omega0.norm(), size = 1e-3;
-  problem.scales = {
-      1, 1, 1, 1, speed, speed, speed, size, size, size, size * speed, size * speed, size * speed};
-  problem.rates = [&](double, const double* y, double* d) {
-    const Quat q = {y[0], y[1], y[2], y[3]};
-    const Vec3 omega(y[4], y[5], y[6]);
-    const Vec3 moment = body.to_geometric_centre.cross(rotation_matrix(q).transpose() * force);
-    const Quat q_rate = quaternion_rate(q, omega);
-    const Vec3 omega_rate = dynamics::euler_rate(body.inertia, omega, moment);
-    for (int i = 0; i < 4; ++i) d[i] = q_rate[static_cast<std::size_t>(i)];
-    for (int i = 0; i < 3; ++i) {
-      d[4 + i] = omega_rate[i];
-      d[7 + i] = y[10 + i];
-      d[10 + i] = force[i] / body.mass;
-    }
-  };
+  SmallScene scene;
+  add_cage(scene, body.mass, vec3(in.at("principal_moments")));
+  scene.bearing.cage->inertia.geometric_centre = body.to_geometric_centre;
+  scene.bearing.cage->inertia.frame = vec3(in.at("frame_angles_deg")) * kDegree;
+  add(scene, {[=](dynamics::Evaluation& e, const dynamics::Races&) {
+                e.segments[0].add_force(force, e.segments[0].position);
+              },
+              {},
+              {}});
+  Motion motion(std::move(scene));
+  start_cage(motion, vec3(in.at("initial_geometric_centre")) - R0 * body.to_geometric_centre,
+             vec3(in.at("initial_geometric_centre_velocity")) -
+                 R0 * omega0.cross(body.to_geometric_centre),
+             q0, omega0);
+  constexpr double kSize = 1e-3;
+  motion.scale("cage.position", kSize);
+  motion.scale("cage.velocity", kSize * omega0.norm());
   const auto times = in.at("times").get<std::vector<double>>();
-  const Solution solution = solve(problem, times);
-  Json quaternions = Json::array(), centres = Json::array();
-  for (const State& y : solution.samples) {
-    const Quat q = normalise({y[0], y[1], y[2], y[3]});
-    quaternions.push_back(json(with_positive_w(q)));
-    centres.push_back(
-        json(Vec3(Vec3(y[7], y[8], y[9]) + rotation_matrix(q) * body.to_geometric_centre)));
+  const Solution solution = motion.solve(motion.problem(), times);
+  Json out;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const dynamics::BodyState& at =
+        motion.evaluate(times[i], solution.samples[i].data()).segments[0];
+    out["quaternion_geometric_to_inertial"].push_back(json(with_positive_w(at.attitude)));
+    out["omega_geometric"].push_back(json(at.omega_body));
+    out["geometric_centre"].push_back(json(at.position));
   }
-  return {{"quaternion_geometric_to_inertial", quaternions},
-          {"omega_geometric", solution.vectors(4)},
-          {"geometric_centre", centres}};
+  motion.add_evidence(out);
+  return out;
 }
 
 std::array<bool, 3> flags(const Json& j) {
@@ -142,22 +137,26 @@ Json moving_frame_case(const Json& in) {
           {"race_extra_load", json(Vec3(get(in, "load_fraction") * inertial))}};
 }
 
-/// State: position and velocity relative to the frame.
+/// A ball that nothing touches in a base frame that turns.
 Json free_particle_case(const Json& in) {
-  const dynamics::MovingFrame frame = moving_frame(in);
-  const Vec3 p = vec3(in.at("initial_position")), v = vec3(in.at("initial_velocity"));
-  Problem problem;
-  problem.start = {p[0], p[1], p[2], v[0], v[1], v[2]};
-  const double size = frame.orbit_radius, speed = size * frame.speed;
-  problem.scales = {size, size, size, speed, speed, speed};
-  problem.rates = [&](double, const double* y, double* d) {
-    const Vec3 a = frame.inertial_force(1.0, Vec3(y[0], y[1], y[2]), Vec3(y[3], y[4], y[5]));
-    for (int k = 0; k < 3; ++k) {
-      d[k] = y[3 + k];
-      d[3 + k] = a[k];
-    }
-  };
-  return {{"position", solve(problem, in.at("times").get<std::vector<double>>()).vectors(0)}};
+  SmallScene scene;
+  scene.plan.race_motions.frame = bearing::FrameMotion{
+      get(in, "frame_speed"), get(in, "orbit_radius"), get(in, "orbit_angle_deg") * kDegree};
+  scene.have({scene::Effect::TurningFrame});
+  Motion ball(std::move(scene));
+  ball.place(0, vec3(in.at("initial_position")), vec3(in.at("initial_velocity")), Vec3::Zero());
+  const double size = get(in, "orbit_radius"), speed = get(in, "frame_speed");
+  for (const char* group : {"element.x", "element.r"}) ball.scale(group, size);
+  for (const char* group : {"element.x_dot", "element.r_dot"}) ball.scale(group, size * speed);
+  for (const char* group : {"element.theta_dot", "element.omega_x"}) ball.scale(group, speed);
+  const auto times = in.at("times").get<std::vector<double>>();
+  const Solution solution = ball.solve(ball.problem(), times);
+  Json out;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    out["position"].push_back(
+        json(ball.evaluate(times[i], solution.samples[i].data()).element_centre(0)));
+  ball.add_evidence(out);
+  return out;
 }
 
 std::optional<Json> frame_case(const Json& the_case) {

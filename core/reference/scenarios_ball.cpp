@@ -2,6 +2,7 @@
 #include "reference/ball_scenario.hpp"
 #include "reference/scenarios.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -11,25 +12,21 @@ namespace adore::reference {
 namespace {
 
 /// Channels of one ball at one state, as families 3 and 4 name them.
-Json ball_channels(BallBetweenRaces& ball, const State& y) {
-  const auto [o, i] = ball.loads(y.data());
-  const auto spin_to_roll = [](const BallLoad& load) {
-    return load.contact.motion.W_n / load.contact.motion.W_c;
-  };
-  return {{"Q_o", o.Q},
-          {"Q_i", i.Q},
-          {"alpha_o", o.contact.angle},
-          {"alpha_i", i.contact.angle},
-          {"orbital_speed", y[5]},
-          {"x", y[0]},
-          {"r", y[1]},
-          {"omega_x", y[6]},
-          {"omega_r", y[7]},
-          {"omega_theta", y[8]},
-          {"spin_to_roll_o", spin_to_roll(o)},
-          {"spin_to_roll_i", spin_to_roll(i)},
-          {"heat_o", o.heat},
-          {"heat_i", i.heat}};
+Json ball_channels(Motion& ball, const State& y) {
+  const dynamics::Evaluation& e = ball.evaluate(0.0, y.data());
+  const auto value = [&](const char* name) { return y[static_cast<std::size_t>(ball.at(name))]; };
+  Json result = {{"orbital_speed", value("element.theta_dot")}};
+  for (const char* key : {"x", "r", "omega_x", "omega_r", "omega_theta"})
+    result[key] = value(("element." + std::string(key)).c_str());
+  for (const std::size_t j : {0UL, 1UL}) {
+    const std::string side = j == 0 ? "_o" : "_i";
+    const BallLoad load = ball_load(ball, e, j);
+    result["Q" + side] = load.Q;
+    result["alpha" + side] = load.contact.angle;
+    result["heat" + side] = load.heat;
+    result["spin_to_roll" + side] = load.contact.motion.W_n / load.contact.motion.W_c;
+  }
+  return result;
 }
 
 /// Slip at the middle of the ellipse.
@@ -39,15 +36,16 @@ std::array<double, 2> slip_centre(const BallLoad& load) {
   return {k.u_c + k.W_t * h, k.u_t - k.W_c * h};
 }
 
-Json steady_channels(BallBetweenRaces& ball, const State& y) {
+Json steady_channels(Motion& ball, const State& y, const TractionRule& rule) {
   Json result = ball_channels(ball, y);
-  const auto loads = ball.loads(y.data());
-  for (std::size_t j = 0; j < 2; ++j) {
+  const dynamics::Evaluation& e = ball.evaluate(0.0, y.data());
+  for (const std::size_t j : {0UL, 1UL}) {
     const std::string side = j == 0 ? "_o" : "_i";
-    const BallLoad& load = loads[j];
-    result["traction_rolling" + side] = load.traction.F_t;
-    result["traction_transverse" + side] = load.traction.F_c;
-    result["moment_normal" + side] = load.traction.M_n;
+    const BallLoad load = ball_load(ball, e, j);
+    const tribology::EllipseTraction traction = rule(ball.race(j).law, load.contact, 0.0).in_plane;
+    result["traction_rolling" + side] = traction.F_t;
+    result["traction_transverse" + side] = traction.F_c;
+    result["moment_normal" + side] = traction.M_n;
     result["slip_centre_transverse" + side] = slip_centre(load)[0];
     result["slip_centre_rolling" + side] = slip_centre(load)[1];
   }
@@ -74,12 +72,6 @@ void add_eigenvalues(std::vector<std::complex<double>> values, const Json& expec
   steady["eigenvalues_imag"] = imag;
 }
 
-State mechanical_state(const Json& s) {
-  return {get(s, "x"),       get(s, "r"),       get(s, "theta"),
-          get(s, "x_dot"),   get(s, "r_dot"),   get(s, "theta_dot"),
-          get(s, "omega_x"), get(s, "omega_r"), get(s, "omega_theta")};
-}
-
 /// Enough for 2e-7 of the traction: an exponential law is steeper at slip reversal than a two-slope
 /// law without A.
 int rule_points(const Json& in) {
@@ -88,29 +80,37 @@ int rule_points(const Json& in) {
 
 Json thrust_run(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  BallBetweenRaces ball(in, Vec3(get(in.at("static"), "inner_groove_centre_x"), 0, 0), true);
-  ball.set_rule(split_rule(rule_points(in)));
-  const State start = mechanical_state(in.at("initial_state"));
-  Problem problem = ball.problem(start);
+  SmallScene scene =
+      ball_scene(in, Vec3(get(in.at("static"), "inner_groove_centre_x"), 0, 0), true, 1);
+  const auto rule = converge_traction(scene, split_rule(rule_points(in)));
+  book_heat(scene, 1);
+  Motion ball(std::move(scene));
+  for (const char* key :
+       {"x", "r", "theta", "x_dot", "r_dot", "theta_dot", "omega_x", "omega_r", "omega_theta"})
+    ball.start_of("element." + std::string(key)) = get(in.at("initial_state"), key);
+  scale_balls(ball);
+  Problem problem = ball.problem();
   problem.tolerance = 1e-10;
   problem.stepper = "pece8";  // two evaluations of the contact ellipses per step
+  problem.longest_step = 2e-5;
   const auto times = sample_times(the_case);
-  const Solution solution = solve(problem, times);
+  const Solution solution = ball.solve(problem, times);
   Json result = {{"t", times},
-                 {"theta", solution.channel(2)},
-                 {"heat_energy_total_o", solution.channel(9)},
-                 {"heat_energy_total_i", solution.channel(10)},
-                 {"work_by_inner_race", solution.channel(11)}};
+                 {"theta", solution.channel(ball.at("element.theta"))},
+                 {"heat_energy_total_o", solution.channel(ball.at(heat_name(0, 0)))},
+                 {"heat_energy_total_i", solution.channel(ball.at(heat_name(1, 0)))},
+                 {"work_by_inner_race", solution.channel(ball.at("inner race.work"))}};
   for (const State& y : solution.samples) {
     const Json now = ball_channels(ball, y);
     for (const auto& [key, value] : now.items()) result[key].push_back(value);
   }
-  ball.set_rule(split_rule(32));
-  const State steady = ball.steady_state(solution.samples.back());
-  result["steady_state"] = steady_channels(ball, steady);
+  *rule = split_rule(32);
+  const State steady = steady_state(ball, solution.samples.back());
+  result["steady_state"] = steady_channels(ball, steady, *rule);
   const Json* expected = the_case.contains("expected") ? &the_case["expected"] : nullptr;
   if (expected && expected->contains("steady_state"))
-    add_eigenvalues(ball.eigenvalues(steady), (*expected)["steady_state"], result["steady_state"]);
+    add_eigenvalues(eigenvalues(ball, steady), (*expected)["steady_state"], result["steady_state"]);
+  ball.add_evidence(result);
   return result;
 }
 
@@ -131,23 +131,31 @@ Json convention_table(const Json& the_case) {
   conventions.push_back(
       {"flat_undeformed_minor_axis_ignored", "flat_undeformed", minor_axis_ignored()});
   conventions.push_back({"curved_edge_minor_axis_ignored", "curved_edge", minor_axis_ignored()});
-  BallBetweenRaces ball(base, Vec3(get(base.at("static"), "inner_groove_centre_x"), 0, 0), true);
   Json result;
   for (const Convention& convention : conventions) {
-    ball.set_surface(contact_surface(convention.surface));
-    ball.set_rule(convention.rule);
-    const State start =
-        ball.rolling_start(get(base.at("initial_state"), "x"), get(base.at("initial_state"), "r"));
-    Problem problem = ball.problem(start);
+    SmallScene scene =
+        ball_scene(base, Vec3(get(base.at("static"), "inner_groove_centre_x"), 0, 0), true, 1);
+    scene.options.surface = contact_surface(convention.surface);
+    (void)converge_traction(scene, convention.rule);
+    Motion ball(std::move(scene));
+    ball.start =
+        rolling_start(ball, get(base.at("initial_state"), "x"), get(base.at("initial_state"), "r"));
+    scale_balls(ball);
+    const auto started = [&](const char* group) {
+      return ball.start[static_cast<std::size_t>(ball.at(group))];
+    };
+    Problem problem = ball.problem();
     problem.tolerance = 1e-10;
     problem.stepper = "pece8";
-    const Solution solution = solve(problem, std::vector<double>{0.0, 1e-3});
+    problem.longest_step = 2e-5;
+    const Solution solution = ball.solve(problem, std::vector<double>{0.0, 1e-3});
     result[convention.name] = {
-        {"initial_theta_dot", start[5]},
-        {"initial_omega_x", start[6]},
-        {"initial_omega_r", start[7]},
+        {"initial_theta_dot", started("element.theta_dot")},
+        {"initial_omega_x", started("element.omega_x")},
+        {"initial_omega_r", started("element.omega_r")},
         {"at_1ms", ball_channels(ball, solution.samples.back())},
-        {"steady", ball_channels(ball, ball.steady_state(solution.samples.back()))}};
+        {"steady", ball_channels(ball, steady_state(ball, solution.samples.back()))}};
+    ball.add_evidence(result);
   }
   return result;
 }
@@ -174,16 +182,22 @@ double peak_line(const std::vector<double>& signal, double dt, double bin, doubl
 
 Json vibration(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  BallBetweenRaces ball(in, Vec3(get(in, "inner_groove_centre_x"), 0, 0), false);
+  Motion ball(ball_scene(in, Vec3(get(in, "inner_groove_centre_x"), 0, 0), false, 1));
   const double td = get(in, "orbital_speed_at_equilibrium"), m = ball.mass();
-  State start = {
-      get(in.at("equilibrium"), "x"), get(in.at("equilibrium"), "r"), 0, 0, 0, td, 0, 0, 0};
-  const auto loads = ball.loads(start.data());
+  const auto x = static_cast<std::size_t>(ball.at("element.x")),
+             r = static_cast<std::size_t>(ball.at("element.r")),
+             theta_dot = static_cast<std::size_t>(ball.at("element.theta_dot"));
+  State& start = ball.start;
+  start[x] = get(in.at("equilibrium"), "x");
+  start[r] = get(in.at("equilibrium"), "r");
+  start[theta_dot] = td;
+  const dynamics::Evaluation& e = ball.evaluate(0.0, start.data());
+  const std::array loads{ball_load(ball, e, 0), ball_load(ball, e, 1)};
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     const dynamics::RaceContactState& c = loads[j].contact;
     const Eigen::Vector2d n(c.n[0], c.n[2]);  // at θ = 0 the radial direction is z
-    const double l = c.approach + ball.model(j).groove.offset[j];
+    const double l = c.approach + ball.race(j).groove.offset[j];
     K += 1.5 * loads[j].Q / c.approach * n * n.transpose() +
          loads[j].Q / l * (Eigen::Matrix2d::Identity() - n * n.transpose());
   }
@@ -204,27 +218,30 @@ Json vibration(const Json& the_case) {
   result["mode_shapes_columns"] = {{shapes(0, 0), shapes(0, 1)}, {shapes(1, 0), shapes(1, 1)}};
 
   // The free motion: r² θ' is conserved from the equilibrium.
-  start[0] += get(in.at("initial_offset"), "x");
-  start[1] += get(in.at("initial_offset"), "r");
-  start[5] = td * std::pow(get(in.at("equilibrium"), "r") / start[1], 2);
+  start[x] += get(in.at("initial_offset"), "x");
+  start[r] += get(in.at("initial_offset"), "r");
+  start[theta_dot] = td * std::pow(get(in.at("equilibrium"), "r") / start[r], 2);
   const double bin =
       the_case.value("expected", Json::object()).value("fft_bin_Hz", frequency[0] / 128);
   const double dt = 0.05 / frequency[1];
   std::vector<double> times;
   for (std::size_t n = 0; static_cast<double>(n) * dt < 1 / bin; ++n)
     times.push_back(static_cast<double>(n) * dt);
-  Problem problem = ball.problem(start);
-  problem.scales[0] = problem.scales[1] = 1e-9;
-  problem.scales[3] = problem.scales[4] = 1e-4;
+  scale_balls(ball);
+  for (const char* group : {"element.x", "element.r"}) ball.scale(group, 1e-9);
+  for (const char* group : {"element.x_dot", "element.r_dot"}) ball.scale(group, 1e-4);
+  Problem problem = ball.problem();
   problem.tolerance = 1e-9;
-  const Solution solution = solve(problem, times);
+  problem.longest_step = 2e-5;
+  const Solution solution = ball.solve(problem, times);
+  ball.add_evidence(result);
   Json peaks = Json::array(), fitted = Json::array();
   for (int k = 0; k < 2; ++k) {
     // Modal coordinate of mode k: a nearly pure sine, its frequency from the zero crossings.
     std::vector<double> modal;
     for (const State& y : solution.samples)
-      modal.push_back(shapes(0, k) * (y[0] - get(in.at("equilibrium"), "x")) +
-                      shapes(1, k) * (y[1] - get(in.at("equilibrium"), "r")));
+      modal.push_back(shapes(0, k) * (y[x] - get(in.at("equilibrium"), "x")) +
+                      shapes(1, k) * (y[r] - get(in.at("equilibrium"), "r")));
     const double f = frequency[static_cast<std::size_t>(k)];
     peaks.push_back(peak_line(modal, dt, bin, f));
     // Phase advance over the run at the linear frequency, Hann window on two halves.
@@ -250,46 +267,50 @@ Json vibration(const Json& the_case) {
 
 Json radial_run(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  const Json& shift = in.at("inner_race_displacement");
+  const Json &shift = in.at("inner_race_displacement"), &initial = in.at("initial_states");
   const auto times = sample_times(the_case);
-  BallBetweenRaces ball(in, Vec3(get(shift, "x"), get(shift, "y"), get(shift, "z")), true);
+  const std::size_t n = initial.size();
+  SmallScene scene = ball_scene(in, Vec3(get(shift, "x"), get(shift, "y"), get(shift, "z")), true,
+                                static_cast<int>(n));
+  // This family asks for 1e-5: the run's rule with more nodes has it.
+  scene.options.ellipse_major = 200;
+  scene.options.ellipse_minor = 64;
+  book_heat(scene, static_cast<int>(n));
+  Motion balls(std::move(scene));
+  for (std::size_t i = 0; i < n; ++i)
+    balls.place(i, vec3(initial[i].at("position")), vec3(initial[i].at("velocity")),
+                vec3(initial[i].at("omega")));
+  scale_balls(balls);
+  Problem problem = balls.problem();
+  problem.tolerance = 3e-10;
+  problem.stepper = "pece8";
+  problem.longest_step = 2e-5;
+  const Solution solution = balls.solve(problem, times);
   Json result = {{"t", times}};
-  std::vector<Vec3> force(times.size(), Vec3::Zero());
-  std::vector<double> torque(times.size(), 0.0);
-  for (const Json& initial : in.at("initial_states")) {
-    const Vec3 p = vec3(initial.at("position")), v = vec3(initial.at("velocity")),
-               w = vec3(initial.at("omega"));
-    const double theta = azimuth(p);
-    const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta);
-    const double r = p.dot(e_r);
-    Problem problem = ball.problem(
-        {p[0], r, theta, v[0], v.dot(e_r), v.dot(e_t) / r, w[0], w.dot(e_r), w.dot(e_t)});
-    problem.tolerance = 3e-10;
-    problem.stepper = "pece8";
-    const Solution solution = solve(problem, times);
-    Json rows;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      const State& y = solution.samples[k];
-      const auto [o, i] = ball.loads(y.data());
-      rows["Q_outer"].push_back(o.Q);
-      rows["Q_inner"].push_back(i.Q);
-      rows["alpha_outer"].push_back(o.contact.angle);
-      force[k] -= i.force;
-      torque[k] -= (i.contact.arm.cross(i.force) + i.moment)[0];
+  for (const State& y : solution.samples) {
+    const auto component = [&](const std::string& group, std::size_t i = 0) {
+      return y[static_cast<std::size_t>(balls.at(group)) + i];
+    };
+    const dynamics::Evaluation& e = balls.evaluate(0.0, y.data());
+    result["force_on_inner_race_xyz"].push_back(json(e.race[1].force));
+    result["torque_x_on_inner_race"].push_back(e.race[1].moment[0]);
+    const auto keep = [&](const char* key, std::size_t i, double value) {
+      if (!result.contains(key)) result[key] = Json(n, Json::array());
+      result[key][i].push_back(value);
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const BallLoad outer = ball_load(balls, e, 0, i);
+      keep("Q_outer", i, outer.Q);
+      keep("Q_inner", i, e.load[1][i]);
+      keep("alpha_outer", i, outer.contact.angle);
+      for (const char* key : {"x", "r", "theta", "omega_x", "omega_r", "omega_theta"})
+        keep(key, i, component("element." + std::string(key), i));
+      keep("orbital_speed", i, component("element.theta_dot", i));
+      keep("heat_energy_outer", i, component(heat_name(0, i)));
+      keep("heat_energy_inner", i, component(heat_name(1, i)));
     }
-    rows["x"] = solution.channel(0);
-    rows["r"] = solution.channel(1);
-    rows["theta"] = solution.channel(2);
-    rows["orbital_speed"] = solution.channel(5);
-    rows["omega_x"] = solution.channel(6);
-    rows["omega_r"] = solution.channel(7);
-    rows["omega_theta"] = solution.channel(8);
-    rows["heat_energy_outer"] = solution.channel(9);
-    rows["heat_energy_inner"] = solution.channel(10);
-    for (const auto& [key, value] : rows.items()) result[key].push_back(value);
   }
-  for (const Vec3& f : force) result["force_on_inner_race_xyz"].push_back(json(f));
-  result["torque_x_on_inner_race"] = torque;
+  balls.add_evidence(result);
   return result;
 }
 

@@ -1,270 +1,261 @@
+#include "reference/motion.hpp"
 #include "reference/scenarios.hpp"
-#include "reference/trajectory.hpp"
-#include "tribology/traction_curve.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
 
 /// dynamics_roller: one cylindrical roller between two races, with loads Q = k δ of its own and
-/// slip that is uniform along each line (tests/reference/dynamics_README.md, family 7).
+/// slip that is uniform along each line (tests/reference/dynamics_README.md, family 7). The roller
+/// of a plane problem is a ball with the roller's moment of inertia; races are walls that press on
+/// it.
 namespace adore::reference {
 namespace {
 
+using dynamics::Evaluation;
+
 constexpr std::array<double, 2> kSide{1.0, -1.0};  ///< outer, inner
-
-struct RollerRace {
-  double centre_y = 0.0, centre_z = 0.0, radius = 0.0, stiffness = 0.0, speed = 0.0;
-};
-
-/// Contact of one race. Azimuth axes: axial, e_r, e_θ.
-struct RollerContact {
-  double Q = 0.0;
-  double slip_x = 0.0, slip_t = 0.0;  ///< race minus roller
-  double f_x = 0.0, f_t = 0.0;        ///< traction on the roller
-  double heat = 0.0, work = 0.0;      ///< [W]
-};
-
-class RollerCase {
- public:
-  explicit RollerCase(const Json& in)
-      : half_(0.5 * get(in, "D")), law_(traction_law(in.at("law"))) {
-    if (!in.contains("mass")) return;
-    mass_ = get(in, "mass");
-    inertia_ = get(in, "inertia");
-    for (std::size_t j = 0; j < 2; ++j) {
-      const Json& race = in.at(j == 0 ? "outer" : "inner");
-      race_[j] = {race.at("centre_yz").at(0).get<double>(),
-                  race.at("centre_yz").at(1).get<double>(), get(race, "raceway_radius"),
-                  get(race, "stiffness"), get(race, "speed_rad_s")};
-    }
-  }
-
-  [[nodiscard]] double half() const { return half_; }
-  [[nodiscard]] double kink() const { return law_.u0; }
-  [[nodiscard]] double mass() const { return mass_; }
-  [[nodiscard]] double inertia() const { return inertia_; }
-  [[nodiscard]] const RollerRace& race(std::size_t j) const { return race_[j]; }
-  /// δ at r from the race's own centre.
-  [[nodiscard]] double approach(std::size_t j, double r) const {
-    return kSide[j] * (r - race_[j].radius) + half_;
-  }
-  /// @param v_x, v_t velocity of the roller's centre; spin about the axis that is skewed by s
-  [[nodiscard]] RollerContact contact(std::size_t j, double Q, double speed, double r, double v_x,
-                                      double v_t, double spin, double s) const {
-    const double side = kSide[j], rim = side * half_;
-    RollerContact c;
-    c.Q = Q;
-    c.slip_x = -v_x - rim * spin * std::sin(s);
-    c.slip_t = speed * (r + rim) - v_t - rim * spin * std::cos(s);
-    const double u = std::hypot(c.slip_x, c.slip_t);
-    if (u > 0.0 && Q > 0.0) {
-      const double per_slip = tribology::traction_coefficient(law_, u) * Q / u;
-      c.f_x = per_slip * c.slip_x;
-      c.f_t = per_slip * c.slip_t;
-    }
-    c.heat = c.f_x * c.slip_x + c.f_t * c.slip_t;
-    c.work = speed * (r + rim) * c.f_t;
-    return c;
-  }
-
- private:
-  double half_, mass_ = 0.0, inertia_ = 0.0;
-  bearing::TractionCurve law_;
-  std::array<RollerRace, 2> race_;
-};
-
 const std::array<std::string, 2> kRace{"outer", "inner"};
 
-// ---- planar motion: y, z, vy, vz, ω, work, heat of both races, azimuth
-
-struct PlanarContact : RollerContact {
-  double e_y = 0.0, e_z = 0.0;  ///< e_r about the race's own centre
-  double approach = 0.0;
+/// One contact at the state evaluated last.
+struct Line {
+  double approach = 0.0, Q = 0.0;
+  Vec3 arm = Vec3::Zero(), friction = Vec3::Zero();  ///< on the roller [m, N]
+  Vec3 slip = Vec3::Zero();  ///< race minus roller, (x, r, θ) of the race [m/s]
+  double heat = 0.0, work = 0.0;
 };
-PlanarContact planar(const RollerCase& roller, std::size_t j, const double* y) {
-  const RollerRace& race = roller.race(j);
-  const double dy = y[0] - race.centre_y, dz = y[1] - race.centre_z, r = std::hypot(dy, dz);
-  PlanarContact out;
-  out.e_y = dy / r;
-  out.e_z = dz / r;
-  out.approach = roller.approach(j, r);
-  const double v_t = -y[2] * out.e_z + y[3] * out.e_y;  // e_θ = (-cos θ, -sin θ)
-  static_cast<RollerContact&>(out) = roller.contact(j, race.stiffness * std::max(out.approach, 0.0),
-                                                    race.speed, r, 0.0, v_t, y[4], 0.0);
-  return out;
-}
+
+/// Walls of both races.
+struct Walls {
+  std::array<dynamics::BodyState, 2> race;
+  std::array<double, 2> radius{}, stiffness{};
+  std::optional<std::array<double, 2>> load;  ///< given instead of a spring [N]
+  double half = 0.0;                          ///< D/2 [m]
+  tribology::TractionLaw law;
+  std::array<Line, 2> line;
+
+  void act(Evaluation& e) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      Vec3 from_axis = e.element_centre(0) - race[j].position;
+      from_axis[0] = 0.0;
+      const double r = from_axis.norm();
+      const Vec3 out = from_axis / r, m = kSide[j] * out;
+      Line& one = line[j];
+      one = {};
+      one.approach = kSide[j] * (r - radius[j]) + half;
+      one.arm = half * m;
+      const Vec3 point = e.element_centre(0) + one.arm;
+      const Vec3 slip =
+          race[j].velocity_at(point) - e.element_velocity(0) - e.element_omega(0).cross(one.arm);
+      one.slip = Vec3(slip[0], slip.dot(out), slip.dot(Vec3::UnitX().cross(out)));
+      const double k = load ? (*load)[j] : stiffness[j];
+      const double overlap = load ? 1.0 : one.approach;
+      if (!(overlap > 0.0)) continue;
+      const dynamics::PocketAction action =
+          press(e, 0, race[j], m, half, linear_spring(k), overlap, law);
+      one.Q = action.N;
+      one.friction = action.friction;
+      one.heat = action.heat;
+      one.work = action.on_ball.dot(race[j].velocity_at(action.point));
+    }
+  }
+};
+
+/// The walls of a case in a scene with the roller; `after` acts behind them.
+struct RollerMotion {
+  std::unique_ptr<Walls> walls = std::make_unique<Walls>();
+  std::unique_ptr<double> work = std::make_unique<double>(0.0);
+  std::unique_ptr<Motion> motion;
+
+  explicit RollerMotion(const Json& in, std::function<void(Evaluation&)> after = {}) {
+    Walls& w = *walls;
+    w.half = 0.5 * get(in, "D");
+    w.law = traction_law(in.at("law"));
+    SmallScene scene;
+    bearing::Inertia& inertia = scene.bearing.element_inertia;
+    if (in.contains("mass")) {
+      inertia.mass = get(in, "mass");
+      inertia.moments.setConstant(get(in, "inertia"));
+    }
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!in.contains(kRace[j])) {
+        w.race[j].omega[0] = get(in, (kRace[j] + "_speed_rad_s").c_str());
+        continue;
+      }
+      const Json& race = in.at(kRace[j]);
+      w.race[j].position = Vec3(0.0, race.at("centre_yz").at(0).get<double>(),
+                                race.at("centre_yz").at(1).get<double>());
+      w.race[j].omega[0] = get(race, "speed_rad_s");
+      w.radius[j] = get(race, "raceway_radius");
+      w.stiffness[j] = get(race, "stiffness");
+    }
+    if (in.contains("Q_outer")) w.load = {get(in, "Q_outer"), get(in, "Q_inner")};
+    add(scene,
+        {[&w, total = work.get(), after](Evaluation& e, const dynamics::Races&) {
+           w.act(e);
+           *total = w.line[0].work + w.line[1].work;
+           if (after) after(e);
+         },
+         {},
+         {{"work", work.get()}, {"heat outer", &w.line[0].heat}, {"heat inner", &w.line[1].heat}}});
+    motion = std::make_unique<Motion>(std::move(scene));
+  }
+  /// With events where a contact opens or passes the kink of the law.
+  [[nodiscard]] Solution solve(const std::vector<double>& times, bool with_events) {
+    const double time = std::sqrt(motion->mass() / walls->stiffness[0]);
+    const double r = motion->start_of("element.r"),
+                 speed = std::hypot(r * motion->start_of("element.theta_dot"),
+                                    motion->start_of("element.r_dot")) +
+                         1.0;
+    motion->scale("element.x", 1e-3);
+    motion->scale("element.r", r);
+    motion->scale("element.x_dot", 0.1);
+    motion->scale("element.r_dot", 0.1 * speed);
+    motion->scale("element.theta_dot", speed / r);
+    for (const char* group : {"element.omega_x", "element.omega_r", "element.omega_theta"})
+      motion->scale(group, speed / walls->half);
+    Problem problem = motion->problem();
+    problem.longest_step = 0.3 * time;
+    const auto evaluated = [this](double t, const double* y) -> const Walls& {
+      (void)motion->evaluate(t, y);
+      return *walls;
+    };
+    for (std::size_t j = 0; with_events && j < 2; ++j) {
+      problem.events.emplace_back(
+          [=](double t, const double* y) { return evaluated(t, y).line[j].approach; });
+      problem.events.emplace_back([=](double t, const double* y) {
+        const Walls& w = evaluated(t, y);
+        return std::abs(w.line[j].slip[2]) - w.law.kink();
+      });
+    }
+    return motion->solve(problem, times);
+  }
+  void add_integrals(const Solution& solution, Json& out) const {
+    out["work_by_races"] = solution.channel(motion->at("work"));
+    for (const std::string& race : kRace)
+      out["heat_" + race] = solution.channel(motion->at("heat " + race));
+  }
+};
+
+// ---- planar motion
 
 Json planar_case(const Json& the_case) {
-  const Json& in = the_case.at("inputs");
-  const RollerCase roller(in);
-  const Json& at = in.at("initial_state");
-  Problem problem;
-  problem.start = {get(at, "y"),     get(at, "z"), get(at, "vy"), get(at, "vz"),
-                   get(at, "omega"), 0.0,          0.0,           0.0};
-  const double radius = roller.race(0).radius, stiffness = roller.race(0).stiffness;
-  const double time = std::sqrt(roller.mass() / stiffness);
-  const double speed = std::hypot(problem.start[2], problem.start[3]) + 1.0;
-  const double heat = roller.mass() * speed * speed;
-  problem.scales = {radius, radius, speed, speed, speed / roller.half(), heat, heat, heat};
-  problem.longest_step = 0.3 * time;
-  problem.rates = [&](double, const double* y, double* d) {
-    double fy = 0.0, fz = 0.0, moment = 0.0;
-    d[5] = 0.0;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const PlanarContact c = planar(roller, j, y);
-      fy += -kSide[j] * c.Q * c.e_y - c.f_t * c.e_z;
-      fz += -kSide[j] * c.Q * c.e_z + c.f_t * c.e_y;
-      moment += kSide[j] * roller.half() * c.f_t;
-      d[5] += c.work;
-      d[6 + j] = c.heat;
-    }
-    d[0] = y[2];
-    d[1] = y[3];
-    d[2] = fy / roller.mass();
-    d[3] = fz / roller.mass();
-    d[4] = moment / roller.inertia();
-  };
-  for (std::size_t j = 0; j < 2; ++j) {
-    problem.events.push_back(
-        [&roller, j](double, const double* y) { return planar(roller, j, y).approach; });
-    problem.events.push_back([&roller, j](double, const double* y) {
-      return std::abs(planar(roller, j, y).slip_t) - roller.kink();
-    });
-  }
+  const Json &in = the_case.at("inputs"), &at = in.at("initial_state");
+  RollerMotion roller(in);
+  Motion& motion = *roller.motion;
+  motion.place(0, Vec3(0.0, get(at, "y"), get(at, "z")), Vec3(0.0, get(at, "vy"), get(at, "vz")),
+               get(at, "omega") * Vec3::UnitX());
+  const double orbit = motion.start_of("element.theta_dot");
   const std::vector<double> times = sample_times(the_case);
-  const Solution solution = solve(problem, times);
-  // At constant angular momentum the orbit adds 3 θ̇².
-  const State& y0 = problem.start;
-  const double orbit = (y0[0] * y0[3] - y0[1] * y0[2]) / (y0[0] * y0[0] + y0[1] * y0[1]);
-  Json out = {
-      {"t", times},
-      {"y", solution.channel(0)},
-      {"z", solution.channel(1)},
-      {"vy", solution.channel(2)},
-      {"vz", solution.channel(3)},
-      {"omega", solution.channel(4)},
-      {"work_by_races", solution.channel(5)},
-      {"heat_outer", solution.channel(6)},
-      {"heat_inner", solution.channel(7)},
-      {"angular_frequency_linear",
-       std::sqrt((stiffness + roller.race(1).stiffness) / roller.mass() + 3.0 * orbit * orbit)}};
-  double theta = 0.0;
-  for (const State& y : solution.samples) {
-    const double r = std::hypot(y[0], y[1]), now = std::atan2(-y[0], y[1]);
-    theta = out.contains("theta") ? theta + std::remainder(now - theta, 2.0 * kPi) : now;
-    out["theta"].push_back(theta);
-    out["r"].push_back(r);
-    out["orbital_speed"].push_back((y[0] * y[3] - y[1] * y[2]) / (r * r));
+  const Solution solution = roller.solve(times, true);
+  Json out = {{"t", times},
+              {"theta", solution.channel(motion.at("element.theta"))},
+              {"r", solution.channel(motion.at("element.r"))},
+              {"orbital_speed", solution.channel(motion.at("element.theta_dot"))},
+              {"omega", solution.channel(motion.at("element.omega_x"))},
+              // At constant angular momentum the orbit adds 3 θ̇².
+              {"angular_frequency_linear",
+               std::sqrt((roller.walls->stiffness[0] + roller.walls->stiffness[1]) / motion.mass() +
+                         3.0 * orbit * orbit)}};
+  roller.add_integrals(solution, out);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Evaluation& e = motion.evaluate(times[i], solution.samples[i].data());
+    const Vec3 place = e.element_centre(0), velocity = e.element_velocity(0);
+    out["y"].push_back(place[1]);
+    out["z"].push_back(place[2]);
+    out["vy"].push_back(velocity[1]);
+    out["vz"].push_back(velocity[2]);
     for (std::size_t j = 0; j < 2; ++j) {
-      const PlanarContact c = planar(roller, j, y.data());
-      out["Q_" + kRace[j]].push_back(c.Q);
-      out["slip_" + kRace[j]].push_back(c.slip_t);
+      out["Q_" + kRace[j]].push_back(roller.walls->line[j].Q);
+      out["slip_" + kRace[j]].push_back(roller.walls->line[j].slip[2]);
     }
   }
+  motion.add_evidence(out);
   return out;
 }
 
-// ---- skewed roller: traction of an instant
+// ---- a roller whose axis is skewed by s: (cos s, 0, -sin s) on (e_x, e_r, e_θ)
 
+void set_spin(Motion& motion, double spin, double skew) {
+  motion.start_of("element.omega_x") = spin * std::cos(skew);
+  motion.start_of("element.omega_theta") = -spin * std::sin(skew);
+}
+
+/// Traction of an instant: one evaluation for each row, no motion.
 Json skew_table(const Json& the_case) {
   const Json& in = the_case.at("inputs");
-  const RollerCase roller(in);
-  const double r = get(in, "orbit_radius"), v_t = r * get(in, "orbital_speed");
+  RollerMotion roller(in);
+  Motion& motion = *roller.motion;
+  motion.start_of("element.r") = get(in, "orbit_radius");
+  motion.start_of("element.theta_dot") = get(in, "orbital_speed");
   Json rows = Json::array();
   for (const Json& asked : the_case.at("expected").at("rows")) {
     const double degrees = get(asked, "skew_deg");
+    set_spin(motion, get(in, "roller_spin"), degrees * kDegree);
+    const Evaluation& e = motion.evaluate(0.0, motion.start.data());
     Json row = {{"skew_deg", degrees}};
     double axial = 0.0, moment = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
-      const RollerContact c = roller.contact(j, get(in, ("Q_" + kRace[j]).c_str()),
-                                             get(in, (kRace[j] + "_speed_rad_s").c_str()), r, 0.0,
-                                             v_t, get(in, "roller_spin"), degrees * kDegree);
-      const double rim = kSide[j] * roller.half();
-      row[kRace[j]] = {{"slip_axial", c.slip_x}, {"slip_rolling", c.slip_t},
-                       {"F_axial", c.f_x},       {"F_rolling", c.f_t},
-                       {"M_x", rim * c.f_t},     {"M_theta", -rim * c.f_x},
-                       {"heat", c.heat}};
-      axial += c.f_x;
-      moment -= rim * c.f_x;
+      const Line& line = roller.walls->line[j];
+      const Vec3 f = e.to_cylindrical(0, line.friction),
+                 M = e.to_cylindrical(0, line.arm.cross(line.friction));
+      row[kRace[j]] = {{"slip_axial", line.slip[0]},
+                       {"slip_rolling", line.slip[2]},
+                       {"F_axial", f[0]},
+                       {"F_rolling", f[2]},
+                       {"M_x", M[0]},
+                       {"M_theta", M[2]},
+                       {"heat", line.heat}};
+      axial += f[0];
+      moment += M[2];
     }
     row["net_axial"] = axial;
     row["net_M_theta"] = moment;
     rows.push_back(row);
   }
-  return {{"rows", rows}};
+  Json out = {{"rows", rows}};
+  motion.add_evidence(out);
+  return out;
 }
 
-// ---- held at a skew: x, r, θ and rates, spin, work, heat of both races
-
+/// Held at a skew: moments across the roller's axis are reacted, so that its attitude follows the
+/// orbit.
 Json held_case(const Json& the_case) {
-  const Json& in = the_case.at("inputs");
-  const RollerCase roller(in);
-  const Json& at = in.at("initial_state");
-  const double skew = get(in, "skew_deg") * kDegree;
-  Problem problem;
-  problem.start = {get(at, "x"),
-                   get(at, "r"),
-                   get(at, "theta"),
-                   get(at, "x_dot"),
-                   get(at, "r_dot"),
-                   get(at, "theta_dot"),
-                   get(at, "spin"),
-                   0.0,
-                   0.0,
-                   0.0};
-  const double time = std::sqrt(roller.mass() / roller.race(0).stiffness);
-  const double radius = problem.start[1], speed = radius * std::abs(problem.start[5]) + 1.0;
-  const double heat = roller.mass() * speed * speed;
-  problem.scales = {1e-3, radius, 1.0, 0.1, 0.1 * speed, speed / radius, speed / roller.half(),
-                    heat, heat,   heat};
-  problem.longest_step = 0.3 * time;
-  const auto contact = [&](std::size_t j, const double* y) {
-    return roller.contact(j, roller.race(j).stiffness * std::max(roller.approach(j, y[1]), 0.0),
-                          roller.race(j).speed, y[1], y[3], y[1] * y[5], y[6], skew);
-  };
-  problem.rates = [&](double, const double* y, double* d) {
-    double fx = 0.0, fr = 0.0, ft = 0.0, about = 0.0;
-    d[7] = 0.0;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const RollerContact c = contact(j, y);
-      fx += c.f_x;
-      ft += c.f_t;
-      fr -= kSide[j] * c.Q;
-      about += kSide[j] * roller.half() * (c.f_t * std::cos(skew) + c.f_x * std::sin(skew));
-      d[7] += c.work;
-      d[8 + j] = c.heat;
-    }
-    d[0] = y[3];
-    d[1] = y[4];
-    d[2] = y[5];
-    d[3] = fx / roller.mass();
-    d[4] = fr / roller.mass() + y[1] * y[5] * y[5];
-    d[5] = (ft / roller.mass() - 2.0 * y[4] * y[5]) / y[1];
-    d[6] = about / roller.inertia();
-  };
+  const Json &in = the_case.at("inputs"), &at = in.at("initial_state");
+  const double skew = get(in, "skew_deg") * kDegree, inertia = get(in, "inertia");
+  const Vec3 axis(std::cos(skew), 0.0, -std::sin(skew));
+  RollerMotion roller(in, [=](Evaluation& e) {
+    const Vec3 M(e.actions[3][0], e.actions[4][0], e.actions[5][0]);
+    const double orbit = e.elements.theta_dot[0];
+    const Vec3 turning =
+        inertia * orbit * Vec3(0.0, -e.elements.omega_theta[0], e.elements.omega_r[0]);
+    e.add_moment(0, M.dot(axis) * axis + turning - M);
+  });
+  Motion& motion = *roller.motion;
+  for (const char* key : {"x", "r", "theta", "x_dot", "r_dot", "theta_dot"})
+    motion.start_of("element." + std::string(key)) = get(at, key);
+  set_spin(motion, get(at, "spin"), skew);
   const std::vector<double> times = sample_times(the_case);
-  const Solution solution = solve(problem, times);
+  const Solution solution = roller.solve(times, false);
   Json out = {{"t", times},
-              {"x", solution.channel(0)},
-              {"r", solution.channel(1)},
-              {"theta", solution.channel(2)},
-              {"x_dot", solution.channel(3)},
-              {"r_dot", solution.channel(4)},
-              {"theta_dot", solution.channel(5)},
-              {"spin", solution.channel(6)},
-              {"work_by_races", solution.channel(7)},
-              {"heat_outer", solution.channel(8)},
-              {"heat_inner", solution.channel(9)}};
-  for (const State& y : solution.samples) {
+              {"spin", solution.channel(motion.at("element.omega_x"), 1.0 / std::cos(skew))}};
+  for (const char* key : {"x", "r", "theta", "x_dot", "r_dot", "theta_dot"})
+    out[key] = solution.channel(motion.at("element." + std::string(key)));
+  roller.add_integrals(solution, out);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    (void)motion.evaluate(times[i], solution.samples[i].data());
     double holding = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
-      const RollerContact c = contact(j, y.data());
-      out["Q_" + kRace[j]].push_back(c.Q);
-      out["axial_force_" + kRace[j]].push_back(c.f_x);
-      holding += kSide[j] * roller.half() * c.f_x;
+      const Line& line = roller.walls->line[j];
+      const double axial = line.friction[0];
+      out["Q_" + kRace[j]].push_back(line.Q);
+      out["axial_force_" + kRace[j]].push_back(axial);
+      holding += kSide[j] * roller.walls->half * axial;
     }
     out["holding_moment_theta"].push_back(holding);
   }
+  motion.add_evidence(out);
   return out;
 }
 

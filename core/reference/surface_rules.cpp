@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-/// Surface models of the table dyn3_convention_sensitivity that the library itself does not offer.
+/// Traction rules of the cases: the converged integral of the library, and two surface models of
+/// the table dyn3_convention_sensitivity that the library does not offer.
 namespace adore::reference {
 namespace {
 

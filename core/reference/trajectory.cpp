@@ -1,7 +1,6 @@
 #include "reference/trajectory.hpp"
 
 #include "base/errors.hpp"
-#include "integrators/stepper.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,48 +10,33 @@
 namespace adore::reference {
 namespace {
 
-class System final : public integrators::OdeSystem {
- public:
-  explicit System(const Problem& problem) : problem_(problem), scales_(problem.scales) {
-    for (double& scale : scales_) scale = scale == 0.0 ? 1.0 : std::abs(scale);
-  }
-  [[nodiscard]] int size() const noexcept override {
-    return static_cast<int>(problem_.start.size());
-  }
-  [[nodiscard]] int controlled_size() const noexcept override { return size(); }
-  [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
-  integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
-    problem_.rates(t, y, dydt);
-    for (int i = 0; i < size(); ++i)
-      if (!std::isfinite(dydt[i])) return integrators::EvalStatus::Retry;
-    return integrators::EvalStatus::Ok;
-  }
-
- private:
-  const Problem& problem_;
-  State scales_;  ///< magnitudes, none 0
-};
+void count(StepperWork& work, const integrators::Stepper& stepper) {
+  const integrators::Counters& counters = stepper.counters();
+  ++work.starts;
+  work.steps += counters.steps;
+  work.rejected += counters.rejected;
+  work.evaluations += counters.evaluations;
+}
 
 /// The solution from a known point to a later time, by a stepper of its own.
-State advance(const Problem& problem, System& system, double t0, const State& y0, double t) {
+State advance(const Problem& problem, double t0, const State& y0, double t, StepperWork& work) {
   if (t <= t0) return y0;
   const auto stepper = integrators::make_stepper(problem.stepper);
   integrators::StepControl control;
   control.initial = t - t0;
   control.maximum = t - t0;
   control.tolerance = problem.tolerance;
-  stepper->start(system, t0, y0, control);
+  stepper->start(problem.system, t0, y0, control);
   while (stepper->time() < t) (void)stepper->step(t);
+  count(work, *stepper);
   const auto y = stepper->state();
   return {y.begin(), y.end()};
 }
 
 class Solver {
  public:
-  Solver(const Problem& problem, std::span<const double> times)
-      : problem_(problem), times_(times), system_(problem) {
-    demand(times.size() >= 1 && problem.scales.size() == problem.start.size(),
-           "a problem needs times and scales");
+  Solver(const Problem& problem, std::span<const double> times) : problem_(problem), times_(times) {
+    demand(!times.empty(), "a problem needs times");
     control_.tolerance = problem.tolerance;
     const double whole = times.back() - times.front();
     control_.maximum =
@@ -67,19 +51,26 @@ class Solver {
     restart();
     for (std::size_t i = 1; i < times_.size(); ++i) {
       while (t_ < times_[i])
-        if (!step(times_[i])) return std::move(solution_);
+        if (!step(times_[i])) return finish();
       solution_.samples.push_back(y_);
     }
-    return std::move(solution_);
+    return finish();
   }
 
  private:
+  Solution finish() {
+    if (stepper_) count(solution_.work, *stepper_);
+    return std::move(solution_);
+  }
+
   static int sign(double value) { return (value > 0.0) - (value < 0.0); }
 
   void restart() {
+    if (stepper_) count(solution_.work, *stepper_);
+    stepper_.reset();
     if (!(t_ < times_.back())) return;
     stepper_ = integrators::make_stepper(problem_.stepper);
-    stepper_->start(system_, t_, y_, control_);
+    stepper_->start(problem_.system, t_, y_, control_);
   }
 
   /// False when an event ended the solution.
@@ -121,14 +112,14 @@ class Solver {
   double locate(std::size_t k, double t_end, State& y) {
     const auto& event = problem_.events[k];
     double a = t_, b = t_end;
-    State y_b = advance(problem_, system_, t_, y_, b);
+    State y_b = advance(problem_, t_, y_, b, solution_.work);
     double fa = event(a, y_.data()), fb = event(b, y_b.data());
     if (sign(fa) != sign_[k]) fa = 1e-3 * sign_[k] * std::abs(fb);  // stands on the event itself
     const double width = 4e-16 * std::max(std::abs(t_end), times_.back() - times_.front());
     for (int i = 0; i < 100 && b - a > width; ++i) {
       double c = b - fb * (b - a) / (fb - fa);
       if (!(c > a && c < b) || i % 8 == 7) c = 0.5 * (a + b);
-      State y_c = advance(problem_, system_, t_, y_, c);
+      State y_c = advance(problem_, t_, y_, c, solution_.work);
       const double fc = event(c, y_c.data());
       if (sign(fc) == sign_[k]) {
         a = c;
@@ -148,7 +139,6 @@ class Solver {
 
   const Problem& problem_;
   std::span<const double> times_;
-  System system_;
   integrators::StepControl control_;
   std::unique_ptr<integrators::Stepper> stepper_;
   Solution solution_;
@@ -159,16 +149,9 @@ class Solver {
 
 }  // namespace
 
-Json Solution::channel(int component) const {
+Json Solution::channel(int component, double factor) const {
   Json values = Json::array();
-  for (const State& y : samples) values.push_back(y[static_cast<std::size_t>(component)]);
-  return values;
-}
-
-Json Solution::vectors(int first) const {
-  Json values = Json::array();
-  const auto k = static_cast<std::size_t>(first);
-  for (const State& y : samples) values.push_back(Json::array({y[k], y[k + 1], y[k + 2]}));
+  for (const State& y : samples) values.push_back(factor * y[static_cast<std::size_t>(component)]);
   return values;
 }
 

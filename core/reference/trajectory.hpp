@@ -1,31 +1,47 @@
 #pragma once
 
+#include "integrators/stepper.hpp"
 #include "reference/adapter.hpp"
 
 #include <functional>
 #include <span>
-#include <string>
+#include <utility>
 #include <vector>
 
-/// Solves small initial-value problems for the reference scenarios with the library's own steppers.
+/// Solves the initial-value problems of the reference cases with the shipped steppers.
 namespace adore::reference {
 
 using State = std::vector<double>;
 
+/// y' = f(y) of unit tests of the steppers.
+class Rates final : public integrators::OdeSystem {
+ public:
+  Rates(State scales, std::function<void(const double* y, double* dydt)> rates)
+      : scales_(std::move(scales)), rates_(std::move(rates)) {}
+  [[nodiscard]] int size() const noexcept override { return static_cast<int>(scales_.size()); }
+  [[nodiscard]] int controlled_size() const noexcept override { return size(); }
+  [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
+  integrators::EvalStatus rhs(double, const double* y, double* dydt) noexcept override {
+    rates_(y, dydt);
+    return integrators::EvalStatus::Ok;
+  }
+
+ private:
+  State scales_;
+  std::function<void(const double*, double*)> rates_;
+};
+
 struct Problem {
-  /// dydt = f(t, y)
-  std::function<void(double t, const double* y, double* dydt)> rates;
+  integrators::OdeSystem& system;
   State start;
-  State scales;  ///< size of each component, its sign aside; the local error of a step is held
-                 ///< below tolerance × scale. 0: nothing moves that component, any scale will do
-  double tolerance = 1e-13;
+  double tolerance = 1e-13;   ///< of the local error over OdeSystem::scales()
   double longest_step = 0.0;  ///< [s]; 0: a tenth of the whole time
   const char* stepper = "rkf7";
   /// Functions whose sign changes are located to machine precision; the stepper restarts there, so
   /// that a rate with a kink or jump at an event is integrated piecewise.
-  std::vector<std::function<double(double t, const double* y)>> events;
+  std::vector<std::function<double(double t, const double* y)>> events{};
   /// Returns true to end the solution at this event.
-  std::function<bool(int event, double t, const State& y)> at_event;
+  std::function<bool(int event, double t, const State& y)> at_event{};
 };
 
 struct Event {
@@ -35,11 +51,17 @@ struct Event {
   State y;
 };
 
+/// Work of the steppers: evaluations = 2 starts + stages × steps + (stages - 1) × rejected for an
+/// explicit Runge-Kutta method (the first stage of a repeated step is known).
+struct StepperWork {
+  long starts = 0, steps = 0, rejected = 0, evaluations = 0;
+};
+
 struct Solution {
   std::vector<State> samples;  ///< one per sample time (fewer when an event ended it)
   std::vector<Event> events;   ///< in time order
-  [[nodiscard]] Json channel(int component) const;
-  [[nodiscard]] Json vectors(int first) const;  ///< three components of every sample
+  StepperWork work;
+  [[nodiscard]] Json channel(int component, double factor = 1.0) const;
   [[nodiscard]] Json times_of(int event, bool rising) const;
 };
 
