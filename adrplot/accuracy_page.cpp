@@ -62,9 +62,10 @@ class Chance {
   }
 
  private:
-  static constexpr std::array<const char*, 4> kQuantities{"speed", "load", "heat", "life"};
+  static constexpr std::array<const char*, 6> kQuantities{"speed", "whirl", "load",
+                                                          "peak",  "heat",  "life"};
   double times_;
-  std::array<double, 4> limits_{};
+  std::array<double, 6> limits_{};
 };
 
 std::vector<Point> points_of(const nlohmann::json& rows, const Chance& chance) {

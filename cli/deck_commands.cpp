@@ -8,6 +8,7 @@
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "deck/catalogue.hpp"
+#include "deck/keep_text.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
@@ -31,8 +32,9 @@ const char* word(Severity severity) {
 
 /// All errors and warnings of a deck; what it asks for that cannot run yet is a note here and an
 /// error of `run`.
-int check(const std::string& path, bool json) {
-  const facade::DeckRequest request = deck_request(path);
+int check(const DeckOptions& options, bool json) {
+  facade::DeckRequest request;
+  options.fill(request);
   const facade::CheckReport report = facade::check(request);
   const std::vector<Issue>& issues = report.issues;
   const bool ok = report.ok();
@@ -62,7 +64,8 @@ int check(const std::string& path, bool json) {
 
 struct PlanOptions : DeckOptions {
   bool json = false, what_if = false;
-  double turns = 2.0;
+  double turns = 2.0, pilot = facade::kPlanPilot;
+  std::string until;
 };
 
 std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& request,
@@ -78,9 +81,12 @@ std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& re
 
 void plan(const PlanOptions& options) {
   check_range("--turns", options.turns);
-  facade::DeckRequest request;
+  check_range("--pilot", options.pilot);
+  facade::RunRequest request;
   options.fill(request);
-  facade::PlanReport report = facade::plan(request);
+  request.until = options.until;
+  const InterruptWatch watch;
+  facade::PlanReport report = facade::plan_of_run(request, options.pilot, watch.token());
   print_warnings(report.remarks);
   if (!options.json) print("{}", report.text);
   std::fflush(stdout);
@@ -105,15 +111,38 @@ std::string write_new(const std::string& out, std::string_view text) {
   return write_text(out, "DATA.txt", text);
 }
 
-void new_deck(const std::string& type, const std::string& out) {
-  const std::string written = write_new(out, deck::template_text(type));
-  if (written.empty()) return;
-  tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(deck::new_deck(type)))));
+/// A deck with the values of --set. @throws InputError with every error of the changed deck
+facade::LoadedDeck changed(std::string_view text, const std::vector<std::string>& sets) {
+  DeckOptions options;
+  options.sets = sets;
+  facade::DeckRequest request;
+  for (auto& set : options.pairs_of_sets()) request.sets.push_back(std::move(set));
+  request.text = std::string(text);
+  request.deck = "new deck";
+  request.in_memory = true;
+  return facade::load_deck(request);
 }
 
-void new_from_catalogue(const std::string& designation, const std::string& out) {
+/// The text of the changed deck, with the remarks of the template.
+std::string with_sets(std::string_view text, const std::vector<std::string>& sets) {
+  if (sets.empty()) return std::string(text);
+  const facade::LoadedDeck loaded = changed(text, sets);
+  print_warnings(loaded.warnings);
+  return deck::with_deck(text, loaded.deck).text;
+}
+
+void new_deck(const std::string& type, const std::string& out,
+              const std::vector<std::string>& sets) {
+  const std::string text = with_sets(deck::template_text(type), sets);
+  const std::string written = write_new(out, text);
+  if (written.empty()) return;
+  tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(changed(text, {}).deck))));
+}
+
+void new_from_catalogue(const std::string& designation, const std::string& out,
+                        const std::vector<std::string>& sets) {
   const deck::CatalogueBearing bearing = deck::find_bearing(designation);
-  const std::string written = write_new(out, deck::catalogue_deck(bearing));
+  const std::string written = write_new(out, with_sets(deck::catalogue_deck(bearing), sets));
   const std::string story = text_of(deck::catalogue_story(bearing));
   tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
 }
@@ -158,15 +187,16 @@ std::vector<std::string> template_names() {
 void add_deck_commands(CLI::App& app, int& exit_code) {
   {
     CLI::App* command = app.add_subcommand("check", "list every error and warning of a deck");
-    auto path = std::make_shared<std::string>(".");
+    auto options = std::make_shared<DeckOptions>();
     auto json = std::make_shared<bool>(false);
-    add_deck(*command, *path);
+    options->add_to(*command);
     command->add_flag("--json", *json, "as JSON");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
+        "  adore check DATA.txt --set rpm2=20000\n"
         "  adore new ball | adore check -");
-    command->callback([=, &exit_code] { exit_code = check(*path, *json); });
+    command->callback([=, &exit_code] { exit_code = check(*options, *json); });
   }
   {
     CLI::App* command = app.add_subcommand(
@@ -174,6 +204,15 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PlanOptions>();
     options->add_to(*command);
     command->add_flag("--json", options->json, "as JSON");
+    command
+        ->add_option("--until", options->until,
+                     "end of the run: 5rev, 0.02s or a dimensionless time; replaces fTime and "
+                     "maxStps")
+        ->type_name("END");
+    command
+        ->add_option("--pilot", options->pilot,
+                     "processor time of the motion that is run to measure the cost [s]; 0: none")
+        ->capture_default_str();
     CLI::Option* what_if = command->add_flag(
         "--what-if", options->what_if,
         "run a short span without each effect: what it changes, and its share of the cost");
@@ -184,6 +223,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         "Examples\n"
         "  adore plan DATA.txt\n"
         "  adore plan DATA.txt --what-if --turns 5\n"
+        "  adore plan DATA.txt --until 20rev\n"
         "  adore plan DATA.txt --set kTrac=0 --json");
     command->callback([=] { plan(*options); });
   }
@@ -211,6 +251,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     auto type = std::make_shared<std::string>();
     auto out = std::make_shared<std::string>();
     auto designation = std::make_shared<std::string>();
+    auto sets = std::make_shared<std::vector<std::string>>();
     CLI::Option* name = command->add_option(
         "type", *type,
         "ball, cylindrical, spherical, tapered or spherical-tapered, or another name of `adore "
@@ -228,13 +269,14 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     command->footer(
         "Examples\n"
         "  adore new ball --out DATA.txt\n"
-        "  adore new --catalogue 6205 --out DATA.txt");
+        "  adore new --catalogue 6205 --set rpm2=3000 --out DATA.txt");
+    add_sets(*command, *sets);
     command->callback([=] {
-      if (!designation->empty()) return new_from_catalogue(*designation, *out);
+      if (!designation->empty()) return new_from_catalogue(*designation, *out, *sets);
       if (type->empty())
         throw InputError(
             "name an example (`adore examples` lists them), or a bearing with --catalogue");
-      new_deck(*type, *out);
+      new_deck(*type, *out, *sets);
     });
   }
   {

@@ -49,8 +49,7 @@ void add_deck(CLI::App& command, std::string& deck) {
       ->default_str("DATA.txt here");
 }
 
-void DeckOptions::add_to(CLI::App& command) {
-  add_deck(command, deck);
+void add_sets(CLI::App& command, std::vector<std::string>& sets) {
   // One value each: what follows the value is the deck.
   command_line::offer(
       command
@@ -59,6 +58,11 @@ void DeckOptions::add_to(CLI::App& command) {
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
       variable_words());
+}
+
+void DeckOptions::add_to(CLI::App& command) {
+  add_deck(command, deck);
+  add_sets(command, sets);
   command_line::offer(
       command
           .add_option(
@@ -91,12 +95,18 @@ facade::DeckRequest deck_request(const std::string& deck) {
   return request;
 }
 
+std::vector<std::pair<std::string, std::string>> DeckOptions::pairs_of_sets() const {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const std::string& text : sets) out.push_back(split(text, "--set"));
+  return out;
+}
+
 void DeckOptions::fill(facade::DeckRequest& request) const {
   const facade::DeckRequest source = deck_request(deck);
   request.deck = source.deck;
   request.text = source.text;
   request.user = user;
-  for (const std::string& text : sets) request.sets.push_back(split(text, "--set"));
+  for (auto& set : pairs_of_sets()) request.sets.push_back(std::move(set));
   for (const std::string& text : options) request.options.push_back(split(text, "--opt"));
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace adore::cli {
@@ -19,8 +20,12 @@ struct DeckOptions {
   /// Fills the request; "-" reads the deck from standard input.
   /// @throws InputError for a --set or --opt without "=".
   void fill(facade::DeckRequest& request) const;
+  /// @throws InputError for a --set without "=".
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> pairs_of_sets() const;
 };
 
+/// --set alone.
+void add_sets(CLI::App& command, std::vector<std::string>& sets);
 /// The positional DECK alone.
 void add_deck(CLI::App& command, std::string& deck);
 /// What DECK means: a file or folder, or for "-" what stands on standard input.

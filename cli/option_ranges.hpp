@@ -30,6 +30,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
     OptionRange{"--tols", 1e-14, 0.01, "coarser ones follow no motion"},
     OptionRange{"--turns", 0.01, 1e6, "of the shaft"},
+    OptionRange{"--pilot", 0, 1e4, "seconds of processor time; 0: no pilot"},
     OptionRange{"--budget", 1, 1e6, "seconds of processor time"},
     OptionRange{"--accuracy", 1e-6, 0.5, "0.01 or 1%"},
 };

@@ -13,11 +13,11 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
+#include "facade/accuracy_statement.hpp"
 #include "facade/chosen_settings.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
 #include "facade/sweep.hpp"
-#include "facade/verify.hpp"
 #include "setup/run_control.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ struct RunOptions : DeckOptions {
   double tolerance = 0.0;
   int threads = 0;
   bool quiet = false, list_options = false, json = false, reproducible = false, go_on = false,
-       overwrite = false, verify = false;
+       overwrite = false, verify = false, extend = false;
 
   /// The command that goes on with this run, to its own end or to another one.
   [[nodiscard]] std::string continuation(bool tolerance_given, const std::string& to) const {
@@ -118,21 +118,57 @@ RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
   return options;
 }
 
+/// Of a run that came to its end: measured, stored in its files and reported.
+facade::AccuracyStatement state(const facade::RunRequest& request,
+                                const facade::RunOutcome& outcome, double target,
+                                InterruptWatch& watch) {
+  facade::AccuracyStatement out = facade::state_accuracy(request, outcome, target, watch.token());
+  facade::store_statement(out, outcome);
+  return out;
+}
+
+/// The statement covers the run itself. Settings whose numerical part is too large are tightened;
+/// with --extend a run whose means scatter too much goes on.
 int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
                     const facade::ProgressSink& sink, InterruptWatch& watch) {
-  const facade::ChosenSettings chosen = facade::choose_settings(
-      request, parse_percentage("--accuracy", options.accuracy), watch.token());
-  const facade::RunOutcome outcome =
-      run_asking(request, [&] { return facade::run_chosen(request, chosen, sink, watch.token()); });
-  print_warnings(outcome.warnings);
-  const RunOptions as_given = with(options, chosen);
-  const int code = report(outcome, as_given, true);
-  if (options.verify && code == 0 && outcome.steps > 0) {
-    facade::RunRequest again = request;
-    facade::add_choice(again, chosen);
-    tell(facade::verification_text(facade::verify(again, outcome, watch.token()), outcome));
+  constexpr int kMostTighter = 2, kMostExtended = 2;
+  const double target = parse_percentage("--accuracy", options.accuracy);
+  facade::ChosenSettings chosen =
+      facade::choose_settings(request, target, watch.token(), facade::asked_turns(request));
+  RunOptions given = options;
+  for (int tighter = 0, extended = 0;;) {
+    const facade::RunOutcome outcome = run_asking(
+        request, [&] { return facade::run_chosen(request, chosen, sink, watch.token()); });
+    const bool done = exit_code(outcome) == 0 && outcome.steps > 0;
+    std::optional<facade::AccuracyStatement> stated;
+    if (done) {
+      facade::RunRequest as_run = request;
+      facade::add_choice(as_run, chosen);
+      stated = state(as_run, outcome, target, watch);
+      if (stated->numerical() > target && tighter < kMostTighter && !request.go_on) {
+        ++tighter;
+        tell(fmt::format("numerical part {:.2g} %: the run is repeated with tighter settings\n",
+                         100.0 * stated->numerical()));
+        facade::tighten(chosen, request, outcome);
+        request.overwrite = true;
+        continue;
+      }
+      if (const double turns = stated->needed_turns(target);
+          options.extend && turns > 0.0 && extended < kMostExtended) {
+        ++extended;
+        tell(fmt::format("the means need about {:.3g} revolutions: the run goes on\n", turns));
+        request.until = given.until = fmt::format("{:.6g}rev", turns);
+        request.go_on = true;
+        request.overwrite = false;
+        continue;
+      }
+    }
+    print_warnings(outcome.warnings);
+    const int code = report(outcome, with(given, chosen), true);
+    if (stated) tell(facade::statement_text(*stated));
+    if (stated && options.verify) tell(facade::verification_text(stated->tighter, outcome));
+    return code;
   }
-  return code;
 }
 
 int run(const RunOptions& options, bool tolerance_given) {
@@ -150,6 +186,8 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.go_on = options.go_on;
   request.overwrite = options.overwrite;
   check_range("--threads", options.threads);
+  if (options.extend && options.accuracy.empty())
+    throw InputError("--extend prolongs a run until --accuracy is reached; add --accuracy");
   if (!options.accuracy.empty() && (options.go_on || !options.integrator.empty()))
     throw InputError(fmt::format("--accuracy chooses the integrator of a new run; leave out {}",
                                  options.go_on ? "--continue" : "--integrator"));
@@ -184,8 +222,11 @@ int run(const RunOptions& options, bool tolerance_given) {
       run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
   print_warnings(outcome.warnings);
   const int code = report(outcome, options, tolerance_given);
-  if (options.verify && code == 0 && outcome.steps > 0)
-    tell(facade::verification_text(facade::verify(request, outcome, watch.token()), outcome));
+  if (options.verify && code == 0 && outcome.steps > 0) {
+    const facade::AccuracyStatement stated = state(request, outcome, 0.0, watch);
+    tell(facade::verification_text(stated.tighter, outcome));
+    tell(facade::statement_text(stated));
+  }
   return code;
 }
 
@@ -220,11 +261,15 @@ void add_run(CLI::App& app, int& exit_code) {
       ->add_option(
           "--accuracy", options->accuracy,
           "choose integrator, tolerance, longest step and the nodes or slices of contacts by a "
-          "short study, so that speeds, loads, heat and life keep within this, e.g. 1%")
+          "short study, and state the intervals of speeds, loads, heat and life over the whole "
+          "run; target of these intervals, e.g. 1%")
       ->type_name("PERCENT")
       ->excludes(tolerance);
   command->add_flag("--verify", options->verify,
-                    "repeat the run with tighter settings and say how its results differ");
+                    "repeat the run with tighter settings and under loads changed by 1e-6: "
+                    "differences and intervals of its results (RUN.json, PRINT.txt)");
+  command->add_flag("--extend", options->extend,
+                    "with --accuracy: run beyond --until where the means need more revolutions");
   command->add_option("--threads", options->threads,
                       "runs of a sweep at a time (all cores unless given)");
   command_line::one_of(

@@ -33,10 +33,10 @@ constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; 
 constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
 constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
-constexpr double kNearby = 1e-6;  ///< change of the loads that tells whether a motion is irregular
+constexpr double kNearbyLoads = 1e-6;  ///< change that tells whether a motion is irregular
 constexpr std::size_t kNearbyMethods = 2, kNearbyRuns = 3;  ///< that tell it
 constexpr double kNearbyCost = 2.0;  ///< at most half of what is left for them
-constexpr int kRules = 4;  ///< of comparing; rows of a study by other ones are not taken over
+constexpr int kRules = 5;  ///< of comparing; rows of a study by other ones are not taken over
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double difference(double a, double b, double scale) {
@@ -413,7 +413,7 @@ class Study {
   /// whose errors lie within what is asked: loose steps scatter by themselves, and would be
   /// excused.
   void measure_irregularity() {
-    if (goes_on_ && earlier_.irregular.speed >= 0.0) {
+    if (goes_on_ && earlier_.irregular.load >= 0.0) {
       study_.irregular = earlier_.irregular;
       study_.irregular_by = earlier_.irregular_by;
       return;
@@ -458,7 +458,7 @@ class Study {
   /// Under the loads as they are, a millionth more and less; fewer where one fails.
   NearbyRuns nearby_runs(const AccuracyRow& row) {
     NearbyRuns out;
-    for (const double change : {0.0, kNearby, -kNearby}) {
+    for (const double change : {0.0, kNearbyLoads, -kNearbyLoads}) {
       Subject subject = subject_;
       for (auto& load : nearby_loads(deck_, change)) subject.request.changes.push_back(load);
       Trial one = try_setting(subject, row.setting, row.turns, kUnlimited, stop_);
@@ -564,17 +564,25 @@ class Study {
 
 }  // namespace
 
-double AccuracyErrors::largest() const { return std::max({speed, load, heat, life, 0.0}); }
+double AccuracyErrors::largest() const {
+  double out = 0.0;
+  for (const AccuracyQuantity& q : kAccuracyQuantities) out = std::max(out, this->*q.member);
+  return out;
+}
 
 AccuracyErrors larger(const AccuracyErrors& a, const AccuracyErrors& b) {
-  return {std::max(a.speed, b.speed), std::max(a.load, b.load), std::max(a.heat, b.heat),
-          std::max(a.life, b.life)};
+  AccuracyErrors out;
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    out.*q.member = std::max(a.*q.member, b.*q.member);
+  return out;
 }
 
 AccuracyErrors AccuracyStudy::limits() const {
   const AccuracyErrors n = noise();
-  const auto of = [&](double one) { return std::max(target, kBeyondNoise * one); };
-  return {of(n.speed), of(n.load), of(n.heat), of(n.life)};
+  AccuracyErrors out;
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    out.*q.member = std::max(target, kBeyondNoise * n.*q.member);
+  return out;
 }
 
 bool AccuracyStudy::keeps(const AccuracyErrors& errors) const {
@@ -591,8 +599,9 @@ AccuracyErrors compare_results(const results::KeyResults& run,
   AccuracyErrors out;
   constexpr const char* kWhirl = "mean_swept_whirl_ratio";  // by windings it jumps
   const double cage = std::abs(is("mean_cage_ratio"));
-  out.speed = std::max({relative("mean_orbital_ratio"), relative("mean_cage_ratio"),
-                        difference(of(kWhirl), is(kWhirl), std::max(cage, std::abs(is(kWhirl))))});
+  out.speed = std::max(relative("mean_orbital_ratio"), relative("mean_cage_ratio"));
+  out.whirl = difference(of(kWhirl), is(kWhirl), std::max(cage, std::abs(is(kWhirl))));
+  out.peak = relative("peak_load_N");
   double race = 0.0, change = 0.0;
   for (const char* id : {"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"}) {
     race += is(id) * is(id);
@@ -634,7 +643,7 @@ AccuracyStudy joined(AccuracyStudy study, const AccuracyStudy& earlier) {
     study.long_turns = earlier.long_turns;
     study.long_reference = earlier.long_reference;
   }
-  if (study.irregular.speed < 0.0) {
+  if (study.irregular.load < 0.0) {
     study.irregular = earlier.irregular;
     study.irregular_by = earlier.irregular_by;
   }

@@ -2,6 +2,7 @@
 
 #include "facade/measured_run.hpp"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <stop_token>
@@ -15,18 +16,19 @@
 ///
 /// Errors are those of what engineers read, all runs over the same span of whole turns from the
 /// same start (Δ: difference to the reference, values with ‾ are means over the span):
-///   speed  |Δ orbital ratio‾| / |orbital ratio‾|, the same of the cage ratio, and
-///          |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|, the whirl by the
+///   speed  |Δ orbital ratio‾| / |orbital ratio‾|, and the same of the cage ratio
+///   whirl  |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|, the whirl by the
 ///          area that the cage's centre sweeps (results/averages.hpp): PRINT's ratio counts
 ///          windings, which jump by one where a path passes the bearing axis on its other side
 ///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
+///   peak   |Δ largest contact load of the span| over its own value
 ///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
 ///   life   |Δ life| / life, by the loads of the run
 /// The error of a row is the largest of them. A second reference by another method, and runs of two
 /// methods under loads that differ by a millionth, say how far such means can be known at all:
 /// where a motion is irregular, such runs differ too (accuracy_judgement.hpp: noise_of()). That is
-/// judged for each of the four by itself: a whirl that is irregular does not excuse an error of
-/// heat.
+/// judged for each quantity by itself: an irregular whirl excuses neither an error of heat nor one
+/// of the cage speed.
 ///
 /// Two rounds: all settings over a short span, then the deck's own and those that may win over as
 /// many turns as the budget allows. The study ends within the budget: rows are cut or left out
@@ -60,9 +62,26 @@ struct AccuracySetting {
 };
 
 struct AccuracyErrors {
-  double speed = 0.0, load = 0.0, heat = 0.0, life = 0.0;  ///< negative: not computed
+  double speed = 0.0, load = 0.0, heat = 0.0, life = 0.0, whirl = 0.0,
+         peak = 0.0;  ///< negative: not computed
+  static constexpr AccuracyErrors none();
   [[nodiscard]] double largest() const;
 };
+constexpr AccuracyErrors AccuracyErrors::none() { return {-1.0, -1.0, -1.0, -1.0, -1.0, -1.0}; }
+
+/// All of them: member, key in files, name in messages.
+struct AccuracyQuantity {
+  double AccuracyErrors::*member;
+  const char *key, *name;
+};
+inline constexpr std::array<AccuracyQuantity, 6> kAccuracyQuantities{
+    {{&AccuracyErrors::speed, "speed", "speeds"},
+     {&AccuracyErrors::whirl, "whirl", "whirl"},
+     {&AccuracyErrors::load, "load", "loads"},
+     {&AccuracyErrors::peak, "peak", "peak load"},
+     {&AccuracyErrors::heat, "heat", "heat"},
+     {&AccuracyErrors::life, "life", "life"}}};
+
 /// Of each the larger one.
 [[nodiscard]] AccuracyErrors larger(const AccuracyErrors& a, const AccuracyErrors& b);
 
@@ -101,7 +120,7 @@ struct AccuracyStudy {
   std::string reference;                       ///< how the reference was made
   AccuracyReference short_reference, long_reference;
   /// What a millionth of the loads changes over the second span; negative: not measured.
-  AccuracyErrors irregular{-1.0, -1.0, -1.0, -1.0};
+  AccuracyErrors irregular = AccuracyErrors::none();
   std::string irregular_by;        ///< the settings by which that was measured
   std::vector<std::string> twins;  ///< settings whose steps are those of another row, not listed
   double target = 0.0;

@@ -16,23 +16,23 @@ AccuracyErrors standing_out(const AccuracyErrors& errors, const AccuracyErrors& 
   const auto of = [](double error, double known) {
     return error > kBeyondNoise * std::max(known, 0.0) ? error : std::min(error, 0.0);
   };
-  return {of(errors.speed, noise.speed), of(errors.load, noise.load), of(errors.heat, noise.heat),
-          of(errors.life, noise.life)};
+  AccuracyErrors out;
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    out.*q.member = of(errors.*q.member, noise.*q.member);
+  return out;
 }
 
 double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise, double target) {
   const AccuracyErrors out = standing_out(errors, noise);
   double worst = 0.0;
-  for (const auto& [error, known] :
-       {std::pair(out.speed, noise.speed), std::pair(out.load, noise.load),
-        std::pair(out.heat, noise.heat), std::pair(out.life, noise.life)})
-    worst = std::max(worst, error / std::max(target, kBeyondNoise * known));
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    worst = std::max(worst, out.*q.member / std::max(target, kBeyondNoise * noise.*q.member));
   return worst;
 }
 
 AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods) {
   constexpr std::array<double, 2> kStudent{4.303, 2.776};  // two-sided 95 %; 2 and 4 degrees
-  if (methods.empty()) return {-1.0, -1.0, -1.0, -1.0};
+  if (methods.empty()) return AccuracyErrors::none();
   const double factor = kStudent.at(std::min(methods.size(), kStudent.size()) - 1) / kBeyondNoise;
   const auto of = [&](double AccuracyErrors::*quantity) {
     double sum = 0.0;
@@ -46,8 +46,9 @@ AccuracyErrors noise_of(const std::vector<NearbyRuns>& methods) {
         }
     return pairs > 0 ? factor * std::sqrt(sum / pairs) : -1.0;
   };
-  return {of(&AccuracyErrors::speed), of(&AccuracyErrors::load), of(&AccuracyErrors::heat),
-          of(&AccuracyErrors::life)};
+  AccuracyErrors out;
+  for (const AccuracyQuantity& q : kAccuracyQuantities) out.*q.member = of(q.member);
+  return out;
 }
 
 void judge_rows(std::vector<AccuracyRow>& rows, const AccuracyErrors& noise, double target) {

@@ -28,9 +28,9 @@ std::string short_percent(double error) {
 std::string table_of(const std::vector<AccuracyRow>& rows) {
   std::size_t width = 24;
   for (const AccuracyRow& row : rows) width = std::max(width, row.setting.name.size() + 2);
-  std::string out =
-      fmt::format("  {:<{}}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>11}{:>7}{:>10}\n", "", width, "s",
-                  "error %", "speed", "load", "heat", "life", "steps/turn", "order", "energy");
+  std::string out = fmt::format(
+      "  {:<{}}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>11}{:>7}{:>10}\n", "", width, "s",
+      "error %", "speed", "whirl", "load", "peak", "heat", "life", "steps/turn", "order", "energy");
   for (const AccuracyRow& row : rows) {
     const std::string mark = row.front ? "* " : "  ";
     if (!row.failure.empty()) {
@@ -40,11 +40,12 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
           row.failure.size() > kRoom ? row.failure.substr(0, kRoom) + " ..." : row.failure);
       continue;
     }
-    out += fmt::format("{}{:<{}}{:>10.3g}{:>9}{:>8}{:>8}{:>8}{:>8}{:>11.0f}{:>7}{:>10.1e}{}{}\n",
-                       mark, row.setting.name, width, row.seconds,
-                       short_percent(row.errors.largest()), short_percent(row.errors.speed),
-                       short_percent(row.errors.load), short_percent(row.errors.heat),
-                       short_percent(row.errors.life), static_cast<double>(row.steps) / row.turns,
+    std::string errors;
+    for (const AccuracyQuantity& q : kAccuracyQuantities)
+      errors += fmt::format("{:>8}", short_percent(row.errors.*q.member));
+    out += fmt::format("{}{:<{}}{:>10.3g}{:>9}{}{:>11.0f}{:>7}{:>10.1e}{}{}\n", mark,
+                       row.setting.name, width, row.seconds, short_percent(row.errors.largest()),
+                       errors, static_cast<double>(row.steps) / row.turns,
                        row.order > 0.0 ? fmt::format("{:.1f}", row.order) : "-", row.energy_share,
                        row.at_longest > kAtLongest ? "  at its longest step" : "",
                        row.setting.own ? "  (as the deck asks)" : "");
@@ -53,7 +54,9 @@ std::string table_of(const std::vector<AccuracyRow>& rows) {
 }
 
 Json json_of(const AccuracyErrors& e) {
-  return {{"speed", e.speed}, {"load", e.load}, {"heat", e.heat}, {"life", e.life}};
+  Json out = Json::object();
+  for (const AccuracyQuantity& q : kAccuracyQuantities) out[q.key] = e.*q.member;
+  return out;
 }
 
 Json json_of(const AccuracyRow& row) {
@@ -91,8 +94,10 @@ Json json_of(const AccuracyReference& reference) {
 }
 
 AccuracyErrors errors_of(const Json& json) {
-  return {json.at("speed").get<double>(), json.at("load").get<double>(),
-          json.at("heat").get<double>(), json.at("life").get<double>()};
+  AccuracyErrors out;
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    out.*q.member = json.value(q.key, -1.0);  // of an earlier release: not computed
+  return out;
 }
 
 AccuracyRow row_of(const Json& json) {
@@ -185,11 +190,10 @@ const AccuracyRow* other_model(const AccuracyStudy& study) {
 std::string limits_text(const AccuracyStudy& study) {
   const AccuracyErrors limits = study.limits();
   std::string wider;
-  for (const auto& [name, limit] :
-       {std::pair{"speeds", limits.speed}, std::pair{"loads", limits.load},
-        std::pair{"heat", limits.heat}, std::pair{"life", limits.life}})
-    if (limit > study.target)
-      wider += fmt::format("{}{} within {}", wider.empty() ? "" : ", ", name, percent(limit));
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    if (limits.*q.member > study.target)
+      wider += fmt::format("{}{} within {}", wider.empty() ? "" : ", ", q.name,
+                           percent(limits.*q.member));
   return percent(study.target) + (wider.empty() ? "" : " (" + wider + ")");
 }
 
@@ -288,7 +292,7 @@ std::string accuracy_table(const AccuracyStudy& study) {
     out += fmt::format("A millionth of the loads changes these means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
                        study.irregular_by);
-  else if (!study.finals.empty() && study.irregular.speed < 0.0)
+  else if (!study.finals.empty() && study.irregular.load < 0.0)
     out +=
         "What a millionth of the loads changes was not measured (no loads, no time left, or a run "
         "that failed): only the references tell how regular the motion is.\n";
@@ -306,7 +310,8 @@ std::string accuracy_table(const AccuracyStudy& study) {
 
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string out =
-      "round,name,method,tol,turns,seconds,error,speed,load,heat,life,steps,evaluations,"
+      "round,name,method,tol,turns,seconds,error,speed,whirl,load,peak,heat,life,steps,"
+      "evaluations,"
       "longest_step,mean_step_over_longest,energy_share,order,front,growth_per_turn,runs,failure\n";
   const auto quoted = [](std::string text) {
     for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2)
@@ -318,15 +323,16 @@ std::string accuracy_csv(const AccuracyStudy& study) {
       const auto number = [&](double error) {
         return !row.failure.empty() || error < 0.0 ? std::string() : fmt::format("{:.6g}", error);
       };
+      std::string errors;
+      for (const AccuracyQuantity& q : kAccuracyQuantities)
+        errors += "," + number(row.errors.*q.member);
       out += fmt::format(
-          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{},{},{}"
-          "\n",
-          round, quoted(row.setting.name), row.setting.method, row.setting.tolerance, row.turns,
-          row.seconds, number(row.errors.largest()), number(row.errors.speed),
-          number(row.errors.load), number(row.errors.heat), number(row.errors.life), row.steps,
-          row.evaluations, row.longest, row.at_longest, row.energy_share, row.order,
-          row.front ? 1 : 0, row.growth > 0.0 ? fmt::format("{:.4g}", row.growth) : std::string(),
-          row.runs, row.failure.empty() ? "" : quoted(row.failure));
+          "{},{},{},{:g},{:g},{:.6g},{}{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{},{},{}\n", round,
+          quoted(row.setting.name), row.setting.method, row.setting.tolerance, row.turns,
+          row.seconds, number(row.errors.largest()), errors, row.steps, row.evaluations,
+          row.longest, row.at_longest, row.energy_share, row.order, row.front ? 1 : 0,
+          row.growth > 0.0 ? fmt::format("{:.4g}", row.growth) : std::string(), row.runs,
+          row.failure.empty() ? "" : quoted(row.failure));
     }
   };
   add("first", study.screening);
@@ -344,7 +350,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
       {"title", fmt::format("What accuracy costs: {}, reference {}",
                             turns_text(study.finals.empty() ? study.short_turns : study.long_turns),
                             study.reference)},
-      {"error_title", "largest error of speeds, loads, heat and life"},
+      {"error_title", "largest error of speeds, whirl, loads, heat and life"},
       {"turn_s", study.turn},
       {"asked_turns", study.asked},
       {"short_turns", study.short_turns},

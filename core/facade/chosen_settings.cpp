@@ -5,6 +5,7 @@
 #include "base/interrupted.hpp"
 #include "facade/accuracy_judgement.hpp"
 #include "facade/prepare.hpp"
+#include "facade/run_span.hpp"
 #include "facade/verify.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace adore::facade {
@@ -83,8 +85,8 @@ std::vector<ResolutionRow> resolutions(const Prepared& prepared) {
 
 class Choice {
  public:
-  Choice(const DeckRequest& request, double target, std::stop_token stop)
-      : request_(request), target_(target), stop_(std::move(stop)) {}
+  Choice(const DeckRequest& request, double target, std::stop_token stop, double most_turns)
+      : request_(request), target_(target), stop_(std::move(stop)), most_turns_(most_turns) {}
 
   ChosenSettings make() {
     choose_steps();
@@ -108,15 +110,18 @@ class Choice {
     static_cast<DeckRequest&>(asked) = request_;
     asked.target = kForSteps * target_;
     asked.methods = {"rk4", "rkf5", "rkf6", "rkf7", "pece2"};
-    asked.turns = kStudyTurns;
+    asked.turns = std::min(kStudyTurns, most_turns_);
     asked.budget = kStudySeconds;
     asked.models = false;
     const AccuracyStudy study = study_accuracy(asked, {}, stop_);
     if (!study.complete) throw Interrupted("interrupted");
-    if (study.recommended < 0)
+    const AccuracyRow* chosen = study.recommended >= 0
+                                    ? &study.finals[static_cast<std::size_t>(study.recommended)]
+                                    : most_accurate(study);
+    if (chosen == nullptr)
       throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more turns",
                                     recommendation(study)));
-    const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
+    const AccuracyRow& best = *chosen;
     out_.integrator = best.setting.method;
     out_.tolerance = best.setting.tolerance;
     out_.steps = best.errors;
@@ -132,7 +137,19 @@ class Choice {
         fmt::format("settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {}: {})",
                     100.0 * target_, out_.integrator, out_.tolerance, longest,
                     counted(fmt::format("{:.3g}", best.turns), "turn"), errors_text(best.errors));
+    if (study.recommended < 0)
+      out_.text += ", the most accurate of the study: none of its settings is within the target";
     if (study.limits().largest() > target_) out_.text += "; " + irregular_text(study);
+  }
+
+  [[nodiscard]] static const AccuracyRow* most_accurate(const AccuracyStudy& study) {
+    const AccuracyRow* out = nullptr;
+    const auto over = [&](const AccuracyRow& row) {
+      return over_limits(row.errors, study.noise(), study.target);
+    };
+    for (const AccuracyRow& row : study.finals)
+      if (row.failure.empty() && (out == nullptr || over(row) < over(*out))) out = &row;
+    return out;
   }
 
   /// What a later run has to be given for the same bytes: another study may choose otherwise.
@@ -175,7 +192,8 @@ class Choice {
     const double one = usual != rows_.end() ? size_of(*usual) : size_of(rows_[rows_.size() / 2]);
     for (const ResolutionRow& row : rows_) sizes += 0.25 + 0.75 * size_of(row) / one;
     sizes += 0.25 + 0.75 * size_of(rows_.back()) / one;
-    out_.turns = std::clamp(kSeconds / (seconds_per_turn_ * sizes), kLeastTurns, kMostTurns);
+    out_.turns = std::min(
+        std::clamp(kSeconds / (seconds_per_turn_ * sizes), kLeastTurns, kMostTurns), most_turns_);
     ResolutionRow finest = rows_.back();
     rows_.pop_back();
     out_.finest = finest.name;
@@ -199,8 +217,8 @@ class Choice {
       if (results) {
         const AccuracyErrors errors = compare_results(*results, *is);
         row.told = standing_out(errors, out_.noise);
-        row.hidden = errors.speed > row.told.speed || errors.load > row.told.load ||
-                     errors.heat > row.told.heat || errors.life > row.told.life;
+        for (const AccuracyQuantity& q : kAccuracyQuantities)
+          row.hidden = row.hidden || errors.*q.member > row.told.*q.member;
       }
       out_.rows.push_back(row);
       const int here = static_cast<int>(out_.rows.size()) - 1;
@@ -234,6 +252,7 @@ class Choice {
   const DeckRequest& request_;
   double target_;
   std::stop_token stop_;
+  double most_turns_;
   double turn_ = 0.0, seconds_per_turn_ = 0.0;
   std::vector<ResolutionRow> rows_;
   ChosenSettings out_;
@@ -248,8 +267,36 @@ void add_choice(RunRequest& request, const ChosenSettings& chosen) {
   request.options.insert(request.options.end(), chosen.options.begin(), chosen.options.end());
 }
 
-ChosenSettings choose_settings(const DeckRequest& request, double target, std::stop_token stop) {
-  return Choice(request, target, std::move(stop)).make();
+ChosenSettings choose_settings(const DeckRequest& request, double target, std::stop_token stop,
+                               double most_turns) {
+  return Choice(request, target, std::move(stop), most_turns).make();
+}
+
+double asked_turns(const RunRequest& request) {
+  const Prepared prepared = prepare(request);
+  const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+  if (!prepared.control.dynamic || !(speed > 0.0)) return std::numeric_limits<double>::infinity();
+  const RunSpan span = run_span(request, prepared, make_system(prepared).scales().time);
+  return span.end * speed / (2.0 * std::numbers::pi);
+}
+
+void tighten(ChosenSettings& chosen, const RunRequest& request, const RunOutcome& outcome) {
+  RunRequest run = request;
+  add_choice(run, chosen);
+  const Prepared prepared = prepare(run);
+  const double longest = 0.5 * outcome.longest_step / make_system(prepared).scales().time;
+  chosen.tolerance *= 0.1;
+  std::erase_if(chosen.sets, [](const auto& set) { return set.first.starts_with("stpM"); });
+  chosen.sets.emplace_back("stpMax", fmt::format("{:.3g}", longest));
+  if (prepared.control.step_minimum > longest ||
+      prepared.control.step_minimum == prepared.control.step_maximum)
+    chosen.sets.emplace_back("stpMin", fmt::format("{:.3g}", longest));
+  if (auto finer = doubled_resolution(prepared); !finer.empty()) chosen.options = std::move(finer);
+  chosen.text += fmt::format(
+      ". The interval of the whole run was wider than the target: tol {:g} and stpMax {:.3g}",
+      chosen.tolerance, longest);
+  for (const auto& [name, value] : chosen.options)
+    chosen.text += fmt::format(", {} {}", name, value);
 }
 
 }  // namespace adore::facade

@@ -2,6 +2,7 @@
 
 #include "facade/accuracy.hpp"
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,11 +42,20 @@ struct ChosenSettings {
 /// the one with the fewest nodes or slices whose key results, and those of the next finer one, keep
 /// within it of the finest (60 x 4 nodes, 60 x 8 with films, 121 slices). What does not stand out
 /// of 1.5 times the noise counts as no error. Resolutions that the request gives stay. Limits: over
-/// a longer span irregular motions (the whirl of a cage) part from each other by any change.
-/// @throws SolverError when no steps keep to the target; InputError and Interrupted as
-/// study_accuracy()
-[[nodiscard]] ChosenSettings choose_settings(const DeckRequest& request, double target,
-                                             std::stop_token stop);
+/// a longer span irregular motions (the whirl of a cage) part from each other by any change: the
+/// statement on a run is that of state_accuracy(). Where no steps of the study keep to the target,
+/// the most accurate ones are taken.
+/// @param most_turns no run of the study is longer: the span of the run
+/// @throws SolverError when no steps come to an end; InputError and Interrupted as study_accuracy()
+[[nodiscard]] ChosenSettings choose_settings(
+    const DeckRequest& request, double target, std::stop_token stop,
+    double most_turns = std::numeric_limits<double>::infinity());
+
+/// Span of the run as far as it is known before its first step: its end by time [revolutions].
+[[nodiscard]] double asked_turns(const RunRequest& request);
+
+/// A tenth of the tolerance, half of the longest step and twice the nodes or slices.
+void tighten(ChosenSettings& chosen, const RunRequest& request, const RunOutcome& outcome);
 
 /// Adds what was chosen to the request, in the place of what it says of the same variables.
 void add_choice(RunRequest& request, const ChosenSettings& chosen);

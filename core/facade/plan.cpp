@@ -1,15 +1,44 @@
 #include "facade/plan.hpp"
 
+#include "base/counted.hpp"
+#include "base/duration.hpp"
 #include "facade/disk_use.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
+#include "facade/run_cost.hpp"
+#include "facade/run_span.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
 namespace adore::facade {
+namespace {
 
-PlanReport plan(const DeckRequest& request, std::stop_token stop) {
-  const Prepared prepared = prepare(request, std::move(stop));
+std::string cost_text(const RunCost& cost) {
+  if (!(cost.seconds > 0.0))
+    return fmt::format("\nprocessor time of the whole run\n  not measured: {}\n", cost.failure);
+  const std::string pilot =
+      cost.whole ? "the pilot came to the end of the run"
+                 : fmt::format("by a pilot of {}",
+                               cost.pilot_turns > 0.0
+                                   ? counted(fmt::format("{:.3g}", cost.pilot_turns), "revolution")
+                                   : fmt::format("{:.3g} s", cost.pilot_time));
+  return fmt::format(
+      "\nprocessor time of the whole run\n  about {} with set-up, output and files, {}\n",
+      duration_text(cost.seconds), pilot);
+}
+
+}  // namespace
+
+PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token stop) {
+  Prepared prepared = prepare(request, stop);
+  if (!request.until.empty() && prepared.control.dynamic) {
+    const double scale = make_system(prepared).scales().time;
+    const RunSpan span = run_span(request, prepared, scale);
+    prepared.control.end_time = span.end / scale;
+    prepared.control.max_steps = span.max_steps;
+  }
   const scene::ScenePlan scene = plan_with_estimates(prepared);
   const DiskUse disk = disk_use(prepared, scene);
   PlanReport out;
@@ -17,7 +46,19 @@ PlanReport plan(const DeckRequest& request, std::stop_token stop) {
   out.json = plan_json(scene, stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
   out.remarks = prepared.input.warnings;
+  if (!(pilot > 0.0) || !prepared.control.dynamic) return out;
+  const RunCost cost = run_cost(request, pilot, std::move(stop));
+  out.text += cost_text(cost);
+  out.json["run_cost"] = {{"pilot_revolutions", cost.pilot_turns}, {"whole", cost.whole}};
+  if (cost.seconds > 0.0) out.json["run_cost"]["processor_s"] = cost.seconds;
+  if (!cost.failure.empty()) out.json["run_cost"]["failure"] = cost.failure;
   return out;
+}
+
+PlanReport plan(const DeckRequest& request, std::stop_token stop) {
+  RunRequest run;
+  static_cast<DeckRequest&>(run) = request;
+  return plan_of_run(run, 0.0, std::move(stop));
 }
 
 }  // namespace adore::facade

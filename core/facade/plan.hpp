@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/deck_request.hpp"
+#include "facade/run.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,15 @@ struct PlanReport {
   std::vector<Issue> remarks;   ///< on the deck
 };
 
+/// Processor time that the pilot of a plan takes in the motion at most [s].
+constexpr double kPlanPilot = 3.0;
+
+/// The plan of a run, to its end. @param pilot processor time of the motion that is run to measure
+/// the cost [s]; 0: none
 /// @throws InputError, SolverError (no equilibrium)
+[[nodiscard]] PlanReport plan_of_run(const RunRequest& request, double pilot,
+                                     std::stop_token stop = {});
+/// Of the deck's own run, without a pilot.
 [[nodiscard]] PlanReport plan(const DeckRequest& request, std::stop_token stop = {});
 
 }  // namespace adore::facade

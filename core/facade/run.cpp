@@ -15,6 +15,7 @@
 #include "facade/solver_stamp.hpp"
 #include "facade/unused_request.hpp"
 #include "facade/user_session.hpp"
+#include "scene/cost_ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -116,6 +117,7 @@ namespace {
 RunOutcome run_with(const RunRequest& request, const std::string& remark,
                     const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
+  const double processor = scene::processor_seconds();
   dynamics::check_instruction_set_request();
   LoadedDeck input = load_deck(request);
   input.stop = stop;
@@ -140,6 +142,7 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   for (Issue& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
   for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
   out.seconds = seconds_since(begin);
+  out.processor_seconds = scene::processor_seconds() - processor;
   return out;
 }
 

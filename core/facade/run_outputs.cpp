@@ -678,6 +678,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
       s.key_results.push_back(results::key_result("run_life_spread", run_life.relative_error));
   }
   run.summary = s.key_results;
+  run.accuracy["means"] = results::mean_errors_json(s.averages.errors());
   run.life["run"] = listing::run_life_json(run_life);
   run.thermal_network = s.network;
   std::vector<validity::Finding> all_left = s.prepared.left_ranges;
@@ -710,6 +711,8 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
 std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }
 
 KeyResults RunOutputs::summary() const { return impl_->key_results; }
+
+results::MeanErrors RunOutputs::mean_errors() const { return impl_->averages.errors(); }
 
 results::EnergyJudgement RunOutputs::judge_energy() const {
   const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);

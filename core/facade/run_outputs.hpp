@@ -5,6 +5,7 @@
 #include "facade/run.hpp"
 #include "facade/thermal_run.hpp"
 #include "integrators/stepper.hpp"
+#include "results/averages.hpp"
 #include "results/energy_judgement.hpp"
 
 #include <filesystem>
@@ -119,6 +120,7 @@ class RunOutputs {
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] results::KeyResults summary() const;
+  [[nodiscard]] results::MeanErrors mean_errors() const;
   /// Of the last stored instant and the worst before, against the elastic energy of the
   /// quasi-static solution.
   [[nodiscard]] results::EnergyJudgement judge_energy() const;

@@ -3,7 +3,9 @@
 #include "facade/prepare.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,10 +13,7 @@ namespace adore::facade {
 
 Verification verify(const RunRequest& request, const RunOutcome& outcome, std::stop_token stop) {
   const Prepared prepared = prepare(request);
-  RunRequest tight = request;
-  tight.go_on = false;
-  // The end that was reached, whatever decided it.
-  tight.until = fmt::format("{:.17g}s", outcome.time);
+  RunRequest tight = repeated(request, prepared, outcome);
   const double tolerance = 0.1 * request.tolerance.value_or(prepared.control.tolerance);
   tight.tolerance = tolerance;
   const double scale = make_system(prepared).scales().time;
@@ -26,10 +25,12 @@ Verification verify(const RunRequest& request, const RunOutcome& outcome, std::s
   // Stored at the same times, as nearly as steps allow.
   const int every = std::max(1, prepared.control.substeps);
   tight.changes.emplace_back("nStps", std::to_string(2 * every));
-  if (prepared.control.start == setup::StartState::Continue)
-    tight.changes.emplace_back("kIcOpt", "0");
   Verification out;
   out.tighter = fmt::format("tol {:g}, steps at most {:.3g} s", tolerance, longest * scale);
+  for (auto& [name, value] : doubled_resolution(prepared)) {
+    out.tighter += fmt::format(", {} {}", name, value);
+    tight.options.emplace_back(std::move(name), std::move(value));
+  }
   const MeasuredRun run =
       measured_run(tight, std::numeric_limits<double>::infinity(), std::move(stop));
   out.seconds = run.seconds;
@@ -41,17 +42,57 @@ Verification verify(const RunRequest& request, const RunOutcome& outcome, std::s
   return out;
 }
 
+RunRequest repeated(const RunRequest& request, const Prepared& prepared,
+                    const RunOutcome& outcome) {
+  RunRequest out = request;
+  out.go_on = false;
+  // The end that was reached, whatever decided it.
+  out.until = fmt::format("{:.17g}s", outcome.time);
+  if (prepared.control.start == setup::StartState::Continue)
+    out.changes.emplace_back("kIcOpt", "0");
+  return out;
+}
+
+std::vector<std::pair<std::string, std::string>> doubled_resolution(const Prepared& prepared) {
+  constexpr int kMostMajor = 100, kMostMinor = 64, kMostSlices = 999;  // of the run options
+  if (prepared.rollers) {
+    if (prepared.options.rollers.contact == statics::RollerContact::Point) return {};
+    return {{"rollerSlices",
+             std::to_string(std::min(2 * prepared.options.rollers.slices, kMostSlices))}};
+  }
+  const scene::SystemOptions& system = prepared.options.system;
+  return {{"ellipseMajor", std::to_string(std::min(2 * system.ellipse_major, kMostMajor))},
+          {"ellipseMinor", std::to_string(std::min(2 * system.ellipse_minor, kMostMinor))}};
+}
+
 std::string errors_text(const AccuracyErrors& errors) {
   std::string out;
   const auto add = [&](const char* name, double error) {
     if (error >= 0.0)
       out += fmt::format("{}{} {:.2g} %", out.empty() ? "" : ", ", name, 100.0 * error);
   };
-  add("speeds", errors.speed);
-  add("loads", errors.load);
-  add("heat", errors.heat);
-  add("life", errors.life);
+  for (const AccuracyQuantity& q : kAccuracyQuantities) add(q.name, errors.*q.member);
   return out.empty() ? "nothing to compare" : out;
+}
+
+nlohmann::ordered_json verification_json(const Verification& verification,
+                                         const RunOutcome& outcome) {
+  nlohmann::ordered_json out{{"against", verification.tighter},
+                             {"processor_s", verification.seconds}};
+  if (!verification.failure.empty()) {
+    out["failure"] = verification.failure;
+    return out;
+  }
+  out["errors"] = nlohmann::ordered_json::object();
+  for (const AccuracyQuantity& q : kAccuracyQuantities)
+    if (verification.errors.*q.member >= 0.0) out["errors"][q.key] = verification.errors.*q.member;
+  out["results"] = nlohmann::ordered_json::object();
+  for (const results::KeyResult& here : outcome.summary) {
+    const double there = value_of(verification.results, here.of.id);
+    if (std::isfinite(here.value) && std::isfinite(there))
+      out["results"][std::string(here.of.id)] = {{"run", here.value}, {"tighter", there}};
+  }
+  return out;
 }
 
 std::string verification_text(const Verification& verification, const RunOutcome& outcome) {

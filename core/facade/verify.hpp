@@ -1,9 +1,14 @@
 #pragma once
 
 #include "facade/accuracy.hpp"
+#include "facade/prepare.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <stop_token>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// A run against itself with tighter settings: what its own numerics leave open.
 namespace adore::facade {
@@ -16,12 +21,23 @@ struct Verification {
   std::string failure;  ///< why the tighter run gave no results; empty when it did
 };
 
-/// Repeats a run that came to its end with a tenth of its tolerance and half of the longest step
-/// that it was allowed, from the start to the same end, and compares. A run that was continued is
+/// Repeats a run that came to its end with a tenth of its tolerance, half of the longest step that
+/// it was allowed and twice the nodes of the contact ellipses in both directions or twice the
+/// slices of the rollers, from the start to the same end, and compares. A run that was continued is
 /// repeated as a whole. @throws InputError, Interrupted
 [[nodiscard]] Verification verify(const RunRequest& request, const RunOutcome& outcome,
                                   std::stop_token stop);
 
+/// The same run again from the start to the end that it reached, its files only as long as needed.
+[[nodiscard]] RunRequest repeated(const RunRequest& request, const Prepared& prepared,
+                                  const RunOutcome& outcome);
+
+/// Twice the nodes or slices of the run, as run options. Empty: neither acts.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> doubled_resolution(
+    const Prepared& prepared);
+
+[[nodiscard]] nlohmann::ordered_json verification_json(const Verification& verification,
+                                                       const RunOutcome& outcome);
 [[nodiscard]] std::string verification_text(const Verification& verification,
                                             const RunOutcome& outcome);
 

@@ -33,17 +33,31 @@ RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
   for (const scene::CageSnapshot& cage : snapshot.cages)
     totals.cage += cage.total_rotation / static_cast<double>(snapshot.cages.size());
   totals.heat = snapshot.energy.sum(scene::LedgerKind::Heat);
+  for (std::size_t race = 0; race < 2; ++race)
+    if (const auto* item = snapshot.energy.find("heat", static_cast<int>(race)))
+      totals.race_heat[race] = item->value;
   return totals;
 }
 
 void RunAverages::add(const scene::Snapshot& snapshot) {
-  const double before = now_.time;
+  const Totals before = now_;
   now_ = totals(snapshot);
   const scene::Vec3& force = snapshot.races[1].carried_force;
-  if (started_)
-    impulse_ += 0.5 * (now_.time - before) * (force_ + force);
-  else
+  if (started_) {
+    const double passed = now_.time - before.time;
+    const scene::Vec3 impulse = 0.5 * passed * (force_ + force);
+    impulse_ += impulse;
+    if (!race_heat_known_)
+      race_heat_known_ = true;
+    else
+      stored_.add(
+          passed,
+          {now_.shaft - before.shaft, now_.elements - before.elements, now_.cage - before.cage,
+           now_.heat - before.heat, now_.race_heat[0] - before.race_heat[0],
+           now_.race_heat[1] - before.race_heat[1], impulse[0], impulse[1], impulse[2]});
+  } else {
     largest_time_ = now_.time;
+  }
   force_ = force;
   add_largest(now_.time, largest_contact_load(snapshot));
   residual_ = std::max(residual_, std::abs(snapshot.energy.residual()));
@@ -66,7 +80,9 @@ void RunAverages::add_loads(double time, std::span<const double> outer,
 /// A run that goes on from before its last look passes the time up to there twice: it counts once.
 void RunAverages::add_largest(double time, double largest) {
   const double passed = std::max(time - largest_time_, 0.0);
-  largest_impulse_ += 0.5 * passed * (largest_ + largest);
+  const double impulse = 0.5 * passed * (largest_ + largest);
+  largest_impulse_ += impulse;
+  stepped_.add(passed, {impulse});
   largest_time_ += passed;
   largest_ = largest;
   peak_ = std::max(peak_, largest);
@@ -80,13 +96,39 @@ void RunAverages::add_cage_position(double time, const scene::Vec3& position) {
   const double y = position[1], z = position[2], passed = time - swept_time_;
   if (swept_started_ && !(passed > 0.0)) return;  // of a run that goes on from before its last look
   if (swept_started_) {
-    swept_area_ += swept_y_ * z - swept_z_ * y;
-    swept_square_ += 0.5 * passed * (swept_y_ * swept_y_ + swept_z_ * swept_z_ + y * y + z * z);
+    const double area = swept_y_ * z - swept_z_ * y;
+    const double square =
+        0.5 * passed * (swept_y_ * swept_y_ + swept_z_ * swept_z_ + y * y + z * z);
+    swept_area_ += area;
+    swept_square_ += square;
+    whirled_.add(passed, {area, square});
   }
   swept_started_ = true;
   swept_time_ = time;
   swept_y_ = y;
   swept_z_ = z;
+}
+
+MeanErrors RunAverages::errors() const {
+  MeanErrors out;
+  if (now_.shaft != start_.shaft) {
+    out.orbital_ratio = stored_.half_width(1, 0);
+    out.cage_ratio = stored_.half_width(2, 0);
+    const double speed = std::abs(now_.shaft - start_.shaft) / (now_.time - start_.time);
+    out.swept_whirl_ratio = whirled_.half_width(0, 1) / speed;
+  }
+  out.power_loss = stored_.half_width(3);
+  out.heat_outer = stored_.half_width(4);
+  out.heat_inner = stored_.half_width(5);
+  std::vector<double> elsewhere = stored_.series(3);
+  const std::vector<double> outer = stored_.series(4), inner = stored_.series(5);
+  for (std::size_t b = 0; b < elsewhere.size(); ++b) elsewhere[b] -= outer[b] + inner[b];
+  out.heat_elsewhere =
+      ratio_half_width(elsewhere, std::vector<double>(elsewhere.size(), stored_.batch_seconds()));
+  for (Eigen::Index k = 0; k < 3; ++k)
+    out.load[k] = stored_.half_width(6 + static_cast<std::size_t>(k));
+  out.largest_load = stepped_.half_width(0);
+  return out;
 }
 
 Averages RunAverages::averages() const {
@@ -122,6 +164,8 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average elements", self.now_.elements);
   visit("average cage", self.now_.cage);
   visit("average heat", self.now_.heat);
+  visit("average outer heat", self.now_.race_heat[0]);
+  visit("average inner heat", self.now_.race_heat[1]);
   visit("average whirl start", self.whirl_start_);
   visit("average whirl", self.whirl_now_);
   visit("average swept time", self.swept_time_);
@@ -148,6 +192,9 @@ void RunAverages::save(std::map<std::string, double>& state) const {
   visit(*this, [&](const char* key, double value) { state[key] = value; });
   state["average whirl started"] = whirl_started_ ? 1.0 : 0.0;
   state["average swept started"] = swept_started_ ? 1.0 : 0.0;
+  stored_.save(state, "batch stored");
+  stepped_.save(state, "batch stepped");
+  whirled_.save(state, "batch whirled");
 }
 
 void RunAverages::restore(const std::map<std::string, double>& state) {
@@ -159,6 +206,10 @@ void RunAverages::restore(const std::map<std::string, double>& state) {
   visit(*this, [&](const char* key, double& value) {
     if (const auto found = state.find(key); found != state.end()) value = found->second;
   });
+  race_heat_known_ = state.count("average outer heat") > 0;
+  stored_.restore(state, "batch stored");
+  stepped_.restore(state, "batch stepped");
+  whirled_.restore(state, "batch whirled");
   const auto swept = state.find("average swept started");  // earlier runs have none: from here on
   swept_started_ = swept != state.end() && swept->second != 0.0;
   // Of runs that looked at loads in snapshots alone.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "results/batch_means.hpp"
 #include "scene/snapshot.hpp"
 
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -9,6 +11,17 @@
 /// Time averages over a whole run (printed section 4, N54): each speed over that of the inner race
 /// relative to the outer.
 namespace adore::results {
+
+/// Half of the 95 % interval of each mean (results/batch_means.hpp), in the unit of the mean; NaN:
+/// not computed. Heat, ratios and race load from the stored steps, the largest load from every
+/// step.
+struct MeanErrors {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double orbital_ratio = kNone, cage_ratio = kNone, swept_whirl_ratio = kNone;
+  double power_loss = kNone, heat_outer = kNone, heat_inner = kNone, heat_elsewhere = kNone;
+  double largest_load = kNone;
+  scene::Vec3 load = scene::Vec3::Constant(kNone);
+};
 
 struct Averages {
   double time = 0.0;               ///< span of the average [s]
@@ -53,6 +66,7 @@ class RunAverages {
   /// the inner race [N].
   void add_loads(double time, std::span<const double> outer, std::span<const double> inner);
   [[nodiscard]] Averages averages() const;
+  [[nodiscard]] MeanErrors errors() const;
 
   /// For MASTER, and back. restore() leaves the object as new when the map holds no averages.
   void save(std::map<std::string, double>& state) const;
@@ -61,7 +75,8 @@ class RunAverages {
  private:
   struct Totals {
     double time = 0.0, shaft = 0.0, elements = 0.0, cage = 0.0,
-           heat = 0.0;  ///< [s, rad, rad, rad, J]
+           heat = 0.0;                  ///< [s, rad, rad, rad, J]
+    std::array<double, 2> race_heat{};  ///< [J]
   };
   static Totals totals(const scene::Snapshot& snapshot);
   void add_largest(double time, double largest);
@@ -82,7 +97,14 @@ class RunAverages {
   double largest_ = 0.0;                          ///< contact load then [N]
   double largest_impulse_ = 0.0;                  ///< its time integral [N s]
   double peak_ = 0.0;                             ///< [N]
-  double residual_ = 0.0;                         ///< [J]
+  /// Of the stored steps: shaft, elements, cage [rad], heat in all, of the outer and of the inner
+  /// race [J], impulse [N s]. Of every step: impulse of the largest load. Of looks at the cage:
+  /// area and square that its centre sweeps.
+  BatchSums<9> stored_;
+  BatchSums<1> stepped_;
+  BatchSums<2> whirled_;
+  bool race_heat_known_ = true;  ///< false: MASTER of an earlier release, until the next look
+  double residual_ = 0.0;        ///< [J]
 };
 
 }  // namespace adore::results

@@ -8,6 +8,7 @@
 #include "base/own_files.hpp"
 #include "base/version.hpp"
 #include "base/write_folder.hpp"
+#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -184,6 +185,7 @@ Json run_json(const RunSummary& run) {
   }
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
+  if (!run.accuracy.is_null()) out["accuracy"] = run.accuracy;
   if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;
   if (!run.thermal_network.is_null()) out["thermal_network"] = run.thermal_network;
   if (!run.life.is_null()) out["life"] = run.life;
@@ -258,11 +260,64 @@ std::string own_checksum(std::string text) {
   return fmt::format("{:016x}", checksum(text));
 }
 
-void write_run_json(const RunSummary& run, const WritePath& place) {
-  std::string text = dump_json(run_json(run), 2) + "\n";
+namespace {
+
+/// @pre its own checksum is kNoChecksum
+void write_with_checksum(const nlohmann::ordered_json& run, const WritePath& place) {
+  std::string text = dump_json(run, 2) + "\n";
   const std::string key = fmt::format("\"{}\": \"", kOwnChecksum);
   text.replace(text.rfind(key) + key.size(), kNoChecksum.size(), own_checksum(text));
   write_file_atomically(place, text);
+}
+
+}  // namespace
+
+void write_run_json(const RunSummary& run, const WritePath& place) {
+  write_with_checksum(run_json(run), place);
+}
+
+void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
+               const std::string& print) {
+  const std::filesystem::path file = folder.path() / "RUN.json";
+  const auto old = parse_json<nlohmann::ordered_json>(read_text_file(file), file.string());
+  if (!old.is_object() || !old.contains("measured"))
+    throw InputError(file.string() + " is not the RUN.json of a finished run");
+  const std::filesystem::path listing = folder.path() / "PRINT.txt";
+  if (!print.empty())
+    GrowingFile::append_after(WritePath(folder, "PRINT.txt"), std::filesystem::file_size(listing))
+        .append(print);
+  nlohmann::ordered_json run;
+  for (const auto& [name, value] : old.items()) {
+    if (name == "files")  // in front of the list of files
+      for (const auto& [key, member] : members.items()) run[key] = member;
+    if (name == "measured" || !members.contains(name)) run[name] = value;
+  }
+  for (const auto& [key, member] : members.items()) run[key] = member;
+  nlohmann::ordered_json& measured = run["measured"];
+  if (const FileSum sum = sum_of_file(listing); measured.contains("checksums"))
+    measured["checksums"]["PRINT.txt"] = {{"bytes", sum.bytes},
+                                          {"checksum", fmt::format("{:016x}", sum.sum)}};
+  measured[kOwnChecksum] = std::string(kNoChecksum);
+  write_with_checksum(run, WritePath(folder, "RUN.json"));
+}
+
+nlohmann::ordered_json mean_errors_json(const MeanErrors& errors) {
+  nlohmann::ordered_json out{{"interval", "95 %, batch means"}};
+  const auto add = [&](const char* id, double half) {
+    if (std::isfinite(half)) out[id] = half;
+  };
+  add("mean_power_loss_W", errors.power_loss);
+  add("mean_heat_outer_race_W", errors.heat_outer);
+  add("mean_heat_inner_race_W", errors.heat_inner);
+  add("mean_heat_elsewhere_W", errors.heat_elsewhere);
+  add("mean_orbital_ratio", errors.orbital_ratio);
+  add("mean_cage_ratio", errors.cage_ratio);
+  add("mean_swept_whirl_ratio", errors.swept_whirl_ratio);
+  add("mean_load_x_N", errors.load[0]);
+  add("mean_load_y_N", errors.load[1]);
+  add("mean_load_z_N", errors.load[2]);
+  add("mean_largest_load_N", errors.largest_load);
+  return out;
 }
 
 }  // namespace adore::results

@@ -3,6 +3,7 @@
 #include "base/write_folder.hpp"
 #include "deck/defaults.hpp"
 #include "deck/no_part.hpp"
+#include "results/averages.hpp"
 #include "results/file_sums.hpp"
 #include "results/key_results.hpp"
 #include "results/mean_load.hpp"
@@ -60,6 +61,7 @@ struct RunSummary {
   std::optional<double> max_quaternion_error;
   std::optional<scene::QuadratureError> quadrature_error;  ///< at the end
   KeyResults summary;
+  nlohmann::ordered_json accuracy;      ///< of the results; null: not computed
   nlohmann::ordered_json life;          ///< fatigue life; null: none computed
   std::vector<std::string> files;       ///< names without folders
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
@@ -75,8 +77,16 @@ struct RunSummary {
 };
 
 [[nodiscard]] nlohmann::ordered_json run_json(const RunSummary& run);
+/// Half-widths of 95 % intervals by the key results that they belong to; those not computed are
+/// left out.
+[[nodiscard]] nlohmann::ordered_json mean_errors_json(const MeanErrors& errors);
 /// Replaces the file atomically. @throws InputError
 void write_run_json(const RunSummary& run, const WritePath& place);
+/// Adds members to the RUN.json of a finished run, in the places of those of the same name: what is
+/// known only afterwards (verification). A new text is appended to PRINT.txt, and both checksums
+/// follow. @throws InputError
+void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
+               const std::string& print);
 
 /// Under "measured": checksum of the text with zeros in its place.
 inline constexpr const char* kOwnChecksum = "checksum of this file";

@@ -158,6 +158,17 @@ class Run(_Summary):
         return list(self._outcome.remarks) if self._outcome is not None else []
 
     @property
+    def accuracy(self) -> Dict[str, Any]:
+        """Intervals of the results: "means" (batch means of the run); after ``adore run --verify`` or ``--accuracy``
+        "quantities" with numerical and statistical part. Empty: not computed."""
+        return dict(self.report.get("accuracy", {}))
+
+    @property
+    def verification(self) -> Dict[str, Any]:
+        """What ``adore run --verify`` found: "against", "errors", "results" of both runs. Empty: not verified."""
+        return dict(self.report.get("verify", {}))
+
+    @property
     def channels(self) -> Channels:
         """Every channel of RESULTS.h5 as arrays."""
         if self._channels is None:

@@ -56,7 +56,8 @@ TEST_CASE("errors are those of speeds, loads, heat and life", "[unit][accuracy]"
   CHECK(of(made_up(0.404, 0.4, 0.1, 100.0, 8.0, 1e4)).speed == Approx(0.01));
   CHECK(of(made_up(0.4, 0.408, 0.1, 100.0, 8.0, 1e4)).speed == Approx(0.02));
   // A whirl that is small against the cage's own speed is measured by that.
-  CHECK(of(made_up(0.4, 0.4, 0.104, 100.0, 8.0, 1e4)).speed == Approx(0.01));
+  CHECK(of(made_up(0.4, 0.4, 0.104, 100.0, 8.0, 1e4)).whirl == Approx(0.01));
+  CHECK(of(made_up(0.4, 0.4, 0.104, 100.0, 8.0, 1e4)).speed == 0.0);
   CHECK(of(made_up(0.4, 0.4, 0.1, 103.0, 8.0, 1e4)).load == Approx(0.03));
   CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.8, 1e4)).heat == Approx(0.05));
   CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.0, 0.9e4)).life == Approx(0.1));
@@ -70,7 +71,7 @@ TEST_CASE("what a run has not computed makes no error", "[unit][accuracy]") {
   CHECK(errors.life < 0.0);
   CHECK(errors.heat == 0.0);
   CHECK(errors.largest() == 0.0);
-  CHECK(errors_text({0.0, 0.01, -1.0, -1.0}) == "speeds 0 %, loads 1 %");
+  CHECK(errors_text({0.0, 0.01, -1.0, -1.0, 0.2, -1.0}) == "speeds 0 %, whirl 20 %, loads 1 %");
 }
 
 TEST_CASE("an accuracy study compares the deck's own run and recommends the cheapest row",
@@ -156,7 +157,7 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
 
     AccuracyStudy spent = cut;  // a study that spent its budget so has none when it goes on
     spent.unlisted_seconds = 2.0 * request.budget;
-    spent.irregular.speed = -1.0;
+    spent.irregular = AccuracyErrors::none();
     spent.models.clear();
     const AccuracyStudy poor = study_accuracy(request, {}, {}, spent);
     CHECK(poor.seconds > 2.0 * request.budget);
@@ -234,11 +235,11 @@ TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
   const auto run = [](double whirl, double heat) {
     return made_up(0.4, 0.4, whirl, 100.0, heat, 1e4);
   };
-  CHECK(noise_of({}).speed < 0.0);
+  CHECK(noise_of({}).whirl < 0.0);
   // Regular: what each method has by itself plays no part, however far the two lie apart.
   const NearbyRuns one{run(0.1, 8.0), run(0.1, 8.000008), run(0.1, 7.999992)},
       other{run(0.2, 9.0), run(0.2, 9.000009), run(0.2, 8.999991)};
-  CHECK(noise_of({one, other}).speed == 0.0);
+  CHECK(noise_of({one, other}).whirl == 0.0);
   CHECK(noise_of({one, other}).heat < 2e-6);
   CHECK(noise_of({one, other}).heat > 1e-7);
   // A life that two runs have not makes no noise and is none.
@@ -259,7 +260,7 @@ TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
       const AccuracyErrors noise = noise_of(all);
       const AccuracyErrors errors =
           compare_results(run(scatter(random), 8.0), run(scatter(random), 8.0));
-      if (standing_out(errors, noise).speed > 0.0) ++out;
+      if (standing_out(errors, noise).whirl > 0.0) ++out;
       if (k == 0) CHECK(noise.heat == 0.0);
     }
     CHECK(out > 0.03 * kDraws);
@@ -270,16 +271,16 @@ TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
 TEST_CASE("a quantity that is irregular does not excuse errors of another", "[unit][accuracy]") {
   AccuracyStudy study;
   study.target = 0.01;
-  const std::array<double AccuracyErrors::*, 4> all{&AccuracyErrors::speed, &AccuracyErrors::load,
-                                                    &AccuracyErrors::heat, &AccuracyErrors::life};
+  std::array<double AccuracyErrors::*, 6> all{};
+  for (std::size_t q = 0; q < all.size(); ++q) all[q] = kAccuracyQuantities[q].member;
   for (const auto noisy : all)
     for (const bool by_loads : {false, true})
       for (const auto wrong : all) {
-        study.long_reference.noise = {0.001, 0.001, 0.001, 0.001};
-        study.irregular = {-1.0, -1.0, -1.0, -1.0};
+        study.long_reference.noise = {0.001, 0.001, 0.001, 0.001, 0.001, 0.001};
+        study.irregular = AccuracyErrors::none();
         AccuracyErrors& by = by_loads ? study.irregular : study.long_reference.noise;
         by.*noisy = 0.04;
-        AccuracyErrors errors{0.009, 0.009, 0.009, 0.009};
+        AccuracyErrors errors{0.009, 0.009, 0.009, 0.009, 0.009, 0.009};
         CHECK(study.keeps(errors));
         errors.*wrong = 0.05;
         CHECK(study.keeps(errors) == (wrong == noisy));
@@ -301,12 +302,12 @@ TEST_CASE("a quantity that is irregular does not excuse errors of another", "[un
 
 TEST_CASE("one irregular quantity pushes no candidate off the second round, whichever it is",
           "[unit][accuracy]") {
-  const std::array<double AccuracyErrors::*, 4> all{&AccuracyErrors::speed, &AccuracyErrors::load,
-                                                    &AccuracyErrors::heat, &AccuracyErrors::life};
+  std::array<double AccuracyErrors::*, 6> all{};
+  for (std::size_t q = 0; q < all.size(); ++q) all[q] = kAccuracyQuantities[q].member;
   for (const auto noisy : all)
     for (const auto other : all) {
       if (other == noisy) continue;
-      AccuracyErrors noise{0.001, 0.001, 0.001, 0.001};
+      AccuracyErrors noise{0.001, 0.001, 0.001, 0.001, 0.001, 0.001};
       noise.*noisy = 0.3;
       // By the largest error the right one (0.4 of its noise 0.3) is the worst of all by far, and
       // the wrong ones (0.2 of what is known to 0.001) are within it and cheaper.
@@ -315,7 +316,7 @@ TEST_CASE("one irregular quantity pushes no candidate off the second round, whic
         AccuracyRow row;
         row.setting.name = name;
         row.seconds = seconds;
-        row.errors = {0.0005, 0.0005, 0.0005, 0.0005};
+        row.errors = {0.0005, 0.0005, 0.0005, 0.0005, 0.0005, 0.0005};
         row.errors.*noisy = irregular;
         row.errors.*other = regular;
         rows.push_back(row);
@@ -330,7 +331,7 @@ TEST_CASE("one irregular quantity pushes no candidate off the second round, whic
       CHECK(rows[first[0]].setting.name == "right");
       CHECK(candidates(rows, noise, 0.01, 20).size() == rows.size());
       // The same rows where that quantity is known: then it is off.
-      const AccuracyErrors known{0.001, 0.001, 0.001, 0.001};
+      const AccuracyErrors known{0.001, 0.001, 0.001, 0.001, 0.001, 0.001};
       judge_rows(rows, known, 0.01);
       CHECK_FALSE(rows[9].front);
       CHECK(candidates(rows, known, 0.01, 20).back() == 9U);
