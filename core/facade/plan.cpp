@@ -17,6 +17,8 @@ PlanReport plan(const DeckRequest& request, std::stop_token stop) {
   out.json = plan_json(scene, stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
   out.remarks = prepared.input.warnings;
+  for (Finding& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
+  out.json["findings"] = findings_json(out.remarks);
   return out;
 }
 
