@@ -20,15 +20,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 namespace adore::cli {
 namespace {
-
-const char* word(Severity severity) {
-  return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
-}
 
 /// All errors and warnings of a deck; what it asks for that cannot run yet is a note here and an
 /// error of `run`.
@@ -36,28 +33,37 @@ int check(const DeckOptions& options, bool json) {
   facade::DeckRequest request;
   options.fill(request);
   const facade::CheckReport report = facade::check(request);
-  const std::vector<Issue>& issues = report.issues;
+  const std::vector<Finding>& issues = report.issues;
   const bool ok = report.ok();
   if (json) {
     nlohmann::ordered_json out;
     out["file"] = report.file;
     out["ok"] = ok;
     out["issues"] = nlohmann::ordered_json::array();
-    for (const Issue& issue : issues)
-      out["issues"].push_back({{"severity", word(issue.severity)},
+    std::vector<Finding> listed = shown_findings(issues);
+    std::copy_if(issues.begin(), issues.end(), std::inserter(listed, listed.begin()),
+                 [](const Finding& one) { return one.severity == Severity::Error; });
+    for (const Issue& issue : listed)
+      out["issues"].push_back({{"severity", severity_word(issue.severity)},
                                {"line", issue.line},
                                {"record", issue.record},
                                {"variable", issue.variable},
                                {"value", issue.value},
                                {"message", issue.message},
                                {"remedy", issue.remedy}});
+    out["findings"] = findings_json(issues);
     print("{}\n", dump_json(out, 2));
   } else {
-    for (const Issue& issue : issues) print("{}\n", issue.text());
     std::size_t errors = 0;
-    for (const Issue& issue : issues) errors += issue.severity == Severity::Error ? 1 : 0;
+    for (const Finding& issue : issues)
+      if (issue.severity == Severity::Error) {
+        print("{}\n", issue.text());
+        ++errors;
+      }
+    const std::vector<Finding> others = shown_findings(issues);
+    for (const Finding& one : others) print("{}\n", one.text());
     print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records, errors,
-          errors == 1 ? "" : "s", issues.size() - errors, issues.size() - errors == 1 ? "" : "s");
+          errors == 1 ? "" : "s", others.size(), others.size() == 1 ? "" : "s");
   }
   return ok ? 0 : 2;
 }
@@ -190,13 +196,20 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<DeckOptions>();
     auto json = std::make_shared<bool>(false);
     options->add_to(*command);
+    auto codes = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "as JSON");
+    command->add_flag("--codes", *codes, "list the codes of all findings, as Markdown");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
         "  adore check DATA.txt --set rpm2=20000\n"
         "  adore new ball | adore check -");
-    command->callback([=, &exit_code] { exit_code = check(*options, *json); });
+    command->callback([=, &exit_code] {
+      if (*codes)
+        print("{}", finding_codes_page());
+      else
+        exit_code = check(*options, *json);
+    });
   }
   {
     CLI::App* command = app.add_subcommand(

@@ -110,9 +110,8 @@ void DeckOptions::fill(facade::DeckRequest& request) const {
   for (const std::string& text : options) request.options.push_back(split(text, "--opt"));
 }
 
-void print_warnings(const std::vector<Issue>& issues) {
-  for (const Issue& issue : issues)
-    if (issue.severity != Severity::Error) tell(issue.text() + "\n");
+void print_warnings(const std::vector<Finding>& findings) {
+  for (const Finding& finding : shown_findings(findings)) tell(finding.text() + "\n");
 }
 
 }  // namespace adore::cli

@@ -32,6 +32,6 @@ void add_deck(CLI::App& command, std::string& deck);
 [[nodiscard]] facade::DeckRequest deck_request(const std::string& deck);
 
 /// Warnings to stderr, one a line.
-void print_warnings(const std::vector<Issue>& issues);
+void print_warnings(const std::vector<Finding>& findings);
 
 }  // namespace adore::cli

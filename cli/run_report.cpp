@@ -145,7 +145,8 @@ nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
             : nlohmann::ordered_json(std::isinf(value) ? "infinite" : "not computed");
   out["results"] = results;
   out["remarks"] = nlohmann::ordered_json::array();
-  for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());
+  for (const Finding& one : shown_findings(outcome.warnings)) out["remarks"].push_back(one.text());
+  out["findings"] = findings_json(outcome.warnings);
   return out;
 }
 
@@ -153,7 +154,8 @@ nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome) {
   nlohmann::ordered_json out{
       {"table", outcome.table.string()}, {"exit", outcome.exit_code}, {"failed", outcome.failed}};
   out["remarks"] = nlohmann::ordered_json::array();
-  for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());
+  for (const Finding& one : shown_findings(outcome.warnings)) out["remarks"].push_back(one.text());
+  out["findings"] = findings_json(outcome.warnings);
   return out;
 }
 

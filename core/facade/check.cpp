@@ -23,7 +23,8 @@ namespace adore::facade {
 
 namespace {
 
-bool has_error(const std::vector<Issue>& issues) {
+template <class Remarks>
+bool has_error(const Remarks& issues) {
   return std::any_of(issues.begin(), issues.end(),
                      [](const Issue& issue) { return issue.severity == Severity::Error; });
 }
@@ -141,10 +142,10 @@ void check_options(const DeckRequest& request) {
 }
 
 /// Adds what is not said yet.
-void add_new(std::vector<Issue>& said, std::vector<Issue> more) {
+void add_new(std::vector<Finding>& said, std::vector<Finding> more) {
   std::set<std::string> texts;
   for (const Issue& issue : said) texts.insert(issue.text());
-  for (Issue& issue : more)
+  for (Finding& issue : more)
     if (texts.insert(issue.text()).second) said.push_back(std::move(issue));
 }
 
@@ -152,13 +153,13 @@ void add_new(std::vector<Issue>& said, std::vector<Issue> more) {
 
 CheckReport check(const DeckRequest& request, std::stop_token stop) {
   deck::ReadResult read = read_deck(request);
-  CheckReport out{read.deck.file, read.deck.records.size(), read.issues};
+  CheckReport out{read.deck.file, read.deck.records.size(), findings_of(read.issues)};
   if (read.ok() && !request.sets.empty()) try {
       LoadedDeck loaded = load_deck(request);
       read.deck = std::move(loaded.deck);
       out.issues = std::move(loaded.warnings);
     } catch (const InputError& error) {
-      out.issues = error.issues();
+      out.issues = findings_of(error.issues());
       return out;
     }
   bool begins = read.ok();
@@ -166,19 +167,19 @@ CheckReport check(const DeckRequest& request, std::stop_token stop) {
   if (begins && !request.routines && request.user.empty()) {
     ModelCheck model = examine_model(read.deck);
     begins = model.refusals.empty();
-    add_new(out.issues, std::move(model.issues));
+    add_new(out.issues, findings_of(std::move(model.issues)));
   }
   try {
     check_options(request);
   } catch (const InputError& error) {  // the run would end with it
-    add_new(out.issues, error.issues());
+    add_new(out.issues, findings_of(error.issues()));
   }
   if (!begins || !out.ok()) return out;
   LoadedDeck input = load_deck(request);
   input.stop = std::move(stop);
   Rehearsal rehearsal = rehearse(std::move(input));
   add_new(out.issues, std::move(rehearsal.remarks));
-  add_new(out.issues, std::move(rehearsal.refusals));
+  add_new(out.issues, findings_of(std::move(rehearsal.refusals)));
   return out;
 }
 

@@ -25,7 +25,7 @@ namespace adore::facade {
 struct CheckReport {
   std::string file;               ///< what messages call the deck
   std::size_t records = 0;        ///< in it
-  std::vector<Issue> issues;      ///< errors, warnings, notes
+  std::vector<Finding> issues;    ///< errors, warnings, notes
   [[nodiscard]] bool ok() const;  ///< no error among them
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "deck/deck.hpp"
 
 #include <filesystem>
@@ -43,7 +44,7 @@ struct DeckRequest {
 struct LoadedDeck {
   std::filesystem::path path;  ///< the deck file
   deck::Deck deck;             ///< with the sets applied
-  std::vector<Issue> warnings;
+  std::vector<Finding> warnings;  ///< of the reader, and what the model, statics and run add
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
   std::filesystem::path user;                        ///< as in the request
   std::shared_ptr<const user::PlugIn> routines;

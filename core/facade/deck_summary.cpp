@@ -32,7 +32,8 @@ nlohmann::ordered_json stored_json(const Prepared& prepared) {
 }  // namespace
 
 results::RunSummary summary_of_deck(const Prepared& prepared, const scene::ScenePlan& plan,
-                                    const std::string& request, const std::vector<Issue>& remarks) {
+                                    const std::string& request,
+                                    const std::vector<Finding>& remarks) {
   results::RunSummary out;
   out.run_id = prepared.bearing.run_id;
   if (prepared.user) {
@@ -62,9 +63,12 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
   }
   out.defaults_used = deck::defaults_used(prepared.input.deck);
   out.no_part = prepared.no_part;
-  for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
-  for (const Issue& remark : remarks) out.notes.push_back(remark.text());
-  for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
+  out.findings = prepared.input.warnings;
+  out.findings.insert(out.findings.end(), remarks.begin(), remarks.end());
+  for (Finding& note : solution_notes(prepared)) out.findings.push_back(std::move(note));
+  // Files of a run name no folder: a run gives the same bytes wherever it is.
+  for (Finding& one : out.findings)
+    if (one.file == prepared.input.path.string()) one.file = out.deck_file;
   out.instruction_set = dynamics::race_contact_instruction_set();
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
   if (imperfections.elements == bearing::ElementErrors::Random)

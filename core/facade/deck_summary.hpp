@@ -16,6 +16,6 @@ namespace adore::facade {
 [[nodiscard]] results::RunSummary summary_of_deck(const Prepared& prepared,
                                                   const scene::ScenePlan& plan,
                                                   const std::string& request,
-                                                  const std::vector<Issue>& remarks);
+                                                  const std::vector<Finding>& remarks);
 
 }  // namespace adore::facade

@@ -49,7 +49,7 @@ Equilibrium solve_equilibrium(const DeckRequest& request, std::stop_token stop) 
   const Prepared prepared = prepare(request, std::move(stop));
   Equilibrium out = equilibrium_of(prepared);
   out.remarks = prepared.input.warnings;
-  for (Issue& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
+  for (Finding& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
   return out;
 }
 

@@ -22,7 +22,7 @@ struct Equilibrium {
   results::KeyResults results;                       ///< displacements, extremes, fits, heat, lives
   results::StaticTables tables;    ///< those of RUN.json: "elements", "slices", "friction" ...
   std::vector<std::string> lines;  ///< a few sentences in the deck's units, as `adore run` ends
-  std::vector<Issue> remarks;      ///< of the deck, and what the equilibrium says of itself
+  std::vector<Finding> remarks;    ///< of the deck, and what the equilibrium says of itself
   double seconds = 0.0;            ///< computing time of the solution
 };
 

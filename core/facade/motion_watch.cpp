@@ -170,52 +170,77 @@ void MotionWatch::look_at_races(const scene::Snapshot& at) {
   }
 }
 
-std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const {
-  std::vector<std::string> out;
+std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
+  std::vector<Finding> out;
+  const auto add = [&](std::string_view code, const std::string& text) -> Finding& {
+    return out.emplace_back(make_finding(code, text));
+  };
   const life::RaceStrength strength = life::contact_strength(bearing_, heaviest_);
   for (std::size_t race = 0; race < 2; ++race) {
     life::RaceStrength one{};
     one[race] = strength[race];
     for (std::string& text : life::strength_warnings(bearing_, one))
-      out.push_back(fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
-                                heaviest_time_[race], text));
+      add("motion.yield", fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
+                                      heaviest_time_[race], text))
+          .of(fmt::format("{} race", kRace[race]))
+          .at(heaviest_time_[race]);
     const Worst& over = shoulder_[race];
     if (over.steps > 0)
-      out.push_back(fmt::format(
-          "in {} of the stored steps contact ellipses reach over the shoulder of the {} race, the "
-          "worst that of ball {} at t = {:.6g} s by {}: the motion keeps the whole ellipse, so "
-          "that "
-          "loads there are better than real",
-          over.steps, kRace[race], over.element, over.time,
-          quantity(over.value, results::unit::kLength, units)));
+      add("motion.shoulder",
+          fmt::format(
+              "in {} of the stored steps contact ellipses reach over the shoulder of the {} race, "
+              "the "
+              "worst that of ball {} at t = {:.6g} s by {}: the motion keeps the whole ellipse, so "
+              "that "
+              "loads there are better than real",
+              over.steps, kRace[race], over.element, over.time,
+              quantity(over.value, results::unit::kLength, units)))
+          .of(fmt::format("ball {}, {} race", over.element, kRace[race]))
+          .at(over.time);
   }
   if (cage_.steps > 0)
-    out.push_back(fmt::format(
-        "in {} of the stored steps the cage ({}) yields, the worst {} at t = {:.6g} s: a von Mises "
-        "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa "
-        "(cageESL {:.4g} times the modulus); contacts are elastic in this run",
-        cage_.steps, bearing_.cage->material.name, cage_.where, cage_.time, 1e-6 * cage_.value,
-        1e-6 * cage_pressure_, 1e-6 * cage_limit_, bearing_.cage->material.elastic_strain_limit));
+    add("cage.yielding",
+        fmt::format(
+            "in {} of the stored steps the cage ({}) yields, the worst {} at t = {:.6g} s: a von "
+            "Mises "
+            "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa "
+            "(cageESL {:.4g} times the modulus); contacts are elastic in this run",
+            cage_.steps, bearing_.cage->material.name, cage_.where, cage_.time, 1e-6 * cage_.value,
+            1e-6 * cage_pressure_, 1e-6 * cage_limit_,
+            bearing_.cage->material.elastic_strain_limit))
+        .measure(cage_.value / cage_limit_, 1.0)
+        .of("cage, " + cage_.where)
+        .at(cage_.time);
   for (std::size_t race = 0; race < 2; ++race) {
     const Worst& through = through_[race];
     if (through.steps == 0) continue;
     const bearing::Cage& cage = *bearing_.cage;
-    out.push_back(fmt::format(
-        "in {} of the stored steps the cage passes through the {} race: its centre is up to {} "
-        "from the race's axis (t = {:.6g} s), {} = {} leaves half of that clearance. No land of "
-        "that race guides the cage; add a guide land (nGL, record 7.2)",
-        through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
-        through.time, race == 0 ? "cageCls1" : "cageCls2",
-        quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner, results::unit::kLength,
-                 units)));
+    add("cage.through_race",
+        fmt::format(
+            "in {} of the stored steps the cage passes through the {} race: its centre is up to {} "
+            "from the race's axis (t = {:.6g} s), {} = {} leaves half of that clearance. No land "
+            "of "
+            "that race guides the cage; add a guide land (nGL, record 7.2)",
+            through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
+            through.time, race == 0 ? "cageCls1" : "cageCls2",
+            quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner,
+                     results::unit::kLength, units)))
+        .measure(through.value, 0.5 * (race == 0 ? cage.clearance_outer : cage.clearance_inner))
+        .of(fmt::format("cage, {} race", kRace[race]))
+        .at(through.time);
   }
   if (overlap_.steps > 0)
-    out.push_back(fmt::format(
-        "in {} of the stored steps segments of the cage overlap, the worst {} by {} at t = {:.6g} "
-        "s: segments do not touch each other in this model; give a wider cut (cageAngCut) or less "
-        "pocket clearance",
-        overlap_.steps, overlap_.where, quantity(overlap_.value, results::unit::kLength, units),
-        overlap_.time));
+    add("cage.overlap",
+        fmt::format("in {} of the stored steps segments of the cage overlap, the worst {} by {} at "
+                    "t = {:.6g} "
+                    "s: segments do not touch each other in this model; give a wider cut "
+                    "(cageAngCut) or less "
+                    "pocket clearance",
+                    overlap_.steps, overlap_.where,
+                    quantity(overlap_.value, results::unit::kLength, units), overlap_.time))
+        .measure(overlap_.value)
+        .of("cage")
+        .at(overlap_.time);
   return out;
 }
 

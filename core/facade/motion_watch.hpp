@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "base/validity.hpp"
 #include "bearing/bearing.hpp"
 #include "life/contact_strength.hpp"
@@ -27,8 +28,8 @@ class MotionWatch {
  public:
   explicit MotionWatch(const bearing::Bearing& bearing);
   void look(const scene::Snapshot& at);
-  /// Sentences; empty: no limit was passed.
-  [[nodiscard]] std::vector<std::string> warnings(results::UnitSystem units) const;
+  /// Empty: no limit was passed.
+  [[nodiscard]] std::vector<Finding> findings(results::UnitSystem units) const;
   /// For the register of validity, range "cage.yield".
   [[nodiscard]] std::optional<validity::Finding> cage_yield() const;
 

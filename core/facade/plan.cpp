@@ -46,6 +46,8 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token 
   out.json = plan_json(scene, stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
   out.remarks = prepared.input.warnings;
+  for (Finding& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
+  out.json["findings"] = findings_json(out.remarks);
   if (!(pilot > 0.0) || !prepared.control.dynamic) return out;
   const RunCost cost = run_cost(request, pilot, std::move(stop));
   out.text += cost_text(cost);

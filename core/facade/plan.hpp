@@ -13,7 +13,7 @@ namespace adore::facade {
 struct PlanReport {
   std::string text;             ///< for people
   nlohmann::ordered_json json;  ///< bodies, effects with their reasons, estimates, disk
-  std::vector<Issue> remarks;   ///< on the deck
+  std::vector<Finding> remarks;  ///< on the deck
 };
 
 /// Processor time that the pilot of a plan takes in the motion at most [s].

@@ -65,10 +65,10 @@ std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solutio
   return out;
 }
 
-Issue remark(Severity severity, const std::string& file, const std::string& text) {
+/// A warning of a module below, recognized by its phrase (base/finding.hpp).
+Finding warning(const std::string& text) {
   Issue issue;
-  issue.severity = severity;
-  issue.file = file;
+  issue.severity = Severity::Warning;
   issue.message = text;
   return issue;
 }
@@ -109,8 +109,9 @@ void to_deck_units(std::vector<std::string>& texts, deck::UnitSystem units) {
   for (std::string& text : texts) text = deck::message_in_units(text, units);
 }
 
-void to_deck_units(std::vector<Issue>& issues, deck::UnitSystem units) {
-  for (Issue& issue : issues) {
+template <class Remarks>
+void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
+  for (Issue& issue : remarks) {
     issue.message = deck::message_in_units(issue.message, units);
     issue.remedy = deck::message_in_units(issue.remedy, units);
   }
@@ -119,7 +120,7 @@ void to_deck_units(std::vector<Issue>& issues, deck::UnitSystem units) {
 /// Whatever the library says of this deck is read by who wrote the deck.
 void say_in_deck_units(Prepared& out) {
   const deck::UnitSystem units = out.input.deck.units();
-  to_deck_units(out.input.warnings, units);
+  remarks_to_deck_units(out.input.warnings, units);
   to_deck_units(out.statics.notes, units);
   to_deck_units(out.start.notes, units);
   if (out.rollers) to_deck_units(out.rollers->notes, units);
@@ -164,19 +165,21 @@ void set_film_options(Prepared& out) {
   oil.stress_limit = out.options.stress_limit;
   oil.recommended = out.options.recommended_law;
   if (!oil.stress_limit)
-    add_remark(
-        out, Severity::Note,
-        "run option filmStressLimit = off: oil films have no limiting shear stress. Friction "
-        "coefficients above 1 GPa can be far too large.");
+    add_remark(out, make_finding("film.stress_limit_off",
+                                 "run option filmStressLimit = off: oil films have no limiting "
+                                 "shear stress. Friction coefficients above 1 GPa can be far too "
+                                 "large."));
   if (!oil.user) return;
   oil.user->limit_ratio = out.options.user_limit;
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
-    add_remark(
-        out, Severity::Note,
-        fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
-                    "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
-                    tribology::kUserLimit));
+    add_remark(out, make_finding(
+                        "film.stress_limit_assumed",
+                        fmt::format(
+                            "limiting shear stress of the user's lubricant: not given; {:g} of the "
+                            "pressure at 40 °C is assumed (estimate). Set run option "
+                            "lubStressLimit.",
+                            tribology::kUserLimit)));
 }
 
 /// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
@@ -184,7 +187,7 @@ void set_film_options(Prepared& out) {
 void doubt_fluids(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
   const auto warn = [&](const std::string& text) {
-    if (!text.empty()) add_remark(out, Severity::Warning, text);
+    if (!text.empty()) add_remark(out, warning(text));
   };
   using statics::FilmsOf;
   const FilmsOf use = !out.control.dynamic ? FilmsOf::Equilibrium
@@ -207,10 +210,32 @@ void doubt_fluids(Prepared& out) {
   if (b.churning->code == 1)
     flows("kChrn", medium.temperature, "the churning medium");
   else if (medium.clamped())
-    warn(
-        fmt::format("the properties of {}, the churning medium, are known from {:g} to {:g} "
-                    "K; it is at {:.4g} K, and the nearer end is used",
-                    medium.name, medium.T_min, medium.T_max, medium.temperature));
+    add_remark(
+        out,
+        make_finding("fluid.medium_range",
+                     fmt::format("the properties of {}, the churning medium, are known from {:g} "
+                                 "to {:g} K; it is at {:.4g} K, and the nearer end is used",
+                                 medium.name, medium.T_min, medium.T_max, medium.temperature))
+            .measure(medium.temperature, medium.T_max));
+}
+
+/// Value, bounds and body of ranges that more detailed remarks describe.
+void fill_from_ranges(std::vector<Finding>& remarks, const std::vector<validity::Finding>& left) {
+  for (Finding& remark : remarks) {
+    const FindingKind* kind = find_finding_kind(remark.code);
+    if (kind == nullptr || kind->range.empty() || remark.measured) continue;
+    for (const validity::Finding& one : left) {
+      if (one.range->id != kind->range) continue;
+      const Finding data = finding_of_range(one);
+      remark.quantity = data.quantity;
+      remark.unit = data.unit;
+      remark.measured = data.measured;
+      remark.least = data.least;
+      remark.limit = data.limit;
+      remark.body = data.body;
+      remark.time = data.time;
+    }
+  }
 }
 
 /// Laws that the quasi-static solution takes outside their range of validity. What other remarks
@@ -230,11 +255,12 @@ void find_left_ranges(Prepared& out) {
       without(out.left_ranges,
               {"film.thickness", "film.viscosity", "hertz.ellipse", "hertz.shoulder", "hertz.yield",
                "drag.temperature", "materials.temperature", "rolling.strips"});
-  for (const auto& [severity, text] : validity::remarks(new_ones)) add_remark(out, severity, text);
+  for (const validity::Finding& left : new_ones) add_remark(out, finding_of_range(left));
+  fill_from_ranges(out.input.warnings, out.left_ranges);
   if (const std::string text = ranges.given_coefficient(); !text.empty())
-    add_remark(out, Severity::Note, text);
+    add_remark(out, make_finding("friction.coefficient", text));
   if (const std::string text = traction_spread(out); !text.empty())
-    add_remark(out, Severity::Note, text);
+    add_remark(out, make_finding("friction.spread", text));
 }
 
 /// Says where what flows around the elements is known by hearsay or guess.
@@ -245,9 +271,11 @@ void say_certainty(Prepared& out) {
                                   ? "were recalled, at least one of them, not read in a publication"
                                   : nullptr;
     if (known != nullptr)
-      add_remark(out, Severity::Note,
-                 fmt::format("the properties of {}, {}, {}: what hangs on them is known no better",
-                             name, what, known));
+      add_remark(out,
+                 make_finding("fluid.certainty",
+                              fmt::format("the properties of {}, {}, {}: results that depend on "
+                                          "them have the same uncertainty",
+                                          name, what, known)));
   };
   const bearing::Bearing& b = out.bearing;
   if (b.lubrication) {
@@ -269,15 +297,18 @@ void say_certainty(Prepared& out) {
 void say_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
-    add_remark(out, Severity::Note,
-               "contact damping is off: contact vibrations do not decay, so that largest loads, "
-               "life and spectra are not those of a real bearing. Use contactDamping = material "
-               "for them");
+    add_remark(
+        out, make_finding(
+                 "damping.off",
+                 "contact damping is off: contact vibrations do not decay, so that largest loads, "
+                 "life and spectra are not those of a real bearing. Use contactDamping = material "
+                 "for them"));
   else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
-    add_remark(out, Severity::Note,
-               fmt::format("contactDamping = {} plays no part at the races, because the mode of "
-                           "record 2.1 holds all elements in balance there",
-                           given->second));
+    add_remark(
+        out, make_finding("damping.idle",
+                          fmt::format("contactDamping = {} plays no part at the races, because "
+                                      "the mode of record 2.1 holds all elements in balance there",
+                                      given->second)));
 }
 
 /// @throws Interrupted when the preparation is to end.
@@ -334,7 +365,7 @@ Prepared prepare_model(LoadedDeck input) {
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
     for (const std::string& note : out.thermal->heat.notes)
-      add_remark(out, Severity::Note, "thermal analysis: " + note);
+      add_remark(out, finding_of_note("thermal analysis: " + note, "thermal."));
   } else {
     out.bearing = thermal::operating_bearing(out.as_built);
   }
@@ -348,11 +379,13 @@ Prepared prepare_model(LoadedDeck input) {
   const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
   out.no_part = setup::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
-  if (std::optional<Issue> note = setup::note_of(out.no_part, deck, out.input.warnings))
+  if (std::optional<Issue> note =
+          setup::note_of(out.no_part, deck, {out.input.warnings.begin(), out.input.warnings.end()}))
     out.input.warnings.push_back(std::move(*note));
   if (out.user && out.control.dynamic) start_session(out, hooks);
   if (out.user)
-    for (const std::string& text : idle_routines(out)) add_remark(out, Severity::Note, text);
+    for (const std::string& text : idle_routines(out))
+      add_remark(out, make_finding("user.idle", text));
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
@@ -363,14 +396,15 @@ Prepared prepare_model(LoadedDeck input) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
     for (const std::string& text : row.operating->warnings)
-      add_remark(out, Severity::Warning,
-                 fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
-                             kRpm * row.speed[0], kRpm * row.speed[1], text));
+      add_remark(out, make_finding("fit.stiffness_table",
+                                   fmt::format("stiffness over speed, from {:g} and {:g} rpm on: "
+                                               "{}",
+                                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
-      add_remark(out, Severity::Warning, text);
+      add_remark(out, make_finding("statics.yield", text));
   };
   ask_to_go_on(out.input);
   const auto& frame = out.plan.race_motions.frame;
@@ -392,11 +426,14 @@ Prepared prepare_model(LoadedDeck input) {
       out.start = dynamics::static_start(*scene, out.bearing);
       out.roller_scene = std::move(scene);
       if (out.rollers->guide_force > 0.0)
-        out.input.warnings.push_back(remark(
-            Severity::Note, out.input.path.string(),
-            fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
-                        "guide ring does; in motion only its groove and friction hold it",
-                        out.rollers->guide_force)));
+        add_remark(
+            out,
+            make_finding("statics.guide_force",
+                         fmt::format("the equilibrium holds each roller along its axis with {:.4g} "
+                                     "N, as a guide ring does; in motion only its groove and "
+                                     "friction hold it",
+                                     out.rollers->guide_force))
+                .measure(out.rollers->guide_force));
     }
     find_left_ranges(out);
     return out;
@@ -411,17 +448,20 @@ Prepared prepare_model(LoadedDeck input) {
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
-        out, Severity::Note,
-        fmt::format("the rolling resistance of the balls in oil, whose law knows no pressure "
-                    "coefficient of the oil, is {:.2g} times that of strips with the law of "
-                    "lines, which does. Reynolds' equation solved for point contacts (up to 2.5 "
-                    "times) lies between both: in so thick an oil at such a speed this resistance "
-                    "and its heat may be some {:.0f} % too large",
-                    ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)));
+        out, make_finding(
+                 "rolling.thick_oil",
+                 fmt::format(
+                     "the rolling resistance of the balls in oil, whose law knows no pressure "
+                     "coefficient of the oil, is {:.2g} times that of strips with the law of "
+                     "lines, which does. Reynolds' equation solved for point contacts (up to 2.5 "
+                     "times) lies between both: in so thick an oil at such a speed this resistance "
+                     "and its heat may be some {:.0f} % too large",
+                     ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+                 .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
-    add_remark(out, Severity::Warning, text);
+    add_remark(out, warning(text));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
     statics::StaticsOptions as_in_motion;
@@ -441,10 +481,10 @@ Prepared prepare_model(LoadedDeck input) {
 
 }  // namespace
 
-void add_remark(Prepared& prepared, Severity severity, const std::string& text) {
-  prepared.input.warnings.push_back(
-      remark(severity, prepared.input.path.string(),
-             deck::message_in_units(text, prepared.input.deck.units())));
+void add_remark(Prepared& prepared, Finding finding) {
+  finding.file = prepared.input.path.string();
+  finding.message = deck::message_in_units(finding.message, prepared.input.deck.units());
+  prepared.input.warnings.push_back(std::move(finding));
 }
 
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
@@ -517,7 +557,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
   bool wrong = false;
   for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;
   if (wrong) throw InputError(std::move(issues));
-  out.warnings = std::move(issues);
+  out.warnings = findings_of(std::move(issues));
   if (!request.in_memory) out.option_values = options_beside(out.path);
   for (const auto& [name, value] : request.options) out.option_values[name] = value;
   out.user = request.user;
@@ -528,15 +568,20 @@ LoadedDeck load_deck(const DeckRequest& request) {
 std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
   std::vector<Issue> out;
   if (!bearing.operating) return out;
-  for (const std::string& text : bearing.operating->warnings)
-    out.push_back(remark(Severity::Warning, file, text));
+  for (const std::string& text : bearing.operating->warnings) out.push_back(warning(text));
+  for (Issue& issue : out) issue.file = file;
   return out;
 }
 
-std::vector<Issue> solution_notes(const Prepared& prepared) {
-  std::vector<Issue> out;
+std::vector<Finding> solution_notes(const Prepared& prepared) {
+  std::vector<Finding> out;
   for (const std::string& text : prepared.race_result().notes)
-    out.push_back(remark(Severity::Note, prepared.input.path.string(), text));
+    out.push_back(finding_of_note(text, "statics."));
+  for (const std::string& text : prepared.life.notes) out.push_back(finding_of_note(text, "life."));
+  if (prepared.life.iso)
+    for (const std::string& text : prepared.life.iso->notes)
+      out.push_back(finding_of_note(text, "life."));
+  for (Finding& finding : out) finding.file = prepared.input.path.string();
   return out;
 }
 
@@ -560,7 +605,7 @@ Prepared prepare(LoadedDeck input) {
     std::vector<Issue> issues = error.issues();
     for (Issue& issue : issues)
       if (issue.file.empty()) issue.file = file;
-    to_deck_units(issues, units);
+    remarks_to_deck_units(issues, units);
     throw InputError(std::move(issues));
   } catch (const statics::DeckFault& error) {  // a fault of the deck, not of the numerics
     Issue issue =

@@ -70,11 +70,11 @@ struct Prepared {
                                                     const std::string& file);
 
 /// Adds a remark on the deck to those that the run tells.
-void add_remark(Prepared& prepared, Severity severity, const std::string& text);
+void add_remark(Prepared& prepared, Finding finding);
 
-/// What the equilibrium says of itself (unstable, dual contact, edges, elements without load):
-/// notes on the deck.
-[[nodiscard]] std::vector<Issue> solution_notes(const Prepared& prepared);
+/// Findings of the equilibrium (unstable, dual contact, edges, elements without load), and of the
+/// lives.
+[[nodiscard]] std::vector<Finding> solution_notes(const Prepared& prepared);
 
 /// @throws InputError, SolverError (no equilibrium), Interrupted.
 [[nodiscard]] Prepared prepare(const DeckRequest& request, std::stop_token stop = {});

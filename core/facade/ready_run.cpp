@@ -17,12 +17,16 @@ namespace {
 void warn_of_loose_tolerance(Prepared& prepared) {
   const setup::RunControl& control = prepared.control;
   if (control.tolerance <= kMissedLimit || control.step_minimum == control.step_maximum) return;
-  add_remark(prepared, Severity::Warning,
-             fmt::format("the tolerance of {:g} (tol on record 2.1, or --tol) is loose: loads may "
-                         "be 5 % and lives 20 % off although the energy of the run closes. Take "
-                         "{:g} or less for results to rely on; adore run --verify tells what a "
-                         "run's settings leave open",
-                         control.tolerance, kMissedLimit));
+  add_remark(
+      prepared,
+      make_finding(
+          "run.loose_tolerance",
+          fmt::format("the tolerance of {:g} (tol on record 2.1, or --tol) is loose: loads may "
+                      "be 5 % and lives 20 % off although the energy of the run closes. Take "
+                      "{:g} or less for results to rely on; adore run --verify tells what a "
+                      "run's settings leave open",
+                      control.tolerance, kMissedLimit))
+          .measure(control.tolerance, kMissedLimit));
 }
 
 /// The steps that the run takes. What was changed becomes a remark on the deck and part of its
@@ -32,7 +36,8 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
   const JudgedSteps steps = judge_steps(prepared, time_scale);
   if (steps.limits.action == StepAction::Refused) throw InputError(steps.text);
   prepared.stability = steps.text;
-  if (steps.limits.action != StepAction::Kept) add_remark(prepared, Severity::Warning, steps.text);
+  if (steps.limits.action != StepAction::Kept)
+    add_remark(prepared, make_finding("run.steps", steps.text));
   return steps.limits;
 }
 
@@ -70,7 +75,7 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   if (!fs::exists(master, error)) return false;
   if (!thermal.restore(results::read_master(master).averages, master)) return false;
   for (const std::string& text : move_to(prepared, thermal.operating()))
-    add_remark(prepared, Severity::Warning, text);
+    add_remark(prepared, make_finding("thermal.geometry", text));
   return true;
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kNowhere = "/nonexistent";
 
 /// @param folder of the run's files; empty: none is looked at
-std::vector<Issue> begin_run(LoadedDeck input, const fs::path& folder) {
+std::vector<Finding> begin_run(LoadedDeck input, const fs::path& folder) {
   RunRequest request;
   request.overwrite = true;  // whoever starts the run is asked
   if (!folder.empty()) check_writable(folder);
@@ -26,6 +26,7 @@ std::vector<Issue> begin_run(LoadedDeck input, const fs::path& folder) {
     if (folder.empty()) prepared.control.start = setup::StartState::Statics;
     const ReadyRun ready(request, prepared, RunPlace(folder.empty() ? fs::path(kNowhere) : folder));
   }
+  for (Finding& note : solution_notes(prepared)) prepared.input.warnings.push_back(std::move(note));
   return std::move(prepared.input.warnings);
 }
 
@@ -49,12 +50,13 @@ Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
     out.refusals = sentence(error.what());
   }
   std::erase_if(out.refusals, [](const Issue& issue) { return issue.severity != Severity::Error; });
-  for (std::vector<Issue>* issues : {&out.refusals, &out.remarks})
-    for (Issue& issue : *issues) {
-      if (issue.file.empty()) issue.file = file;
-      issue.message = deck::message_in_units(issue.message, units);
-      issue.remedy = deck::message_in_units(issue.remedy, units);
-    }
+  const auto complete = [&](Issue& issue) {
+    if (issue.file.empty()) issue.file = file;
+    issue.message = deck::message_in_units(issue.message, units);
+    issue.remedy = deck::message_in_units(issue.remedy, units);
+  };
+  for (Issue& issue : out.refusals) complete(issue);
+  for (Finding& finding : out.remarks) complete(finding);
   return out;
 }
 

@@ -9,7 +9,7 @@ namespace adore::facade {
 /// What `adore run` says of a deck before its first step.
 struct Rehearsal {
   std::vector<Issue> refusals;  ///< errors; empty: the run begins
-  std::vector<Issue> remarks;   ///< warnings and notes, those of the reader among them
+  std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
 };
 
 /// The checks of the model, the equilibrium, the method and its steps, the start state. Folders,

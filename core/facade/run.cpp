@@ -129,18 +129,23 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   }
   Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
-  if (!remark.empty()) add_remark(prepared, Severity::Note, remark);
+  if (!remark.empty()) add_remark(prepared, make_finding("run.settings", remark));
   const ResultsFolder made(output_folder(request, prepared.input.path), request.below);
   const FolderLock lock(made.folder());
   RunOutcome out = prepared.control.dynamic
                        ? run_dynamic(request, prepared, made.folder(), progress, stop)
                        : run_quasi_static(request, prepared, made.folder());
   out.folder = made.path();
-  std::vector<Issue> remarks = std::move(out.warnings);
+  std::vector<Finding> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
   for (Issue& note : unused_request(request, prepared)) out.warnings.push_back(std::move(note));
-  for (Issue& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
-  for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
+  for (Finding& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
+  for (Finding& issue : remarks) out.warnings.push_back(std::move(issue));
+  if (out.status == RunStatus::Untrusted || out.status == RunStatus::Failed)
+    out.warnings.insert(
+        out.warnings.begin(),
+        make_finding(out.status == RunStatus::Failed ? "end.failed" : "end.untrusted",
+                     out.message));
   out.seconds = seconds_since(begin);
   out.processor_seconds = scene::processor_seconds() - processor;
   return out;

@@ -6,6 +6,7 @@
 #include "dynamics/effect_catalogue.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/cage_start.hpp"
+#include "facade/cage_state.hpp"
 #include "facade/changed_equilibrium.hpp"
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
@@ -30,6 +31,7 @@
 #include "results/continuation.hpp"
 #include "results/file_sums.hpp"
 #include "results/restart.hpp"
+#include "results/run_findings.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
@@ -87,6 +89,14 @@ dynamics::PrescribedRaces of_new_run(dynamics::PrescribedRaces races,
 
 }  // namespace
 
+/// Why the results are not trusted, or the run failed: the first finding.
+void add_ending(results::RunSummary& run) {
+  const char* const code = run.status == status_word(RunStatus::Untrusted) ? "end.untrusted"
+                           : run.status == status_word(RunStatus::Failed)  ? "end.failed"
+                                                                           : nullptr;
+  if (code != nullptr) run.findings.insert(run.findings.begin(), make_finding(code, run.message));
+}
+
 /// The open files of one run and what they need to go on.
 struct RunOutputs::Impl {
   const Prepared& prepared;
@@ -102,6 +112,7 @@ struct RunOutputs::Impl {
   bool may_jump;  ///< the state or the bearing at a counted step (RunOutputs::follow_jump)
   LifeObserver life;
   MotionWatch watch;
+  CageState cage_state;
   LawRanges ranges;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
@@ -109,7 +120,7 @@ struct RunOutputs::Impl {
   std::optional<LedgerStart> ledger_start;
   Snapshot last;  ///< last stored instant
   std::vector<double> last_y;
-  std::vector<Issue> remarks;
+  std::vector<Finding> remarks;
   KeyResults key_results;
   Clock::time_point checkpoint = Clock::now();
   long segment = 0;                 ///< step from which maxStps counts
@@ -132,6 +143,7 @@ struct RunOutputs::Impl {
         life(p.bearing, p.life.parameters,
              {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
+        cage_state(p.bearing, results::to_si(1.0, results::unit::kLength, units)),
         ranges(p.bearing),
         files(p, std::move(f)) {
     // Plots compare it with the interval of the stored steps.
@@ -142,12 +154,10 @@ struct RunOutputs::Impl {
   }
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
-  void remark(const std::string& text, Severity severity = Severity::Note) {
-    Issue issue;
-    issue.severity = severity;
-    issue.file = prepared.input.path.string();
-    issue.message = deck::message_in_units(text, prepared.input.deck.units());
-    remarks.push_back(std::move(issue));
+  void remark(Finding finding) {
+    finding.file = prepared.input.path.string();
+    finding.message = deck::message_in_units(finding.message, prepared.input.deck.units());
+    remarks.push_back(std::move(finding));
   }
   void judge_quadrature(const scene::QuadratureError& error);
   void make_room();
@@ -178,11 +188,12 @@ void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
   const double heat = std::max({error.heat_of_finer, mean[0] + mean[1], least});
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
   if (std::abs(off) <= kTolerated) return;
-  remark(fmt::format("the heat of the races is {:.2g} % off by the nodes of the contact integrals "
-                     "(against twice as many, in the last state); more of them by the run options "
-                     "ellipseMajor and ellipseMinor",
-                     100.0 * off),
-         Severity::Warning);
+  remark(make_finding("end.quadrature",
+                      fmt::format("the heat of the races is {:.2g} % off by the nodes of the "
+                                  "contact integrals (against twice as many, in the last state); "
+                                  "more of them by the run options ellipseMajor and ellipseMinor",
+                                  100.0 * off))
+             .measure(100.0 * off, 100.0 * kTolerated));
 }
 
 void RunOutputs::Impl::make_room() {
@@ -192,8 +203,10 @@ void RunOutputs::Impl::make_room() {
     std::erase(all_outputs.names, control.final_file);
   const fs::path away = facade::make_room(all_outputs, files.folder());
   if (!away.empty())
-    remark(fmt::format("results of an earlier run that this run does not write were moved into {}",
-                       away.string()));
+    remark(make_finding(
+        "run.moved_results",
+        fmt::format("results of an earlier run that this run does not write were moved into {}",
+                    away.string())));
 }
 
 results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, const Snapshot& at,
@@ -255,7 +268,7 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   listing::PrintFile& print = *files.print;
   print.front({prepared.input.deck, prepared.as_built, scales, summary().options});
   std::vector<std::string> warnings;
-  for (Issue issue : prepared.input.warnings) {
+  for (Issue issue : shown_findings(prepared.input.warnings)) {
     issue.file.clear();  // the page is about one deck
     warnings.push_back(issue.text());
   }
@@ -280,6 +293,7 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   for (const fs::path& file : files.written) run.files.push_back(file.filename().string());
   files.print->ledgers(run, plan, run_life);
   files.close();
+  if (files.all) results::store_findings(files.place("RESULTS.h5"), run.findings);
   std::error_code error;
   for (const fs::path& file : files.written)
     if (file.filename() != "RUN.json" && fs::exists(file, error))
@@ -312,7 +326,7 @@ void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
                                 {listing::network_table(step.heat)}});
 }
 
-void RunOutputs::remark(const std::string& text) { impl_->remark(text); }
+void RunOutputs::remark(Finding finding) { impl_->remark(std::move(finding)); }
 
 StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
@@ -337,14 +351,17 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
                     s.path(s.control.master_file).string(), s.control.final_file),
         "start it with kIcOpt = 0, and --overwrite if files are left")});
   if (start == setup::StartState::Continue && !master_exists) {
-    s.remark(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}", s.control.master_file,
-                         s.control.final_file));
+    s.remark(make_finding("run.no_restart_file",
+                          fmt::format("kIcOpt = 1, and there is no {}: a new run from {}",
+                                      s.control.master_file, s.control.final_file)));
     start = setup::StartState::FromFinal;
   }
   bool changed = false;  // the equilibrium may be another one
   const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
-    for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
-      s.remarks.push_back(std::move(note));
+    for (const Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start)) {
+      s.remarks.push_back(make_finding("run.changed_deck", note.message));
+      s.remarks.back().file = note.file;
+    }
     changed = !stored.deck.empty() && acts_on_bearing(stored.deck, s.prepared.input.deck, start);
   };
   // Moves the state to the equilibrium of this deck. @return it did
@@ -366,13 +383,14 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     }
     if (const std::string text = change_remark(change, "start from " + file.filename().string());
         !text.empty())
-      s.remark(text, Severity::Warning);
+      s.remark(make_finding("run.start_excess", text));
     if (change.moved)
-      s.remark(
+      s.remark(make_finding(
+          "run.start_moved",
           fmt::format("the stored state moves to the equilibrium of this deck, elements and "
                       "races by up to {:.4g} {}",
                       results::from_si(change.largest_shift, results::unit::kLength, s.units),
-                      results::unit_name(results::unit::kLength, s.units)));
+                      results::unit_name(results::unit::kLength, s.units))));
     return change.moved;
   };
   if (start == setup::StartState::FromFinal) {
@@ -388,7 +406,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     const bool moved = move(from, from.extras, file);
     if (races)
       for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
-        s.remark(jump, Severity::Warning);
+        s.remark(make_finding("run.start_race_jump", jump));
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
@@ -408,7 +426,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     const bool moved = move(master.last, master.averages, s.path(s.control.master_file));
     if (races)
       for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
-        s.remark(jump, Severity::Warning);
+        s.remark(make_finding("run.start_race_jump", jump));
     // The shaft goes on from where it was.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
@@ -432,12 +450,14 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (start == setup::StartState::Statics) try {
       StartState from = start_state(s.prepared, system);
       out.y = std::move(from.y);
-      if (!from.remark.empty()) s.remark(from.remark);
+      if (!from.remark.empty()) s.remark(make_finding("run.start_friction", from.remark));
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
       if (const StartJudgement start_energy = judge_start_energy(s.prepared, system, out.y);
           !start_energy.text.empty())
-        s.remark(start_energy.text, start_energy.severity);
+        s.remark(make_finding(
+            start_energy.severity == Severity::Warning ? "run.start_excess" : "run.start_unknown",
+            start_energy.text));
     } catch (const SolverError& refused) {
       refuse_start(s.prepared, refused);
     }
@@ -472,11 +492,12 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   else
     s.make_room();
   if (const auto no_animation = s.files.open(start.continued, s.print_bytes, s.sol9_bytes))
-    s.remark(*no_animation);
+    s.remark(make_finding("run.no_animation", *no_animation));
   if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name.starts_with("cage") && group.name.ends_with(".position"))
       s.cage_positions.push_back(group.slice.first);
+  s.cage_state.follow(system.layout());
   s.last_y = start.y;
   // Should the process be killed, it says which run that was.
   results::RunSummary run = s.summary();
@@ -540,6 +561,7 @@ void RunOutputs::call_user(dynamics::System& system, const RunPoint& point) {
 void RunOutputs::follow(const RunPoint& point) {
   Impl& s = *impl_;
   if (s.cage_positions.empty()) return;
+  s.cage_state.look(point.time, point.y);
   scene::Vec3 mean = scene::Vec3::Zero();
   for (const int first : s.cage_positions) {
     const double* c = point.y.data() + first;
@@ -611,19 +633,21 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
-  for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
+  for (Finding& finding : s.watch.findings(s.units)) s.remark(std::move(finding));
+  if (auto state = s.cage_state.finding()) s.remark(std::move(*state));
   if (const auto yields = s.watch.cage_yield()) s.ranges.add(*yields);
   const std::vector<validity::Finding> left = s.ranges.findings();
-  for (const auto& [severity, text] :
-       validity::remarks(without(left, {"hertz.shoulder", "hertz.yield", "cage.yield"})))
-    s.remark(text, severity);
-  if (const std::string text = s.ranges.given_coefficient(); !text.empty()) s.remark(text);
+  for (const validity::Finding& one :
+       without(left, {"hertz.shoulder", "hertz.yield", "cage.yield"}))
+    s.remark(finding_of_range(one));
+  if (const std::string text = s.ranges.given_coefficient(); !text.empty())
+    s.remark(make_finding("friction.coefficient", text));
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const std::string missed =
           judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;
       !missed.empty() && missed != end.message)
-    s.remark(missed, Severity::Warning);
+    s.remark(make_finding("end.missed_tolerance", missed));
   std::optional<scene::QuadratureError> quadrature;
   // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
   try {
@@ -636,6 +660,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   results::RunSummary run = s.summary();
   run.status = status_word(end.status);
   run.message = end.message;
+  add_ending(run);
   run.scales = system.scales();
   run.integrator = s.control.integrator;
   run.tolerance = s.control.tolerance;
@@ -704,6 +729,7 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
     run.status = status_word(RunStatus::Untrusted);
     run.message = why;
   }
+  add_ending(run);
   s.close(run);
   return solution.lines;
 }
@@ -725,7 +751,7 @@ std::string RunOutputs::untrusted_law() const { return untrusted(impl_->ranges.f
 std::string RunOutputs::load_warning() const {
   return results::load_warning(impl_->mean_load(), impl_->units);
 }
-std::vector<Issue> RunOutputs::remarks() const { return impl_->remarks; }
+std::vector<Finding> RunOutputs::remarks() const { return impl_->remarks; }
 
 double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }
 

@@ -83,8 +83,8 @@ class RunOutputs {
   void show_thermal(const ThermalRun& thermal);
   /// A thermal step is done: into PRINT.txt, and its temperatures into all that is stored later.
   void thermal_step(const ThermalRun::Step& step, double time);
-  /// Says something in RUN.json and on the last page, and to whoever asks for remarks().
-  void remark(const std::string& text);
+  /// A finding for RUN.json, RESULTS.h5, the last page and remarks().
+  void remark(Finding finding);
   /// Does any file store this step? (print, plot and animation intervals)
   [[nodiscard]] bool wants(long step) const;
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
@@ -129,7 +129,7 @@ class RunOutputs {
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;
   /// What turned up while the run started and ended: notes on the deck.
-  [[nodiscard]] std::vector<Issue> remarks() const;
+  [[nodiscard]] std::vector<Finding> remarks() const;
   [[nodiscard]] double energy_residual() const;  ///< [J]
   [[nodiscard]] double energy_scale() const;     ///< [J]
 

@@ -87,7 +87,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const RunPlac
   if (!start.continued || !request.go_on) start.segment = start.step;
   const bool remembers = start.continued && !start.resume.memory.empty();
   if (const std::string text = continued_remark(start, remembers, stepper); !text.empty())
-    outputs.remark(text);
+    outputs.remark(make_finding("run.continued", text));
   outputs.open(system, start);
   if (ready.thermal && !ready.thermal_goes_on)
     ready.thermal->start(start.time, system.snapshot(start.time, start.y).energy);

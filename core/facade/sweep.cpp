@@ -101,14 +101,15 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items()) {
       if (results::find_key_result(name).id.empty()) {
-        Issue issue;
-        issue.severity = Severity::Warning;
+        Finding issue = make_finding(
+            "sweep.unknown_result",
+            fmt::format(
+                "the summary holds \"{}\", which this release does not know; the finished run is "
+                "kept, "
+                "and the table of the sweep leaves it out; to compute it again, remove the run's "
+                "folder",
+                name));
         issue.file = file.string();
-        issue.message = fmt::format(
-            "the summary holds \"{}\", which this release does not know; the finished run is kept, "
-            "and the table of the sweep leaves it out; to compute it again, remove the run's "
-            "folder",
-            name);
         row.outcome.warnings.push_back(std::move(issue));
         continue;
       }
@@ -143,11 +144,11 @@ Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_
 
 /// Remarks that differ only in their numbers come once, from the first run that makes them, which
 /// is named where others may not make them.
-std::vector<Issue> warnings_once(const std::string& variable, const std::vector<Row>& rows) {
+std::vector<Finding> warnings_once(const std::string& variable, const std::vector<Row>& rows) {
   std::set<std::string> seen;
-  std::vector<Issue> out;
+  std::vector<Finding> out;
   for (const Row& row : rows)
-    for (const Issue& issue : row.outcome.warnings) {
+    for (const Finding& issue : row.outcome.warnings) {
       std::string words = issue.record + issue.variable;
       for (const char c : issue.message)
         if ((c < '0' || c > '9') && c != '.') words += c;
@@ -161,7 +162,7 @@ std::vector<Issue> warnings_once(const std::string& variable, const std::vector<
 }
 
 /// A table of motions that did not begin has loads and no motion: that has to be said.
-std::optional<Issue> nothing_moved(const std::vector<Row>& rows) {
+std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
   std::size_t still = 0;
   for (const Row& row : rows)
     still +=
@@ -170,14 +171,13 @@ std::optional<Issue> nothing_moved(const std::vector<Row>& rows) {
             ? 1
             : 0;
   if (still == 0) return std::nullopt;
-  Issue out;
-  out.severity = Severity::Warning;
+  Finding out = make_finding(
+      "sweep.no_motion",
+      fmt::format("{} of the sweep made no step, so that nothing moved: the table has loads at "
+                  "rest there, and no means, ratios or heat",
+                  counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
-  out.message = fmt::format(
-      "{} of the sweep made no step, so that nothing moved: the table has loads at rest there, and "
-      "no means, ratios or heat",
-      counted(still, "run"));
   out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";
   return out;
 }

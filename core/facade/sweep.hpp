@@ -15,7 +15,7 @@ struct SweepOutcome {
   std::filesystem::path table;  ///< SWEEP.csv: one line per run
   int exit_code = 0;            ///< the worst of the runs
   long failed = 0;              ///< runs that came to no result; a sweep that goes on repeats them
-  std::vector<Issue> warnings;  ///< of all runs, those that differ only in numbers once
+  std::vector<Finding> warnings;  ///< of all runs, those that differ only in numbers once
 };
 
 /// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the

@@ -128,7 +128,8 @@ void TimeRun::thermal_step() {
     const std::vector<std::string> doubts = move_at_speed(parts_.prepared, thermal.operating());
     for (const std::string& text : doubts)
       if (!films_doubted_)
-        parts_.outputs.remark(fmt::format("from thermal step {} on: {}", done.number, text));
+        parts_.outputs.remark(make_finding(
+            "thermal.film_doubt", fmt::format("from thermal step {} on: {}", done.number, text)));
     films_doubted_ = !doubts.empty();
     dynamics::System next = make_system(parts_.prepared);
     move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));
@@ -147,21 +148,34 @@ void TimeRun::thermal_step() {
 void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
   const double t = parts_.stepper.time();
   if (settles)
-    parts_.outputs.remark(fmt::format(
-        "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
+    parts_.outputs.remark(
+        make_finding(
+            "thermal.settled",
+            fmt::format("thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s",
+                        done.number, t))
+            .at(t));
   if (done.number == 1 && done.window < done.passing)
-    parts_.outputs.remark(fmt::format(
-        "thermal analysis: aveTime = {:.3g} ms is shorter than the passing of one element ({:.3g} "
-        "ms), so the heat of a thermal step fluctuates. Temperatures of the bearing follow its "
-        "mean. Each printed network shows one thermal step",
-        1e3 * done.window, 1e3 * done.passing));
+    parts_.outputs.remark(
+        make_finding("thermal.window",
+                     fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than the "
+                                 "passing of one element ({:.3g} "
+                                 "ms), so the heat of a thermal step fluctuates. Temperatures of "
+                                 "the bearing follow its "
+                                 "mean. Each printed network shows one thermal step",
+                                 1e3 * done.window, 1e3 * done.passing))
+            .measure(1e3 * done.window)
+            .at(t));
   if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
       !grown_) {
     grown_ = true;
-    add_remark(parts_.prepared, Severity::Warning,
-               fmt::format("thermal analysis: changes of temperature grew over four thermal steps "
-                           "up to step {}, t = {:.6g} s, heat {:.4g} W",
-                           done.number, t, done.heat.sources.total()));
+    add_remark(
+        parts_.prepared,
+        make_finding(
+            "thermal.growing",
+            fmt::format("thermal analysis: changes of temperature grew over four thermal steps "
+                        "up to step {}, t = {:.6g} s, heat {:.4g} W",
+                        done.number, t, done.heat.sources.total()))
+            .at(t));
   }
 }
 
@@ -175,7 +189,7 @@ void TimeRun::move_into(dynamics::System next, double t, std::span<double> y,
   dynamics::book_change(system(), y_before, next, t, y);
   parts_.system.emplace(std::move(next));
   if (const std::string text = change_remark(change, cause); !text.empty())
-    add_remark(parts_.prepared, Severity::Warning, text);
+    add_remark(parts_.prepared, make_finding("run.start_excess", text).at(parts_.stepper.time()));
 }
 
 bool TimeRun::follow_growth() {
@@ -308,7 +322,7 @@ void TimeRun::close(RunEnd& end) {
     if (status_ == RunStatus::Done) status_ = RunStatus::Untrusted;
     message_ = deck::message_in_units(judgement.text, units);
   } else if (judgement.trust == results::Trust::Warned) {
-    add_remark(parts_.prepared, Severity::Warning, judgement.text);
+    add_remark(parts_.prepared, make_finding("end.energy", judgement.text));
   }
   if (MissedTolerance missed =
           judge_missed(parts_.prepared.control, end.resume.counters, end.resume.error_sum);
@@ -327,14 +341,15 @@ void TimeRun::close(RunEnd& end) {
       status_ = RunStatus::Untrusted;
       message_ = hot;
     } else {
-      add_remark(parts_.prepared, Severity::Warning, hot);
+      add_remark(parts_.prepared, make_finding("thermal.hot", hot));
     }
   }
   if (tight_time_ > 0.0 && end.point.time > 0.0)
-    parts_.outputs.remark(film_tolerance_text(parts_.prepared.control.tolerance, tightest_,
-                                              tight_time_ / end.point.time));
+    parts_.outputs.remark(make_finding(
+        "end.film_tolerance", film_tolerance_text(parts_.prepared.control.tolerance, tightest_,
+                                                  tight_time_ / end.point.time)));
   if (const std::string text = parts_.outputs.load_warning(); !text.empty())
-    add_remark(parts_.prepared, Severity::Warning, text);
+    add_remark(parts_.prepared, make_finding("end.load", text));
 }
 
 double TimeRun::count_loop() {
@@ -391,9 +406,10 @@ RunOutcome TimeRun::run(bool remembers) {
   end.message = message_;
   end.loop_seconds = count_loop();
   if (parts_.thermal != nullptr && parts_.thermal->steps() == 0)
-    parts_.outputs.remark(
+    parts_.outputs.remark(make_finding(
+        "thermal.no_step",
         "thermal analysis: the run ended before its first thermal step (aveTime); temperatures "
-        "stayed those of record 9.1.3");
+        "stayed those of record 9.1.3"));
   parts_.outputs.finish(system(), end);
   RunOutcome out;
   tell(out, end);

@@ -627,9 +627,9 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
       report.text(fmt::format("{}: {}", because, names));
     }
   }
-  if (!run.notes.empty()) {
+  if (const std::vector<Finding> shown = shown_findings(run.findings); !shown.empty()) {
     report.heading("Notes");
-    for (const std::string& line : run.notes) report.text(line);
+    for (const Finding& one : shown) report.text(one.text());
   }
 }
 

@@ -204,7 +204,10 @@ Json run_json(const RunSummary& run) {
                     {"value", value.value},
                     {"because", value.because}});
   out["played_no_part"] = idle;
-  out["notes"] = run.notes;
+  out["findings"] = findings_json(run.findings);
+  // For one release: the same sentences as text.
+  out["notes"] = Json::array();
+  for (const Finding& one : shown_findings(run.findings)) out["notes"].push_back(one.text());
   if (!run.validity.is_null()) out["outside_validity"] = run.validity;
   out["files"] = run.files;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "base/write_folder.hpp"
 #include "deck/defaults.hpp"
 #include "deck/no_part.hpp"
@@ -46,7 +47,7 @@ struct RunSummary {
   nlohmann::ordered_json imperfections;  ///< geometric, of elements and races; null: ideal bearing
   std::vector<deck::DefaultUsed> defaults_used;  ///< values that the deck left out
   std::vector<deck::NoPart> no_part;             ///< values of the deck that the run does not use
-  std::vector<std::string> notes;                ///< warnings and remarks
+  std::vector<Finding> findings;                 ///< `notes` of the file are made of them
   nlohmann::ordered_json validity;               ///< laws outside their range; null: none
   long steps = 0;
   double time = 0.0, revolutions = 0.0;

@@ -63,6 +63,15 @@ def _flat(value: Any) -> List[Any]:
     return list(value)
 
 
+class Findings(List[_core.Finding]):
+    """Errors, warnings and notes of a check, with code, value and limit."""
+
+    @property
+    def findings(self) -> List[_core.Finding]:
+        """The list itself, by the name that a run and a plan have for theirs."""
+        return self
+
+
 class Record:
     """A record of one deck: its variables as attributes, in the deck's units.
 
@@ -414,9 +423,9 @@ class Deck(DeckVariables):
 
     # What can be done with it.
 
-    def check(self, *, user: User = None) -> List[_core.Issue]:
+    def check(self, *, user: User = None) -> Findings:
         """Every error, warning and note; empty when there is nothing to say. ``user`` as in :meth:`run`."""
-        return _core.check(*self._request(), routines_of(user))
+        return Findings(_core.check(*self._request(), routines_of(user)))
 
     def plan(self, *, user: User = None, **options: Any) -> Plan:
         """What a run would simulate, why, and at what cost. ``user`` as in :meth:`run`."""
@@ -540,7 +549,7 @@ def read(path: PathLike = ".") -> Deck:
     return Deck(core, Path(core.name), _core.options_beside(core.name))
 
 
-def check(path: PathLike = ".") -> List[_core.Issue]:
+def check(path: PathLike = ".") -> Findings:
     """Every error, warning and note of a deck file, also of one that cannot be read as a deck."""
     try:
         with warnings.catch_warnings():
@@ -549,7 +558,7 @@ def check(path: PathLike = ".") -> List[_core.Issue]:
     except InputError as error:
         if not error.issues:
             raise
-        return error.issues
+        return Findings(_core.findings_of(error.issues))
 
 
 def examples() -> dict[str, str]:

@@ -31,12 +31,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 class Plan:
     """What a run would simulate, why, and at what cost in time and disk."""
 
-    def __init__(self, text: str, data: str, remarks: Sequence[_core.Issue]) -> None:
+    def __init__(self, text: str, data: str, remarks: Sequence[_core.Finding]) -> None:
         #: The plan as ``adore plan`` prints it.
         self.text = text
         #: The same as data: bodies, effects, estimates, disk.
         self.data: Dict[str, Any] = json.loads(data)
         self.remarks = list(remarks)
+        #: The same list: every finding with code, value and limit.
+        self.findings = self.remarks
 
     @property
     def effects(self) -> Dict[str, bool]:
@@ -83,7 +85,9 @@ class Statics(_Summary):
         self.stiffness: np.ndarray = solution["stiffness"]
         #: The results in a few sentences, in the deck's units.
         self.lines: List[str] = solution["lines"]
-        self.remarks: List[_core.Issue] = solution["remarks"]
+        self.remarks: List[_core.Finding] = solution["remarks"]
+        #: The same list: every finding with code, value and limit.
+        self.findings = self.remarks
         #: Computing time [s].
         self.seconds: float = solution["seconds"]
         self._tables = solution["tables"]
@@ -153,7 +157,7 @@ class Run(_Summary):
         return self._outcome
 
     @property
-    def remarks(self) -> List[_core.Issue]:
+    def remarks(self) -> List[_core.Finding]:
         """Warnings and notes of a run of this session."""
         return list(self._outcome.remarks) if self._outcome is not None else []
 
@@ -167,6 +171,11 @@ class Run(_Summary):
     def verification(self) -> Dict[str, Any]:
         """What ``adore run --verify`` found: "against", "errors", "results" of both runs. Empty: not verified."""
         return dict(self.report.get("verify", {}))
+
+    @property
+    def findings(self) -> List[_core.Finding]:
+        """Every finding with code, value and limit; of an opened run, those of RUN.json or RESULTS.h5."""
+        return list(self._outcome.remarks) if self._outcome is not None else _core.run_findings(str(self.folder))
 
     @property
     def channels(self) -> Channels:

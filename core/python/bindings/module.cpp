@@ -1,3 +1,4 @@
+#include "base/finding.hpp"
 #include "base/json_text.hpp"
 #include "base/version.hpp"
 #include "bindings.hpp"
@@ -6,6 +7,7 @@
 #include "facade/option_file.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
+#include "results/run_findings.hpp"
 #include "routines.hpp"
 
 namespace adore::python {
@@ -90,6 +92,23 @@ void bind_errors(py::module_& module) {
       .def("__str__", &Issue::text)
       .def("__repr__",
            [](const Issue& issue) { return "<" + severity(issue) + ": " + issue.text() + ">"; });
+  py::class_<Finding, Issue>(module, "Finding",
+                             "A remark as data; codes: resources/docs/findings.md.")
+      .def_readonly("code", &Finding::code, "Code of the register, e.g. \"cage.yielding\".")
+      .def_readonly("quantity", &Finding::quantity, "Of `measured`; empty where none applies.")
+      .def_readonly("measured", &Finding::measured, "Value of the quantity in `unit`, or None.")
+      .def_readonly("least", &Finding::least, "Lower limit in `unit`, or None.")
+      .def_readonly("limit", &Finding::limit, "Upper limit in `unit`, or None.")
+      .def_readonly("unit", &Finding::unit, "Unit of value and limits.")
+      .def_readonly("body", &Finding::body, "Body, e.g. \"ball 3, inner race\".")
+      .def_readonly("time", &Finding::time, "Time of the run [s], or None.")
+      .def_readonly("step", &Finding::step, "Step of the run, or None.");
+  module.def(
+      "run_findings", [](const std::string& folder) { return results::run_findings(folder); },
+      py::arg("folder"), "Findings of a finished run: RUN.json, or RESULTS.h5.");
+  module.def(
+      "findings_of", [](std::vector<Issue> issues) { return findings_of(std::move(issues)); },
+      py::arg("issues"), "The same remarks with their codes.");
   py::register_exception_translator(translate);
 }
 

@@ -242,9 +242,9 @@ TEST_CASE("a roller presses on its pocket with the length of the guide faces", "
       bearing.cage->pocket_faces.push_back({{}, {}, 1e-3, length});
     facade::MotionWatch watch(bearing);
     watch.look(at);
-    for (const std::string& text : watch.warnings(results::UnitSystem::SI))
-      if (const auto place = text.find("at a pressure of "); place != std::string::npos)
-        return std::stod(text.substr(place + 17));
+    for (const Finding& finding : watch.findings(results::UnitSystem::SI))
+      if (const auto place = finding.message.find("at a pressure of "); place != std::string::npos)
+        return std::stod(finding.message.substr(place + 17));
     return 0.0;
   };
   const double L = bearing.rollers()->length, whole = pressure({});
@@ -274,11 +274,11 @@ TEST_CASE("cage without a guide land: reported where it passes through a race",
     at.cages[0].position = scene::Vec3(0.0, 1e-3, -away);
     facade::MotionWatch watch(bearing);
     watch.look(at);
-    return watch.warnings(results::UnitSystem::SI);
+    return watch.findings(results::UnitSystem::SI);
   };
   CHECK(reported(1.49e-3).empty());
   REQUIRE(reported(1.51e-3).size() == 1);
-  CHECK_THAT(reported(1.51e-3).front(),
+  CHECK_THAT(reported(1.51e-3).front().message,
              Catch::Contains("outer race") && Catch::Contains("0.00151"));
   CHECK(reported(2.01e-3).size() == 2);
   bearing.cage->lands.emplace_back().guide = bearing::GuideLand::Guide::Outer;

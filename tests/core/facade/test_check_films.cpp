@@ -172,7 +172,7 @@ TEST_CASE("thermal steps may begin in oil too thick for a film, but not in a gla
     CAPTURE(type);
     const Sets warmed = with(with(thermal, in_oil(4)), at(155.0));
     const facade::CheckReport report = checked(type, warmed);
-    INFO(to_text(report.issues));
+    INFO(to_text({report.issues.begin(), report.issues.end()}));
     CHECK(report.ok());
     CHECK(says(report, Severity::Warning, "Until thermal steps have warmed it"));
     // The same without thermal steps is refused.
@@ -211,7 +211,7 @@ TEST_CASE("cold oil at the cage and in the cavity is asked for, too", "[physics]
   const Sets films{{"kPocHydro", "1"}, {"pocLubFilm", "1.0e-4"}};
   CHECK(found(films).ok());
   const facade::CheckReport cold = found(with(films, {{"cageTemp", "95.0"}}));
-  INFO(to_text(cold.issues));
+  INFO(to_text({cold.issues.begin(), cold.issues.end()}));
   CHECK(says(cold, Severity::Error, "kPocHydro = 1: "));
   CHECK(says(cold, Severity::Error, "does not flow"));
   const facade::CheckReport churned = found({{"kChrn", "1"},
@@ -221,7 +221,7 @@ TEST_CASE("cold oil at the cage and in the cavity is asked for, too", "[physics]
                                              {"raceTemp2", "95.0"},
                                              {"reTemp", "95.0"},
                                              {"strParam", "0.0"}});
-  INFO(to_text(churned.issues));
+  INFO(to_text({churned.issues.begin(), churned.issues.end()}));
   CHECK(says(churned, Severity::Error, "kChrn = 1: "));
 }
 
@@ -244,7 +244,7 @@ TEST_CASE("a coolant that takes no heat is an error of the deck before a run beg
                 {"cageHTC", "100."}};
       {
         const facade::CheckReport good = checked("ball", sets);
-        INFO(to_text(good.issues));
+        INFO(to_text({good.issues.begin(), good.issues.end()}));
         CHECK(good.ok());
       }
       sets.emplace_back(name, "0.0");
@@ -261,7 +261,7 @@ TEST_CASE("every lubricant, medium and coolant has a word for what is known of i
     CAPTURE(name, what, provenance);
     CHECK((provenance == "seen" || provenance == "recalled" || provenance == "estimated"));
     const facade::CheckReport report = checked("ball", sets);
-    INFO(to_text(report.issues));
+    INFO(to_text({report.issues.begin(), report.issues.end()}));
     CHECK(report.ok());
     const std::string start = "the properties of " + name + ", " + what + ", ";
     CHECK(says(report, Severity::Note, start + "are estimates") == (provenance == "estimated"));

@@ -82,8 +82,8 @@ Outcome run_deck(const Deck& deck, const fs::path& folder) {
   json summary = json::parse(testing::read_bytes(folder / "RUN.json"));
   for (const json& value : summary.at("played_no_part"))
     out.idle[value.at("variable").get<std::string>()] = value.at("because").get<std::string>();
-  for (const char* echo : {"measured", "options", "plan", "notes", "defaults_used", "deck",
-                           "integrator", "tolerance", "played_no_part", "request"})
+  for (const char* echo : {"measured", "options", "plan", "notes", "findings", "defaults_used",
+                           "deck", "integrator", "tolerance", "played_no_part", "request"})
     summary.erase(echo);
   drop_echoes(summary);
   for (const auto& [name, part] : summary.items()) out.results[name] = part.dump();

@@ -1,8 +1,8 @@
-#include "studies/cage_whirl.hpp"
+#include "results/cage_whirl.hpp"
 
 #include <cmath>
 
-namespace adore::studies {
+namespace adore::results {
 
 std::string_view whirl_class_name(WhirlClass of) {
   constexpr std::array<std::string_view, 3> kNames{"resting", "whirling", "irregular"};
@@ -42,4 +42,4 @@ Whirl judge_whirl(const std::vector<CageInstant>& instants) {
   return out;
 }
 
-}  // namespace adore::studies
+}  // namespace adore::results

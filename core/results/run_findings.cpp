@@ -1,0 +1,105 @@
+#include "results/run_findings.hpp"
+
+#include "base/checksum.hpp"
+#include "base/input_file.hpp"
+#include "base/json_text.hpp"
+#include "base/write_error.hpp"
+#include "results/h5_driver.hpp"
+#include "results/h5_layout.hpp"
+#include "results/h5_process.hpp"
+#include "results/run_json.hpp"
+
+#include <fmt/format.h>
+
+namespace adore::results {
+namespace fs = std::filesystem;
+namespace {
+
+using h5::Handle;
+
+constexpr const char* kList = "findings";
+constexpr const char* kSum = "findings checksum";
+constexpr std::size_t kMostText = std::size_t{4} << 20;  ///< bytes of the list
+
+void write_text(hid_t object, const char* name, const std::string& text) {
+  if (H5Aexists(object, name) > 0) H5Adelete(object, name);
+  const Handle type(H5Tcopy(H5T_C_S1)), space(H5Screate(H5S_SCALAR));
+  H5Tset_size(type, text.size());
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT));
+  if (attribute.valid()) H5Awrite(attribute, type, text.data());
+}
+
+std::string read_text(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return {};
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  const Handle type(H5Aget_type(attribute)), space(H5Aget_space(attribute));
+  const std::size_t size = H5Tget_size(type);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
+      H5Sget_simple_extent_npoints(space) != 1 || size > kMostText)
+    throw InputError("the list of findings is not a text");
+  std::string text(size, '\0');
+  if (H5Aread(attribute, type, text.data()) < 0)
+    throw InputError("the list of findings cannot be read");
+  return text;
+}
+
+}  // namespace
+
+void store_findings(const WritePath& results_h5, std::span<const Finding> findings) {
+  const std::string text = dump_json(findings_json(findings));
+  if (text.size() > kMostText) return;
+  const Handle access = h5::access_list();
+  h5::use_safe_driver(access, results_h5.folder());
+  const Handle file(H5Fopen(results_h5.name().c_str(), H5F_ACC_RDWR, access));
+  if (!file.valid()) return;
+  {
+    const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
+    write_text(root, kList, text);
+    write_text(root, kSum, fmt::format("{:016x}", checksum(text)));
+  }
+  H5Fflush(file, H5F_SCOPE_GLOBAL);
+  if (h5::write_error(file) != 0)
+    throw WriteError(
+        fmt::format("{}: the findings cannot be written; free some disk space or "
+                    "choose another disk",
+                    results_h5.path().string()));
+}
+
+std::vector<Finding> stored_findings(const fs::path& results_h5) {
+  refuse_pipe(results_h5);
+  const auto read = [&] {
+    const Handle file(
+        H5Fopen(results_h5.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, h5::access_list()));
+    if (!file.valid()) throw InputError("the file cannot be opened");
+    const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
+    const std::string text = read_text(root, kList);
+    if (!text.empty() && read_text(root, kSum) != fmt::format("{:016x}", checksum(text)))
+      throw InputError("its list of findings is damaged: the checksum differs");
+    return text;
+  };
+  const std::string text = h5::read_apart(results_h5, read, kMostText);
+  return text.empty() ? std::vector<Finding>{}
+                      : read_findings(parse_json(text, results_h5.string()));
+}
+
+std::vector<Finding> run_findings(const fs::path& run) {
+  std::error_code error;
+  const fs::path folder = fs::is_directory(run, error) ? run : run.parent_path();
+  const auto list = read_run_member(folder / "RUN.json", "findings");
+  if (list.is_array()) return read_findings(list);
+  if (const auto notes = read_run_member(folder / "RUN.json", "notes"); notes.is_array()) {
+    std::vector<Finding> out;
+    for (const auto& note : notes)
+      if (note.is_string() && out.size() < kMostFindings)
+        out.push_back(make_finding("deck.note", note.get<std::string>()));
+    return out;
+  }
+  try {
+    if (fs::exists(folder / "RESULTS.h5", error)) return stored_findings(folder / "RESULTS.h5");
+  } catch (const InputError&) {
+  }
+  return {};
+}
+
+}  // namespace adore::results

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/finding.hpp"
+#include "base/write_folder.hpp"
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+/// Findings of a finished run: list `findings` of RUN.json, and the same as text in the attributes
+/// "findings" and "findings checksum" of RESULTS.h5.
+namespace adore::results {
+
+/// Adds the attributes to a closed RESULTS.h5. A file that cannot be opened stays as it is.
+/// @throws WriteError
+void store_findings(const WritePath& results_h5, std::span<const Finding> findings);
+
+/// Of the attributes. @throws InputError when the file or its list is damaged
+[[nodiscard]] std::vector<Finding> stored_findings(const std::filesystem::path& results_h5);
+
+/// Findings of the run in a folder, or of the run that a file of it belongs to: those of RUN.json,
+/// else of RESULTS.h5. Sentences of `notes`, when an earlier release wrote RUN.json. Nothing where
+/// nothing can be read.
+[[nodiscard]] std::vector<Finding> run_findings(const std::filesystem::path& run);
+
+}  // namespace adore::results
