@@ -195,24 +195,21 @@ integrators::EvalStatus Motion::rhs(double t, const double* y, double* dydt) noe
 Solution Motion::solve(const Problem& problem, std::span<const double> times) {
   Solution solution = reference::solve(problem, times);
   stepper_ = problem.stepper;
-  work_.starts += solution.work.starts;
-  work_.steps += solution.work.steps;
-  work_.rejected += solution.work.rejected;
-  work_.evaluations += solution.work.evaluations;
+  work_.add(solution.work);
   return solution;
 }
 
 void Motion::add_evidence(Json& result) const {
   Json& evidence = result["evaluation"];
   evidence["entry"] = "adore::dynamics::System::rhs";
-  evidence["stepper"] = stepper_;
+  if (!stepper_.empty()) evidence["stepper"] = stepper_;
   const auto count = [&](const char* key, long value) {
     evidence[key] = evidence.value(key, 0L) + value;
   };
   count("system_evaluations", evaluations_);
-  count("starts", work_.starts);
+  count("start_evaluations", work_.start_evaluations);
   count("steps", work_.steps);
-  count("repeated_steps", work_.rejected);
+  count("repeated_steps", work_.repeated_steps);
 }
 
 }  // namespace adore::reference

@@ -10,12 +10,12 @@
 namespace adore::reference {
 namespace {
 
+void count_start(StepperWork& work, const integrators::Stepper& stepper) {
+  work.start_evaluations += stepper.counters().evaluations;
+}
 void count(StepperWork& work, const integrators::Stepper& stepper) {
   const integrators::Counters& counters = stepper.counters();
-  ++work.starts;
-  work.steps += counters.steps;
-  work.rejected += counters.rejected;
-  work.evaluations += counters.evaluations;
+  work.add({0, counters.steps, counters.rejected, counters.evaluations});
 }
 
 /// The solution from a known point to a later time, by a stepper of its own.
@@ -27,6 +27,7 @@ State advance(const Problem& problem, double t0, const State& y0, double t, Step
   control.maximum = t - t0;
   control.tolerance = problem.tolerance;
   stepper->start(problem.system, t0, y0, control);
+  count_start(work, *stepper);
   while (stepper->time() < t) (void)stepper->step(t);
   count(work, *stepper);
   const auto y = stepper->state();
@@ -71,6 +72,7 @@ class Solver {
     if (!(t_ < times_.back())) return;
     stepper_ = integrators::make_stepper(problem_.stepper);
     stepper_->start(problem_.system, t_, y_, control_);
+    count_start(solution_.work, *stepper_);
   }
 
   /// False when an event ended the solution.

@@ -51,10 +51,17 @@ struct Event {
   State y;
 };
 
-/// Work of the steppers: evaluations = 2 starts + stages × steps + (stages - 1) × rejected for an
-/// explicit Runge-Kutta method (the first stage of a repeated step is known).
+/// Work of the steppers. Of an explicit Runge-Kutta method
+/// evaluations = start_evaluations + stages × steps + (stages - 1) × repeated_steps: the first
+/// stage of a step that is repeated with another length is known.
 struct StepperWork {
-  long starts = 0, steps = 0, rejected = 0, evaluations = 0;
+  long start_evaluations = 0, steps = 0, repeated_steps = 0, evaluations = 0;
+  void add(const StepperWork& other) noexcept {
+    start_evaluations += other.start_evaluations;
+    steps += other.steps;
+    repeated_steps += other.repeated_steps;
+    evaluations += other.evaluations;
+  }
 };
 
 struct Solution {

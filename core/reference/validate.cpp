@@ -182,8 +182,14 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
   try {
     for (const Adapter& adapter : adapters()) {
       if (adapter.family != family) continue;
-      if (const std::optional<Json> answer = adapter.run(the_case))
-        return compare_case(family, the_case, *answer);
+      if (const std::optional<Json> answer = adapter.run(the_case)) {
+        CaseResult compared = compare_case(family, the_case, *answer);
+        const auto of_motion = answer->find("evaluation");
+        compared.evaluation = of_motion != answer->end()
+                                  ? *of_motion
+                                  : Json{{"entry", std::string(library_entry(family))}};
+        return compared;
+      }
       result.message = "inputs not understood";
     }
   } catch (const std::exception& error) {
@@ -331,6 +337,7 @@ Json report_json(const ValidateReport& report) {
     Json cases = Json::array();
     for (const CaseResult& result : file.cases) {
       Json entry = {{"id", result.id}, {"status", result.status}};
+      if (!result.evaluation.is_null()) entry["evaluation"] = result.evaluation;
       if (!result.worst_key.empty())
         entry["worst"] = {{"key", result.worst_key},
                           {"error", finite(result.error)},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -29,6 +29,9 @@ struct CaseResult {
   double error = 0.0, tolerance = 0.0;
   std::string message;
   std::vector<QuantityResult> quantities;
+  /// "entry": function of the library that the case evaluated; of motions also "stepper",
+  /// "system_evaluations" (calls of System::rhs by the stepper) and its steps.
+  nlohmann::json evaluation;
 };
 
 struct FileResult {
@@ -57,7 +60,8 @@ struct ValidateReport {
     const std::function<void(const FileResult&)>& progress = {},
     const std::string& standard_input = {});
 
-/// {"files": [{"file", "cases": [{"id", "status", "worst": {"key", "error", "tolerance"}}]}],
+/// {"files": [{"file", "cases": [{"id", "status", "evaluation": {"entry", ...}, "worst": {"key",
+/// "error", "tolerance"}}]}],
 /// "totals": {...}}
 [[nodiscard]] nlohmann::json report_json(const ValidateReport& report);
 

@@ -3,6 +3,7 @@
 #include "calculators/calculators.hpp"
 #include "reference/adapters.hpp"
 #include "reference/validate.hpp"
+#include "support/bytes.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 using namespace adore;
 using namespace adore::reference;
@@ -39,13 +41,43 @@ std::string complaints(const ValidateReport& report) {
   return text;
 }
 
-/// Every case passes.
+/// Contacts that stick or roll without any slip: the steppers integrate the rates of the case.
+const std::set<std::string> kUnitTestsOfIntegrators{"FO01", "FO03", "dyn2_coulomb_roller_symmetric",
+                                                    "dyn2_coulomb_ball_bottom_fixed"};
+/// Tractions of an instant, which no stepper integrates.
+const std::set<std::string> kInstants{"dyn7_skew_table", "dyn7_skew_table_sliding"};
+
+/// Of a family of trajectories.
+void expect_shipped_motion(const CaseResult& one) {
+  INFO(one.id);
+  const bool unit_test = kUnitTestsOfIntegrators.contains(one.id);
+  CHECK(one.evaluation.at("entry") ==
+        (unit_test ? "adore::integrators::Stepper::step" : "adore::dynamics::System::rhs"));
+  if (unit_test) return;
+  const auto count = [&](const char* key) { return one.evaluation.at(key).get<long>(); };
+  const long steps = count("steps"), evaluations = count("system_evaluations");
+  CHECK((evaluations == 0) == kInstants.contains(one.id));
+  const std::map<std::string, long> kStages{{"rkf4", 6}, {"rkf7", 13}};
+  const auto stages = kStages.find(one.evaluation.value("stepper", ""));
+  if (stages == kStages.end()) return;  // a multistep method starts with others
+  CHECK(evaluations == count("start_evaluations") + stages->second * steps +
+                           (stages->second - 1) * count("repeated_steps"));
+}
+
+/// Every case passes, and says what it evaluated.
 void expect_covered(const std::string& name) {
   const ValidateReport report = run({name});
   INFO(complaints(report));
   CHECK(report.fail == 0);
   CHECK(report.not_covered == 0);
   CHECK(report.pass > 0);
+  const bool moves = library_entry(name).empty();
+  for (const FileResult& file : report.files)
+    for (const CaseResult& one : file.cases)
+      if (moves)
+        expect_shipped_motion(one);
+      else
+        CHECK_FALSE(one.evaluation.at("entry").get<std::string>().empty());
 }
 
 Json make_case(const Json& expected, const Json& tolerance) {
@@ -246,6 +278,31 @@ TEST_CASE("Files that hold no reference cases are refused, all at once", "[valid
   } catch (const InputError& error) {
     CHECK(error.issues().size() == 3);
   }
+}
+
+TEST_CASE("library entries: each family without motion names functions that the library declares",
+          "[validation]") {
+  std::string headers;
+  for (const char* folder :
+       {"bearing", "contact", "deck", "dynamics", "life", "statics", "thermal", "tribology"})
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(adore::test::source_dir() / "core" / folder))
+      if (entry.path().extension() == ".hpp") headers += adore::test::bytes_of(entry.path());
+  std::set<std::string> moving;
+  for (const Adapter& adapter : all_adapters()) {
+    const std::string entries(library_entry(adapter.family));
+    if (entries.empty()) {
+      moving.insert(std::string(adapter.family));
+      continue;
+    }
+    std::istringstream names(entries);
+    for (std::string name; names >> name;) {
+      if (name.back() == ',') name.pop_back();
+      INFO(adapter.family << " " << name);
+      CHECK_THAT(headers, Catch::Contains(name.substr(name.rfind(':') + 1)));
+    }
+  }
+  CHECK(moving.size() == 10);  // nine families of trajectories, and a comparison of oils by name
 }
 
 TEST_CASE("Cage reference cases", "[validation]") {
