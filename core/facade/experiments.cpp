@@ -1,25 +1,26 @@
 #include "facade/experiments.hpp"
 
 #include "base/errors.hpp"
-#include "base/json_text.hpp"
 #include "base/resources.hpp"
+#include "facade/catalogue_torque.hpp"
 #include "facade/motion_friction.hpp"
+#include "facade/preloaded_pair.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run_down.hpp"
+#include "tribology/contact_film.hpp"
+#include "tribology/film_thickness.hpp"
 #include "tribology/law_spread.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace adore::facade {
 namespace {
-
-using Json = nlohmann::json;
 
 double mean_of_balls(const Prepared& p, double (*of)(const statics::StaticBall&)) {
   double sum = 0.0;
@@ -43,6 +44,33 @@ double reference_life(const Prepared& p, double rating) {
   if (!p.life.iso || !p.life.iso->reference) throw InputError("there is no life by ISO 16281");
   const double ratio = rating > 0.0 ? rating / p.life.iso->C : 1.0;
   return p.life.iso->reference->L10r * ratio * ratio * ratio;
+}
+
+double relative_speed(const Prepared& p) {
+  const double out = std::abs(p.bearing.speed[1] - p.bearing.speed[0]);
+  if (!(out > 0.0)) throw InputError("the races do not turn against each other");
+  return out;
+}
+
+/// Mean orbital speed of the elements over that of the shaft, outer race at rest, without slip.
+double orbit_ratio(const Prepared& p) {
+  const double orbit =
+      p.rollers ? p.rollers->orbital_speed
+                : mean_of_balls(p, [](const statics::StaticBall& b) { return b.orbital_speed; });
+  return std::abs(orbit) / relative_speed(p);
+}
+
+const life::IsoReport& iso(const Prepared& p) {
+  if (!p.life.iso) throw InputError("ISO 281 and ISO 76 do not cover this bearing");
+  return *p.life.iso;
+}
+
+/// T_in + Q/(ρ c W) [K].
+double outlet_temperature(const Prepared& p, double heat) {
+  if (!p.thermal || !p.thermal->heat.coolant)
+    throw InputError("the deck has no coolant that flows");
+  const thermal::Coolant& coolant = *p.thermal->heat.coolant;
+  return p.bearing.thermal->base_temperature + heat / (coolant.mass_flow * coolant.specific_heat);
 }
 
 struct Quantity {
@@ -111,9 +139,69 @@ constexpr Quantity kQuantities[] = {
      [](const Prepared& p) {
        return torque_of(p, [](const statics::FrictionEstimate& f) { return f.element_drag; });
      }},
+    {"outlet_temperature", "outlet temperature of the oil",
+     [](const Prepared& p) { return outlet_temperature(p, friction(p).power()); }},
+    {"rolling_power", "of it rolling",
+     [](const Prepared& p) {
+       return friction(p).of_race(0).rolling + friction(p).of_race(1).rolling;
+     }},
+    {"drag_power", "of it drag of the medium",
+     [](const Prepared& p) { return friction(p).drag(); }},
+    {"orbit_ratio", "cage over shaft speed", orbit_ratio},
+    {"cage_excess", "cage speed over epicyclic, less 1",
+     [](const Prepared& p) {
+       const bearing::BallGeometry& balls = p.bearing.balls();
+       return orbit_ratio(p) / (0.5 * (1.0 - balls.diameter / balls.pitch_diameter)) - 1.0;
+     }},
+    {"outer_pass", "BPFO / shaft",
+     [](const Prepared& p) {
+       return static_cast<double>(p.bearing.element_count()) * orbit_ratio(p);
+     }},
+    {"inner_pass", "BPFI / shaft",
+     [](const Prepared& p) {
+       return static_cast<double>(p.bearing.element_count()) * (1.0 - orbit_ratio(p));
+     }},
+    {"pass_sum", "(BPFO + BPFI) / shaft",
+     [](const Prepared& p) {
+       const double z = static_cast<double>(p.bearing.element_count());
+       return z * orbit_ratio(p) + z * (1.0 - orbit_ratio(p));
+     }},
+    {"dynamic_rating", "dynamic rating C", [](const Prepared& p) { return iso(p).C; }},
+    {"static_rating", "static rating C0",
+     [](const Prepared& p) {
+       if (!iso(p).C0) throw InputError("ISO 76 gives no static rating of this bearing");
+       return *iso(p).C0;
+     }},
+    {"iso_life", "L10 of ISO 281",
+     [](const Prepared& p) {
+       if (!iso(p).L10) throw InputError("ISO 281 gives no life of this bearing");
+       const double turns = 1e6 * *iso(p).L10;
+       return turns * 2.0 * std::numbers::pi / relative_speed(p);
+     }},
+    {"largest_pressure", "largest contact pressure",
+     [](const Prepared& p) {
+       double out = 0.0;
+       for (const statics::StaticBall& ball : p.statics.balls)
+         for (const double pressure : ball.p_max)
+           if (std::isfinite(pressure)) out = std::max(out, pressure);
+       return out;
+     }},
+    {"rib_load", "load of a roller end on the rib",
+     [](const Prepared& p) {
+       if (!p.rollers) throw InputError("only rollers have ribs");
+       double sum = 0.0;
+       for (const statics::StaticRoller& roller : p.rollers->rollers)
+         for (const auto& race : roller.flange)
+           for (const statics::RollerFlangeContact& flange : race) sum += flange.load;
+       return sum / static_cast<double>(p.rollers->rollers.size());
+     }},
+    {"pair_axial_stiffness", "axial stiffness of the pair",
+     [](const Prepared& p) { return pair_stiffness(p.race_result(), p.race_result()).axial; }},
+    {"pair_radial_stiffness", "radial stiffness of the pair",
+     [](const Prepared& p) { return pair_stiffness(p.race_result(), p.race_result()).radial; }},
 };
 
-constexpr std::string_view kExponent = "torque_exponent", kLife = "reference_life";
+constexpr std::string_view kLife = "reference_life";
 
 struct RunDownQuantity {
   std::string_view name, label;
@@ -136,17 +224,47 @@ const RunDownQuantity* run_down_quantity(std::string_view name) {
 
 struct MotionQuantity {
   std::string_view name, label;
-  double (*of)(const MotionFriction&);  ///< SI
+  double (*of)(const MotionFigures&, const Prepared& equilibrium);  ///< SI
 };
+/// Over that of elements that roll without slip at a contact angle of 0, less 1.
+double excess(double cage_ratio, const Prepared& p) {
+  const bearing::BallGeometry& balls = p.bearing.balls();
+  return cage_ratio / (0.5 * (1.0 - balls.diameter / balls.pitch_diameter)) - 1.0;
+}
+
 constexpr MotionQuantity kMotion[] = {
     {"motion_torque", "friction torque in motion",
-     [](const MotionFriction& f) { return f.total(); }},
-    {"motion_rolling", "of it rolling", [](const MotionFriction& f) { return f.rolling; }},
-    {"motion_races", "of it sliding at the races", [](const MotionFriction& f) { return f.races; }},
-    {"motion_rib", "of it the rib", [](const MotionFriction& f) { return f.ribs; }},
-    {"motion_cage", "of it the cage", [](const MotionFriction& f) { return f.cage; }},
+     [](const MotionFigures& f, const Prepared&) { return f.friction.total(); }},
+    {"motion_rolling", "of it rolling",
+     [](const MotionFigures& f, const Prepared&) { return f.friction.rolling; }},
+    {"motion_races", "of it sliding at the races",
+     [](const MotionFigures& f, const Prepared&) { return f.friction.races; }},
+    {"motion_rib", "of it the rib",
+     [](const MotionFigures& f, const Prepared&) { return f.friction.ribs; }},
+    {"motion_cage", "of it the cage",
+     [](const MotionFigures& f, const Prepared&) { return f.friction.cage; }},
     {"motion_residual", "energy without account",
-     [](const MotionFriction& f) { return f.energy_residual; }},
+     [](const MotionFigures& f, const Prepared&) { return f.friction.energy_residual; }},
+    {"motion_cage_excess", "cage speed over epicyclic, less 1",
+     [](const MotionFigures& f, const Prepared& p) { return excess(f.cage_ratio, p); }},
+    {"motion_outer_pass", "BPFO / shaft",
+     [](const MotionFigures& f, const Prepared& p) {
+       return static_cast<double>(p.bearing.element_count()) * f.cage_ratio;
+     }},
+    {"motion_inner_pass", "BPFI / shaft",
+     [](const MotionFigures& f, const Prepared& p) {
+       return static_cast<double>(p.bearing.element_count()) * (1.0 - f.cage_ratio);
+     }},
+    {"motion_cage_slip", "cage slip against the equilibrium",
+     [](const MotionFigures& f, const Prepared& p) { return 1.0 - f.cage_ratio / orbit_ratio(p); }},
+    {"motion_axial_line", "axial force at Z f_cage",
+     [](const MotionFigures& f, const Prepared&) { return f.axial_line; }},
+    {"motion_radial_line", "radial force at Z f_cage",
+     [](const MotionFigures& f, const Prepared&) { return f.radial_line; }},
+    {"motion_line_contrast", "lg(axial over radial force at Z f_cage)",
+     [](const MotionFigures& f, const Prepared&) {
+       return std::log10(f.axial_line / f.radial_line);
+     }},
 };
 const MotionQuantity* motion_quantity(std::string_view name) {
   for (const MotionQuantity& one : kMotion)
@@ -157,187 +275,321 @@ const MotionQuantity* motion_quantity(std::string_view name) {
 struct Unit {
   std::string_view name;
   double per_si;
+  double shift = 0.0;  ///< added after scaling
 };
 constexpr double kPoundForce = 4.4482216152605, kInch = 0.0254;
 constexpr Unit kUnits[] = {{"deg", 180.0 / std::numbers::pi},
                            {"N", 1.0},
+                           {"kN", 1e-3},
                            {"lbf", 1.0 / kPoundForce},
                            {"psi", kInch* kInch / kPoundForce},
+                           {"GPa", 1e-9},
                            {"um", 1e6},
+                           {"mm", 1e3},
+                           {"N/um", 1e-6},
                            {"W", 1.0},
                            {"N.m", 1.0},
                            {"N.mm", 1e3},
                            {"Mrev", 1.0},
+                           {"h", 1.0 / 3600.0},
                            {"s", 1.0},
+                           {"K", 1.0},
+                           {"C", 1.0, -273.15},
+                           {"%", 100.0},
                            {"-", 1.0}};
 
-double per_si(std::string_view unit) {
+double in_unit(double si, std::string_view unit) {
   for (const Unit& one : kUnits)
-    if (one.name == unit) return one.per_si;
-  throw InternalError(fmt::format("experiments.json: no unit \"{}\"", unit));
+    if (one.name == unit) return si * one.per_si + one.shift;
+  throw InputError(fmt::format("experiments.json: unit \"{}\" is unknown", unit));
 }
 
-/// "1000.0" for a deck: a real needs its point.
-std::string deck_number(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  return dump_json(value);
-}
-
-DeckRequest request_of(const std::string& deck, const Json& sets) {
+DeckRequest request_of(const std::string& deck, const DeckSets& sets) {
+  // "decks/angular-218": an example; else a deck of the experiments.
+  const std::string name =
+      deck.find('/') != std::string::npos ? deck + ".txt" : "experiments/" + deck + ".txt";
   DeckRequest out;
-  out.text = std::string(resources::get(fmt::format("experiments/{}.txt", deck)));
-  for (const auto& [name, value] : sets.items()) out.sets.emplace_back(name, deck_number(value));
+  for (const resources::Resource& one : resources::all())
+    if (one.name == name) out.text = std::string(one.data);
+  if (!out.text) throw InputError(fmt::format("experiments.json: there is no deck {}", name));
+  out.in_memory = true;
+  out.deck = deck + ".txt";
+  out.sets = sets;
   return out;
 }
 
-constexpr double kRpm = std::numbers::pi / 30.0;
-
-/// Friction of the equilibria of a deck at several speeds of its inner race [rpm].
-std::vector<TorqueAtSpeed> torques_of(const std::string& deck, Json sets, const Json& speeds) {
-  std::vector<TorqueAtSpeed> out;
-  for (const Json& speed : speeds) {
-    sets["rpm2"] = speed;
-    const Prepared prepared = prepare(request_of(deck, sets));
-    const statics::FrictionEstimate& f = friction(prepared);
-    out.push_back({speed.get<double>() * kRpm, f.torque()});
+/// Sets of a run and more of the same names, which win.
+DeckSets with(DeckSets sets, const DeckSets& more) {
+  for (const auto& [name, value] : more) {
+    const auto same = std::find_if(sets.begin(), sets.end(),
+                                   [&name = name](const auto& one) { return one.first == name; });
+    if (same == sets.end())
+      sets.emplace_back(name, value);
+    else
+      same->second = value;
   }
-  return out;
+  return sets;
 }
-
-/// n of T = K ωⁿ by least squares in logarithms.
-double torque_exponent(const std::string& deck, const Json& sets, const Json& speeds) {
-  std::vector<double> speed, torque;
-  for (const TorqueAtSpeed& at : torques_of(deck, sets, speeds)) {
-    speed.push_back(at.speed);
-    torque.push_back(at.total);
-  }
-  return power_of(speed, torque);
-}
-
-/// In time: the deck "run_down" with the inertia and the sets beside it, and the friction of
-/// equilibria of the run's own deck.
-RunDown run_down_of(const std::string& deck, const Json& sets, const Json& run) {
-  const Json& motion = run.at("run_down");
-  DeckRequest moving = request_of(motion.at("deck"), sets);
-  moving.in_memory = true;
-  moving.deck = motion.at("deck").get<std::string>() + ".txt";
-  const Json more = motion.value("set", Json::object());
-  for (const auto& [name, value] : more.items()) moving.sets.emplace_back(name, deck_number(value));
-  return run_down(moving, torques_of(deck, sets, run.at("speeds")),
-                  motion.at("inertia").get<double>());
-}
-
-/// In time: the deck "motion" with the sets of the run and its own.
-MotionFriction motion_of(const Json& sets, const Json& motion) {
-  DeckRequest moving = request_of(motion.at("deck"), sets);
-  moving.in_memory = true;
-  moving.deck = motion.at("deck").get<std::string>() + ".txt";
-  return motion_friction(moving, motion.at("until"));
-}
-
-constexpr std::string_view kLargestCoefficient = "largest_coefficient";
 
 /// Largest friction coefficient between two cylindrical discs over pressure and slip, by the law of
 /// one kTrac. SI: b = 4 R p0/E', load per length π b p0/2.
-double largest_coefficient(const Json& discs) {
-  const int code = discs.at("kTrac");
-  const double R = discs.at("radius"), E = 2.26e11, speed = discs.at("speed");
+double largest_coefficient(const DiscsData& discs) {
+  const double E = 2.26e11;
   constexpr std::array kSlipRatio{0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3};
   std::vector<double> slips;
-  for (const double ratio : kSlipRatio) slips.push_back(ratio * speed);
+  for (const double ratio : kSlipRatio) slips.push_back(ratio * discs.speed);
   double out = 0.0;
-  for (const double pressure : discs.at("pressure").get<std::vector<double>>()) {
+  for (const double pressure : discs.pressure) {
     tribology::SpreadContact contact;
     contact.line = true;
     contact.modulus = E;
-    contact.temperature = discs.at("T");
+    contact.temperature = discs.temperature;
     contact.meniscus = 10.0;
     contact.point.peak_pressure = pressure;
-    contact.point.half_minor = 4.0 * R * pressure / E;
+    contact.point.half_minor = 4.0 * discs.radius * pressure / E;
     contact.point.load = 0.5 * std::numbers::pi * contact.point.half_minor * pressure;
-    contact.point.entrainment = speed;
-    contact.point.curvature = 1.0 / R;
-    for (const tribology::SpreadRow& row : tribology::law_spread(code, contact, slips))
-      if (row.code == code)
+    contact.point.entrainment = discs.speed;
+    contact.point.curvature = 1.0 / discs.radius;
+    for (const tribology::SpreadRow& row : tribology::law_spread(discs.law, contact, slips))
+      if (row.code == discs.law)
         out = std::max(out, *std::max_element(row.kappa.begin(), row.kappa.end()));
   }
   return out;
 }
 
-std::string label_of(std::string_view name) {
-  if (name == kLargestCoefficient) return "largest friction coefficient";
-  if (name == kExponent) return "exponent n of T = K w^n";
-  if (name == kLife) return "L10r of ISO 16281";
-  if (const RunDownQuantity* in_time = run_down_quantity(name)) return std::string(in_time->label);
-  if (const MotionQuantity* in_motion = motion_quantity(name)) return std::string(in_motion->label);
-  for (const Quantity& one : kQuantities)
-    if (one.name == name) return std::string(one.label);
-  throw InternalError(fmt::format("experiments.json: no quantity \"{}\"", name));
+/// Minimum film of the shipped film law over the isothermal formula of Hamrock and Dowson.
+double film_over_hamrock(const FilmData& data) {
+  constexpr double kModulus = 2.26e11;
+  const tribology::FilmInlet inlet{data.viscosity, data.alpha, data.speed, kModulus};
+  tribology::InletOil oil;
+  oil.viscosity = data.viscosity;
+  oil.alpha = data.alpha;
+  oil.beta = 0.03;
+  oil.conductivity = 0.14;
+  oil.meniscus = 1000.0;
+  tribology::FilmContact contact;
+  contact.load = data.load;
+  contact.radius = data.radius;
+  contact.k = data.k;
+  contact.half_width = 1e-4;
+  contact.peak_pressure = 1e9;
+  contact.speed = data.speed;
+  contact.modulus = kModulus;
+  return tribology::contact_film(oil, contact).minimum /
+         tribology::point_film(inlet, data.radius, data.load, data.k).minimum;
 }
 
-double value_of(const std::string& name, const Prepared& prepared, const Json& row) {
-  if (name == kLife) return reference_life(prepared, row.value("rating", 0.0));
-  for (const Quantity& one : kQuantities)
-    if (one.name == name) return one.of(prepared);
-  throw InternalError(fmt::format("experiments.json: no quantity \"{}\"", name));
-}
-
-ExperimentRow row_of(const Json& run, const Json& row) {
-  ExperimentRow out;
-  out.condition = run.value("condition", "");
-  out.what = row.value("what", label_of(row.at("of").get<std::string>()));
-  out.unit = row.at("unit");
-  out.kind = row.value("kind", run.value("kind", "prediction"));
-  out.certainty = row.value("certainty", run.value("certainty", ""));
-  if (row.contains("theirs")) {
-    const Json& theirs = row.at("theirs");
-    out.theirs = theirs.is_array() ? theirs.at(0).get<double>() : theirs.get<double>();
-    if (theirs.is_array()) out.theirs_to = theirs.at(1).get<double>();
+/// What one run computes, each once and only when a row asks for it.
+class RunFigures {
+ public:
+  explicit RunFigures(const RunData& run) : run_(run), sets_(run.set) {
+    if (run.oil_share) add_oil_share();
   }
-  return out;
-}
 
-void add_run(const Json& run, Experiment& out) {
-  if (run.contains("discs")) {
-    for (const Json& row : run.at("rows")) {
-      ExperimentRow line = row_of(run, row);
-      line.ours = largest_coefficient(run.at("discs")) * per_si(line.unit);
-      out.rows.push_back(std::move(line));
+  /// SI.
+  double of(const RowData& row) {
+    const std::string& name = row.of;
+    if (name == "largest_coefficient") return largest_coefficient(demand_part(run_.discs, "discs"));
+    if (name == "film_over_hamrock") return film_over_hamrock(demand_part(run_.film, "film"));
+    if (const RunDownQuantity* in_time = run_down_quantity(name)) return in_time->of(down());
+    if (const MotionQuantity* moving = motion_quantity(name))
+      return moving->of(motion(), *equilibrium_of_motion_);
+    if (name == "exponent") return exponent(row);
+    if (name == "spread") return spread(row);
+    if (name == "torque_less_rib")
+      return value("friction_torque", prepared()) -
+             value("rib_torque", prepare(request_of(run_.deck, with(sets_, run_.subtract))));
+    if (name == "fitting_rolling") return fitting_rolling(row);
+    if (name == "pair_offset")
+      return pair_offset(row_under_thrust(), demand_part(row.from, "from"), thrust());
+    if (name == "unloading_force") return unloading_force(row_under_thrust(), thrust(), 0.0);
+    if (name == kLife) return reference_life(prepared(), row.rating);
+    return value(name, prepared());
+  }
+
+  [[nodiscard]] const std::optional<Prepared>& solved() const noexcept { return prepared_; }
+
+  static double value(std::string_view name, const Prepared& prepared) {
+    for (const Quantity& one : kQuantities)
+      if (one.name == name) return one.of(prepared);
+    throw InputError(fmt::format("experiments.json: quantity \"{}\" is unknown", name));
+  }
+
+ private:
+  template <class T>
+  static const T& demand_part(const std::optional<T>& part, const char* name) {
+    if (!part) throw InputError(fmt::format("experiments.json: the row needs \"{}\"", name));
+    return *part;
+  }
+
+  const Prepared& prepared() {
+    if (!prepared_) prepared_ = prepare(request_of(run_.deck, sets_));
+    return *prepared_;
+  }
+  double thrust() { return prepared().race_result().load[0]; }
+  RowUnderThrust row_under_thrust() {
+    return [this](double force) {
+      return prepare(
+                 request_of(run_.deck, with(sets_, {{"appLoadX", fmt::format("{:.10e}", force)}})))
+          .race_result();
+    };
+  }
+
+  void add_oil_share() {
+    const deck::Deck deck = load_deck(request_of(run_.deck, sets_)).deck;
+    const double flow = deck.si("cFlowRate") * 6e7;  // cm³/min
+    const double dm = deck.si("pitchDia") * 1e3, n = deck.si("rpm2") * 30.0 / std::numbers::pi;
+    const double p = run_.oil_share->p;
+    const double share = run_.oil_share->c * std::pow(flow, 0.37) * std::pow(dm, -0.7) *
+                         std::pow(n * dm, -p) * std::pow(1.3e6, p - 1.0);
+    sets_.emplace_back("denRatio", fmt::format("{:.6e}", share));
+  }
+
+  /// A quantity of equilibria over the values of a variable.
+  std::vector<double> over(const std::string& quantity, const std::vector<double>& values) {
+    std::vector<double> out;
+    const std::string& variable = demand_part(run_.over, "over").variable;
+    for (const double one : values)
+      out.push_back(value(
+          quantity,
+          prepare(request_of(run_.deck, with(sets_, {{variable, fmt::format("{:.10e}", one)}})))));
+    return out;
+  }
+
+  /// n of y ~ xⁿ by least squares in logarithms.
+  double exponent(const RowData& row) {
+    const std::vector<double>& x = demand_part(run_.over, "over").values;
+    std::vector<double> y = over(row.quantity, x);
+    if (row.reference) {
+      const double base = over(row.quantity, {*row.reference}).front();
+      for (double& one : y) one -= base;
     }
-    return;
+    return power_of(x, y);
   }
-  const std::string deck = run.at("deck");
+  double spread(const RowData& row) {
+    const std::vector<double> y = over(row.quantity, demand_part(run_.over, "over").values);
+    const auto [least, most] = std::minmax_element(y.begin(), y.end());
+    return (*most - *least) / std::abs(0.5 * (*most + *least));
+  }
+
+  /// Share of the flooded rolling resistance with which the heat would be the measured one.
+  double fitting_rolling(const RowData& row) {
+    const double rolling = value("rolling_power", prepared());
+    return 1.0 - (friction(prepared()).power() - demand_part(row.reference, "reference")) / rolling;
+  }
+
+  const RunDown& down() {
+    if (down_) return *down_;
+    const RunDownData& data = demand_part(run_.run_down, "run_down");
+    std::vector<TorqueAtSpeed> at;
+    for (const double rpm : demand_part(run_.over, "over").values) {
+      const Prepared still =
+          prepare(request_of(run_.deck, with(sets_, {{"rpm2", fmt::format("{:.10e}", rpm)}})));
+      at.push_back({rpm * std::numbers::pi / 30.0, friction(still).torque()});
+    }
+    down_ = run_down(request_of(data.deck, with(sets_, data.set)), at, data.inertia);
+    return *down_;
+  }
+
+  const MotionFigures& motion() {
+    if (motion_) return *motion_;
+    const MotionData& data = demand_part(run_.motion, "motion");
+    const DeckRequest moving =
+        request_of(data.deck.empty() ? run_.deck : data.deck, with(sets_, data.set));
+    equilibrium_of_motion_ = prepare(moving);
+    motion_ = motion_figures(moving, data.until);
+    return *motion_;
+  }
+
+  const RunData& run_;
+  DeckSets sets_;
+  std::optional<Prepared> prepared_, equilibrium_of_motion_;
+  std::optional<RunDown> down_;
+  std::optional<MotionFigures> motion_;
+};
+
+std::string label_of(const RowData& row) {
+  static const std::map<std::string_view, std::string_view> kLabels{
+      {"largest_coefficient", "largest friction coefficient"},
+      {"film_over_hamrock", "minimum film over Hamrock and Dowson"},
+      {"exponent", "exponent"},
+      {"spread", "spread"},
+      {"torque_less_rib", "torque less the computed rib"},
+      {"fitting_rolling", "share of flooded rolling that would fit"},
+      {"pair_offset", "offset of the spacers"},
+      {"unloading_force", "unloading force"},
+      {kLife, "L10r of ISO 16281"}};
+  if (!row.what.empty()) return row.what;
+  if (const auto found = kLabels.find(row.of); found != kLabels.end())
+    return std::string(found->second);
+  if (const RunDownQuantity* in_time = run_down_quantity(row.of))
+    return std::string(in_time->label);
+  if (const MotionQuantity* moving = motion_quantity(row.of)) return std::string(moving->label);
+  for (const Quantity& one : kQuantities)
+    if (one.name == row.of) return std::string(one.label);
+  throw InputError(fmt::format("experiments.json: quantity \"{}\" is unknown", row.of));
+}
+
+/// T_out of the run with the source's heat, or ours where it is not printed.
+void check_energy(const RunData& run, const RunFigures& figures, Experiment& out) {
+  if (!figures.solved() || !figures.solved()->thermal || !figures.solved()->thermal->heat.coolant)
+    return;
+  const Prepared& prepared = *figures.solved();
+  double heat = friction(prepared).power();
+  bool theirs = false;
+  for (const RowData& row : run.rows)
+    if (row.of == "power_loss" && row.theirs) {
+      heat = *row.theirs;
+      theirs = true;
+    }
+  ExperimentRow line;
+  line.condition = run.condition;
+  line.what = fmt::format("outlet temperature of the oil, heat {}", theirs ? "theirs" : "ours");
+  line.unit = "C";
+  line.kind = "part";
+  const double outlet = outlet_temperature(prepared, heat);
+  line.ours = in_unit(outlet, "C");
+  std::optional<double> ring;
+  if (run.hottest_ring) ring = run.hottest_ring->temperature;
+  const std::string verdict = energy_verdict(outlet, ring);
+  line.certainty =
+      ring ? fmt::format("derived; hottest ring {:.4g} C, {}{}{}", *ring - 273.15,
+                         run.hottest_ring->certainty, verdict.empty() ? "" : ": ", verdict)
+           : "derived; not judged: no ring temperature in the source";
+  if (!verdict.empty())
+    out.inputs.push_back(
+        fmt::format("{}: {}: the oil would leave at {:.4g} C, the hottest ring has "
+                    "{:.4g} C",
+                    run.condition, verdict, outlet - 273.15, *ring - 273.15));
+  out.rows.push_back(std::move(line));
+}
+
+void add_run(const RunData& run, Experiment& out) {
   const auto name_deck = [&out](const std::string& name) {
-    if (std::find(out.decks.begin(), out.decks.end(), name) == out.decks.end())
+    if (!name.empty() && std::find(out.decks.begin(), out.decks.end(), name) == out.decks.end())
       out.decks.push_back(name);
   };
-  name_deck(deck);
-  for (const char* in_time : {"run_down", "motion"})
-    if (run.contains(in_time)) name_deck(run.at(in_time).at("deck"));
-  const Json sets = run.value("set", Json::object());
-  std::optional<Prepared> prepared;
-  std::optional<RunDown> down;
-  std::optional<MotionFriction> motion;
-  const auto once = [&]() -> const Prepared& {
-    if (!prepared) prepared = prepare(request_of(deck, sets));
-    return *prepared;
-  };
-  for (const Json& row : run.at("rows")) {
-    ExperimentRow line = row_of(run, row);
+  name_deck(run.deck);
+  if (run.motion) name_deck(run.motion->deck);
+  if (run.run_down) name_deck(run.run_down->deck);
+  RunFigures figures(run);
+  for (const RowData& row : run.rows) {
+    ExperimentRow line;
+    line.condition = run.condition;
+    line.what = label_of(row);
+    line.unit = row.unit;
+    line.kind = row.kind;
+    line.type = row.type;
+    line.certainty = row.certainty;
+    line.theirs = row.theirs;
+    line.theirs_to = row.theirs_to;
+    line.their_sign = row.their_sign;
     try {
-      const std::string name = row.at("of");
-      double value = 0.0;
-      if (const RunDownQuantity* in_time = run_down_quantity(name)) {
-        if (!down) down = run_down_of(deck, sets, run);
-        value = in_time->of(*down);
-      } else if (const MotionQuantity* in_motion = motion_quantity(name)) {
-        if (!motion) motion = motion_of(sets, run.at("motion"));
-        value = in_motion->of(*motion);
-      } else {
-        value = name == kExponent ? torque_exponent(deck, sets, run.at("speeds"))
-                                  : value_of(name, once(), row);
+      line.ours = in_unit(figures.of(row), row.unit);
+      if (!std::isfinite(*line.ours)) {
+        line.ours.reset();
+        line.failed = "the result is not a finite number";
       }
-      line.ours = value * per_si(line.unit);
     } catch (const InputError& error) {
       line.failed = error.what();
     } catch (const SolverError& error) {
@@ -345,42 +597,40 @@ void add_run(const Json& run, Experiment& out) {
     }
     out.rows.push_back(std::move(line));
   }
+  check_energy(run, figures, out);
 }
 
-Experiment read_experiment(const Json& from) {
-  Experiment out;
-  out.id = from.at("id");
-  out.source = from.at("source");
-  out.about = from.at("about");
-  out.open = from.value("open", "");
-  for (const Json& text : from.value("assumed", Json::array())) out.assumed.push_back(text);
-  for (const Json& p : from.value("parameters", Json::array()))
-    out.parameters.push_back(
-        {p.at("name"), p.at("meaning"), p.at("value"), p.at("low"), p.at("high")});
-  return out;
-}
-
-std::string figure(const std::optional<double>& value) {
-  return value ? fmt::format("{:.5g}", *value) : "-";
-}
-
-std::string theirs_text(const ExperimentRow& row) {
-  if (!row.theirs) return row.kind == "part" ? "-" : "kept aside";
-  if (row.theirs_to) return fmt::format("{:.5g} to {:.5g}", *row.theirs, *row.theirs_to);
-  return (row.kind == "bound" ? "<= " : "") + fmt::format("{:.5g}", *row.theirs);
-}
-
-std::string deviation_text(const ExperimentRow& row) {
-  if (const std::optional<double> d = row.deviation()) return fmt::format("{:+.1f} %", 100.0 * *d);
-  if (row.kind == "bound" && row.ours && row.theirs)
-    return *row.ours <= *row.theirs ? "within" : "beyond";
-  return "-";
+/// Points of the catalogue formula as rows.
+void add_catalogue(const std::string& file, Experiment& out) {
+  const std::string name = "experiments/" + file;
+  int speed = 0, load = 0;
+  for (const TorqueTable& table : catalogue_torques(resources::get(name))) {
+    speed += table.above_speed;
+    load += table.below_load;
+    for (const TorqueLine& one : table.lines) {
+      ExperimentRow line;
+      line.condition = fmt::format("{}, {}, C/{:g}, {:g} rpm", table.bearing, table.oil,
+                                   one.load_ratio, one.rpm);
+      line.what = "friction torque";
+      line.unit = "N.mm";
+      line.kind = "prediction";
+      line.certainty = "model, forms seen, constants recalled";
+      line.model = true;
+      constexpr double kMilli = 1e3;
+      line.failed = one.failed;
+      if (one.failed.empty()) line.ours = kMilli * one.total();
+      line.theirs = kMilli * one.catalogue();
+      out.rows.push_back(std::move(line));
+    }
+  }
+  out.assumed.push_back(fmt::format(
+      "left out: {} points above the limiting speed, {} below the minimum load", speed, load));
 }
 
 }  // namespace
 
 std::optional<double> ExperimentRow::deviation() const {
-  if (!ours || !theirs || kind == "bound") return std::nullopt;
+  if (!ours || !theirs || type != RowType::Value) return std::nullopt;
   double nearest = *theirs;
   if (theirs_to) {
     if (*ours >= *theirs && *ours <= *theirs_to) return 0.0;
@@ -389,116 +639,58 @@ std::optional<double> ExperimentRow::deviation() const {
   return *ours / nearest - 1.0;
 }
 
+std::optional<bool> ExperimentRow::agrees() const {
+  if (!ours || type == RowType::Value) return std::nullopt;
+  if (type == RowType::Bound) return theirs ? std::optional(*ours <= *theirs) : std::nullopt;
+  const std::string_view sign = std::abs(*ours) < kFlatSign ? "0" : *ours > 0.0 ? "+" : "-";
+  return sign == their_sign;
+}
+
+std::string energy_verdict(double outlet, const std::optional<double>& ring) {
+  if (!ring || outlet <= *ring) return {};
+  return outlet > *ring + kImpossible ? "inputs impossible" : "inputs doubtful";
+}
+
+Experiment run_experiment(const ExperimentData& data) {
+  Experiment out;
+  out.id = data.id;
+  out.source = data.source;
+  out.about = data.about;
+  out.open = data.open;
+  out.assumed = data.assumed;
+  out.parameters = data.parameters;
+  for (const RunData& run : data.runs) add_run(run, out);
+  if (!data.table.empty()) add_catalogue(data.table, out);
+  for (const NotComputed& one : data.not_computed) {
+    ExperimentRow line;
+    line.condition = one.condition;
+    line.what = one.what;
+    line.unit = one.unit;
+    line.kind = "prediction";
+    line.certainty = one.certainty;
+    line.their_text = one.theirs;
+    line.failed = "not computed: " + one.reason;
+    out.rows.push_back(std::move(line));
+  }
+  return out;
+}
+
+std::vector<ExperimentData> embedded_experiments() {
+  return read_experiments(resources::get("experiments/experiments.json"), "experiments.json");
+}
+
 std::vector<Experiment> run_experiments(std::string_view only,
                                         const std::function<void(const std::string&)>& progress) {
-  const Json all = parse_json(resources::get("experiments/experiments.json"), "experiments.json");
   std::vector<Experiment> out;
   std::string ids;
-  for (const Json& from : all.at("experiments")) {
-    Experiment one = read_experiment(from);
-    ids += (ids.empty() ? "" : ", ") + one.id;
-    if (!only.empty() && only != one.id) continue;
-    if (progress) progress(one.id);
-    for (const Json& run : from.value("runs", Json::array())) add_run(run, one);
-    out.push_back(std::move(one));
+  for (const ExperimentData& data : embedded_experiments()) {
+    ids += (ids.empty() ? "" : ", ") + data.id;
+    if (!only.empty() && only != data.id) continue;
+    if (progress) progress(data.id);
+    out.push_back(run_experiment(data));
   }
   if (out.empty())
     throw InputError(fmt::format("there is no experiment \"{}\"; give one of {}", only, ids));
-  return out;
-}
-
-std::string experiments_text(const std::vector<Experiment>& experiments) {
-  std::string out;
-  for (const Experiment& one : experiments) {
-    out += fmt::format("\n{}: {}\n  {}\n", one.id, one.source, one.about);
-    for (const std::string& text : one.assumed) out += fmt::format("  assumed: {}\n", text);
-    for (const ExperimentParameter& p : one.parameters)
-      out += fmt::format("  parameter {} = {:.4g} (bounds {:g} to {:g}): {}\n", p.name, p.value,
-                         p.low, p.high, p.meaning);
-    if (!one.rows.empty())
-      out += fmt::format("  {:<24} {:<30} {:>11} {:>20} {:<5} {:>9}  {:<12} {}\n", "condition",
-                         "what", "ours", "theirs", "unit", "deviation", "kind", "certainty");
-    for (const ExperimentRow& row : one.rows) {
-      out += fmt::format("  {:<24} {:<30} {:>11} {:>20} {:<5} {:>9}  {:<12} {}\n", row.condition,
-                         row.what, figure(row.ours), theirs_text(row), row.unit,
-                         deviation_text(row), row.kind, row.certainty);
-      if (!row.failed.empty()) out += fmt::format("    {}\n", row.failed);
-    }
-    if (!one.open.empty()) out += fmt::format("  open: {}\n", one.open);
-  }
-  return out;
-}
-
-std::string experiments_markdown(const std::vector<Experiment>& experiments) {
-  std::string out =
-      "# Published experiments\n\n"
-      "Written by `adore validate --experiments --markdown`; the decks and what the sources say "
-      "are "
-      "in `resources/experiments`. A\n*calibration* row was used to fit the parameters named with "
-      "it, a *prediction* row was not. Figures of the sources are second hand where\ntheir "
-      "certainty says so. A miss is printed as it is.\n";
-  for (const Experiment& one : experiments) {
-    out += fmt::format("\n## {}\n\n{}. {}\n", one.id, one.source, one.about);
-    if (!one.decks.empty()) {
-      out += "\nDecks:";
-      for (const std::string& deck : one.decks)
-        out += fmt::format(" [`{}.txt`](../experiments/{}.txt)", deck, deck);
-      out += "\n";
-    }
-    if (!one.parameters.empty()) {
-      out += "\n| parameter | value | bounds | meaning |\n|---|---|---|---|\n";
-      for (const ExperimentParameter& p : one.parameters)
-        out += fmt::format("| {} | {:.4g} | {:g} to {:g} | {} |\n", p.name, p.value, p.low, p.high,
-                           p.meaning);
-    }
-    if (!one.assumed.empty()) out += "\nAssumed where the source is silent:\n\n";
-    for (const std::string& text : one.assumed) out += fmt::format("- {}\n", text);
-    if (!one.rows.empty())
-      out +=
-          "\n| condition | what | ours | theirs | unit | deviation | kind | certainty of theirs |\n"
-          "|---|---|---|---|---|---|---|---|\n";
-    for (const ExperimentRow& row : one.rows)
-      out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.condition, row.what,
-                         row.failed.empty() ? figure(row.ours) : row.failed, theirs_text(row),
-                         row.unit, deviation_text(row), row.kind, row.certainty);
-    if (!one.open.empty()) out += fmt::format("\nOpen: {}\n", one.open);
-  }
-  return out;
-}
-
-nlohmann::ordered_json experiments_json(const std::vector<Experiment>& experiments) {
-  nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  const auto number = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-  };
-  for (const Experiment& one : experiments) {
-    nlohmann::ordered_json entry{{"id", one.id},
-                                 {"source", one.source},
-                                 {"about", one.about},
-                                 {"assumed", one.assumed},
-                                 {"parameters", Json::array()},
-                                 {"decks", one.decks},
-                                 {"rows", Json::array()},
-                                 {"open", one.open}};
-    for (const ExperimentParameter& p : one.parameters)
-      entry["parameters"].push_back({{"name", p.name},
-                                     {"value", p.value},
-                                     {"low", p.low},
-                                     {"high", p.high},
-                                     {"meaning", p.meaning}});
-    for (const ExperimentRow& row : one.rows)
-      entry["rows"].push_back({{"condition", row.condition},
-                               {"what", row.what},
-                               {"unit", row.unit},
-                               {"ours", number(row.ours)},
-                               {"theirs", number(row.theirs)},
-                               {"theirs_to", number(row.theirs_to)},
-                               {"deviation", number(row.deviation())},
-                               {"kind", row.kind},
-                               {"certainty", row.certainty},
-                               {"failed", row.failed}});
-    out.push_back(std::move(entry));
-  }
   return out;
 }
 

@@ -4,13 +4,14 @@
 
 #include <string>
 
-/// Friction torque of a bearing in motion by where it arises, from the energy ledger of a run:
-/// heat over the angle that the races turn against each other. What an equilibrium cannot know is
-/// in it: the cage, and the slip of elements that find their own speed.
+/// A bearing in motion by what a run stores: friction torque by where it arises, speeds of cage and
+/// elements, and lines in the spectrum of the forces on the inner race. What an equilibrium cannot
+/// know is in it: the cage, and the slip of elements that find their own speed. All of it from the
+/// second half of the run, when the start has passed. SI.
 namespace adore::facade {
 
-/// Torques of the second half of the run, when the start has passed [N m]. What the damping of
-/// contacts turns into heat counts where they are.
+/// Heat of the energy ledger over the angle that the races turn against each other [N m]. What the
+/// damping of contacts turns into heat counts where they are.
 struct MotionFriction {
   double rolling = 0.0;  ///< oil in the inlets of the races' contacts
   double races = 0.0;    ///< sliding, spin and damping there
@@ -24,8 +25,16 @@ struct MotionFriction {
   }
 };
 
+struct MotionFigures {
+  MotionFriction friction;
+  double cage_ratio = 0.0;  ///< angle of the cage over that of the shaft; 0: no cage
+  /// Amplitudes of the force on the inner race along x, and across it (root of the sum of squares
+  /// of y and z), at the frequency Z times the cage's, by Fourier sums over whole periods [N].
+  double axial_line = 0.0, radial_line = 0.0;
+};
+
 /// @param moving a deck of motion that stores several steps @param until as `adore run --until`
 /// @throws InputError, SolverError when the run does not come to its end
-[[nodiscard]] MotionFriction motion_friction(const DeckRequest& moving, const std::string& until);
+[[nodiscard]] MotionFigures motion_figures(const DeckRequest& moving, const std::string& until);
 
 }  // namespace adore::facade

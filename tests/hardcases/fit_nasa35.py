@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the two parameters of NASA-35 and writes its rows, and those of NASA-120 with the same parameters, into
+"""Fits the two parameters of NASA-35 and writes them, also as parameters of NASA-120 and NASA-167, into
 resources/experiments/experiments.json.  Usage: fit_nasa35.py ADORE [--write]
 
 Share of oil in the cavity: x = c W^0.37 dm^-0.7 (n dm)^-p (1.3e6)^(p-1), W [cm3/min], n [rpm], dm [mm].  Least squares of
@@ -51,49 +51,39 @@ def fit(adore, c_bounds, p_bounds):
     return math.exp(at[0]), at[1], best
 
 
-def rows(deck, speeds, c, p, flow, dm, theirs, kind, certainty, sets=None, note=""):
-    out = []
-    for n in speeds:
-        row = {"of": "power_loss", "unit": "W"}
-        if theirs:
-            row["theirs"] = float(theirs[n])
-        out.append({"condition": f"{n:,} rpm{note}", "deck": deck,
-                    "set": {"rpm2": float(n), "denRatio": round(share(c, p, flow, n, dm), 6), **(sets or {})},
-                    "kind": kind, "certainty": certainty, "rows": [row]})
-    return out
-
-
 def main():
     adore = sys.argv[1]
     page = json.loads(PAGE.read_text())
     by_id = {e["id"]: e for e in page["experiments"]}
-    small, large = by_id["NASA-35"], by_id["NASA-120"]
+    small = by_id["NASA-35"]
     bounds = {q["name"]: (q["low"], q["high"]) for q in small["parameters"]}
     c, p, best = fit(adore, bounds["c"], bounds["p"])
     c, p = float(f"{c:.4g}"), round(p, 3)
     print(f"c = {c:g}, p = {p:g}, root of the mean square of ln(ours/theirs) {math.sqrt(best / 4):.4f}")
-    for q in small["parameters"]:
-        q["value"] = {"c": c, "p": p}[q["name"]]
-    large["parameters"] = [dict(q, meaning=q["meaning"] + ", as fitted to NASA-35") for q in small["parameters"]]
-    small["runs"] = rows("nasa-35", HEAT, c, p, 760, 46.5, HEAT, "calibration", "second hand, digitised, 3 %, rounded")
-    large["runs"] = rows("nasa-120", (5000, 8000, 12000), c, p, 2280, 160.0, None, "prediction", "kept aside") + \
-        rows("nasa-120", (5000, 8000, 12000), c, p, 2280, 160.0, None, "prediction", "kept aside",
-             {"freeConAng": 25.0, "raceCurFac1": 0.535, "raceCurFac2": 0.535}, ", 25 deg, 0.535")
+    for name in ("NASA-35", "NASA-120", "NASA-167"):
+        for q in by_id[name]["parameters"]:
+            q["value"] = {"c": c, "p": p}[q["name"]]
+        for run in by_id[name]["runs"]:
+            if "literature" not in run["condition"]:
+                run["oil_share"] = {"c": c, "p": p}
     if "--write" in sys.argv:
         PAGE.write_text(dump(page))
 
 
 def dump(page):
-    """Runs on a line each, the rest indented."""
-    text = json.dumps(page, indent=2, ensure_ascii=False)
+    """Runs, parameters and other items on a line each."""
+    experiments = []
     for e in page["experiments"]:
-        for run in e.get("runs", []):
-            block = json.dumps(run, indent=2, ensure_ascii=False).replace("\n", "\n        ")
-            text = text.replace(block, json.dumps(run, ensure_ascii=False))
-        for q in e.get("parameters", []):
-            block = json.dumps(q, indent=2, ensure_ascii=False).replace("\n", "\n        ")
-            text = text.replace(block, json.dumps(q, ensure_ascii=False))
-    return text + "\n"
+        members = []
+        for name, value in e.items():
+            if isinstance(value, list):
+                items = ",\n".join("    " + json.dumps(one, ensure_ascii=False) for one in value)
+                members.append(f'   "{name}": [\n{items}\n   ]')
+            else:
+                members.append(f'   "{name}": ' + json.dumps(value, ensure_ascii=False))
+        experiments.append("  {\n" + ",\n".join(members) + "\n  }")
+    meta = json.dumps(page["meta"], ensure_ascii=False, indent=1).replace("\n", "\n ")
+    return '{\n "meta": ' + meta + ',\n "experiments": [\n' + ",\n".join(experiments) + "\n ]\n}\n"
 
 
 main()
