@@ -2,11 +2,12 @@
 # Installs what Adore needs to build and run on Debian 12: packages only, from the distribution. Safe to run again.
 #   ./setup.sh           what building and running need
 #   ./setup.sh --tests   and what only tests use: without it they skip with a sentence
+#   ./setup.sh --docs    and what ./docs.sh uses
 set -euo pipefail
 
 for option in "$@"; do
   case $option in
-    --tests) ;;
+    --tests | --docs) ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
     *) echo "setup.sh: there is no option '$option'; ./setup.sh --help tells what there is" >&2; exit 2 ;;
   esac
@@ -31,6 +32,9 @@ packages=(
   xvfb openbox xdotool x11-utils  # real windows
   slurm-wlm munge        # a cluster of one node (tests/slurm)
   python3-h5py           # tables of studies (tests/cli/open_tables.py)
+)
+[ "${1:-}" = --docs ] && packages+=(
+  python3-sphinx python3-myst-parser  # the documentation site, ./docs.sh
 )
 
 missing=()

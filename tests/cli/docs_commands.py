@@ -1,21 +1,33 @@
 #!/usr/bin/env python3
-"""Every command that README and the pages of resources/docs show is one that the programs know.
+"""Checks the documents: commands exist, code blocks run, quoted output is current.
 
-Usage: docs_commands.py ROOT ADORE [ADRPLOT AGORE ADRINPUT]. A command is what stands in a line of code or between
-backquotes and begins with a program's name; its words up to the first option choose a help text, in which each
---option has to stand.
+    docs_commands.py ROOT ADORE [ADRPLOT AGORE ADRINPUT]                        commands of all pages
+    docs_commands.py --run [--update] [--show] ROOT ADORE [PAGE]...             code blocks of the tutorials
+
+Commands: a command is a line of code, or text between backquotes, that begins with a program's name. The words up to
+the first option select a help text, which must list each --option of the command.
+
+Code blocks: blocks `sh` run in bash, blocks `python` in one interpreter per page, in the order of the page and in one
+new folder. A block `text` quotes lines of the output of the block above it: each line must be there, in this order,
+with blanks compressed; `...` is a gap. A block whose first line is "```sh no-run: REASON" does not run; the tutorials
+together have at most 15 of them. PYTHONPATH must lead to the module `adore`. --update replaces quoted lines whose words
+changed and whose numbers did not; --show prints the output of each block.
 """
 
 import os
 import re
 import subprocess
 import sys
+import tempfile
+import time
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(sys.argv[1])
-PROGRAMS = {Path(program).name: program for program in sys.argv[2:]}
+FLAGS = {word for word in sys.argv[1:] if word.startswith("--")}
+ROOT, *PROGRAM_FILES = [Path(word).resolve() for word in sys.argv[1:] if word not in FLAGS]
+PROGRAMS = {program.name: str(program) for program in PROGRAM_FILES if program.suffix != ".md"}
 ENVIRONMENT = dict(os.environ, QT_QPA_PLATFORM="offscreen")
+MAX_NO_RUN = 15
 
 
 @cache
@@ -69,6 +81,140 @@ def faults_of(words):
             yield f"'{option[0]}' is no option of '{' '.join([program, *plain[:used]])}'"
 
 
+PYTHON_SERVER = """
+import sys
+names = {"__name__": "__main__"}
+while size := sys.stdin.readline():
+    try:
+        exec(compile(sys.stdin.read(int(size)), "block", "exec"), names)
+        state = "done"
+    except BaseException:
+        import traceback
+        traceback.print_exc(file=sys.stdout)
+        state = "failed"
+    print(f"\\n@@ {state}", flush=True)
+"""
+
+
+class Runner:
+    """Runs the blocks of one page in a new folder."""
+
+    def __init__(self, adore, folder):
+        self.folder = folder
+        # Equal digits on every x86-64 processor: the quoted numbers.
+        self.environment = dict(ENVIRONMENT, ADORE_ISA="baseline", PATH=f"{adore.parent}:{os.environ['PATH']}", PYTHONUNBUFFERED="1")
+        self.python = None
+
+    def run(self, language, code):
+        return self.run_python(code) if language == "python" else self.run_shell(code)
+
+    def run_shell(self, code):
+        done = subprocess.run(["bash", "-euo", "pipefail", "-c", code], cwd=self.folder, env=self.environment, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300)
+        return done.returncode == 0, done.stdout
+
+    def run_python(self, code):
+        if not self.python:
+            self.python = subprocess.Popen(["/usr/bin/python3", "-c", PYTHON_SERVER], cwd=self.folder, env=self.environment, text=True,
+                                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.python.stdin.write(f"{len(code)}\n{code}")
+        self.python.stdin.flush()
+        output = ""
+        for line in self.python.stdout:
+            if line.startswith("@@ "):
+                return line == "@@ done\n", output
+            output += line
+        return False, output + "the interpreter ended"
+
+    def close(self):
+        if self.python:
+            self.python.stdin.close()
+            self.python.wait()
+
+
+def compressed(line):
+    return " ".join(line.split())
+
+
+def numbers_of(line):
+    return re.findall(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?", line)
+
+
+def check_quote(quoted, output):
+    """Faults of quoted lines, and the lines with today's words where only words changed."""
+    lines, at, faults, current = [compressed(line) for line in output.splitlines()], 0, [], []
+    for line in quoted:
+        current.append(line)
+        if compressed(line) in ("", "..."):
+            continue
+        found = next((i for i in range(at, len(lines)) if lines[i] == compressed(line)), None)
+        if found is None:
+            faults.append(f"not in the output: {compressed(line)}")
+            found = next((i for i in range(at, len(lines)) if numbers_of(line) and numbers_of(lines[i]) == numbers_of(line)), None)
+            if found is None:
+                continue
+            current[-1] = output.splitlines()[found].rstrip()
+        at = found + 1
+    return faults, current
+
+
+def blocks_of(lines):
+    """First line, language, reason not to run, first and last line of the code: of each fenced block."""
+    opened = None
+    for i, line in enumerate(lines):
+        if line.startswith("```") and opened is None:
+            opened = i
+        elif line.startswith("```"):
+            language, _, reason = lines[opened][3:].strip().partition(" no-run: ")
+            yield opened, language, reason, opened + 1, i
+            opened = None
+
+
+def run_page(page, adore):
+    """Runs a page; faults, number of blocks that ran and that did not."""
+    lines = page.read_text().splitlines()
+    faults, ran, skipped, output = [], 0, 0, None
+    replaced = {}
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(adore, folder)
+        for first, language, reason, begin, end in blocks_of(lines):
+            where = f"{page.relative_to(ROOT)}, line {first + 1}"
+            if reason:
+                skipped, output = skipped + 1, None
+            elif language in ("sh", "python"):
+                good, output = runner.run(language, "\n".join(lines[begin:end]) + "\n")
+                ran += 1
+                if "--show" in FLAGS:
+                    print(f"== {where}\n{output}")
+                if not good:
+                    faults.append(f"{where}: the block fails:\n{output}")
+                    break
+            elif language == "text" and output is not None:
+                found, replaced[begin, end] = check_quote(lines[begin:end], output)
+                faults += [f"{where}: {fault}" for fault in found]
+            elif language != "{toctree}":
+                faults.append(f"{where}: block '{lines[first]}' is neither run, nor output, nor marked no-run")
+        runner.close()
+    if "--update" in FLAGS:
+        for (begin, end), current in replaced.items():
+            lines[begin:end] = current
+        page.write_text("\n".join(lines) + "\n")
+    return faults, ran, skipped
+
+
+def run_tutorials():
+    adore = next(program for program in PROGRAM_FILES if program.name == "adore")
+    pages = [page for page in PROGRAM_FILES if page.suffix == ".md"] or sorted((ROOT / "resources/docs/tutorials").glob("*.md"))
+    faults, ran, skipped = [], 0, 0
+    for page in pages:
+        began = time.monotonic()
+        found, ran_here, skipped_here = run_page(page, adore)
+        faults, ran, skipped = faults + found, ran + ran_here, skipped + skipped_here
+        print(f"{page.name}: {ran_here} blocks ran, {skipped_here} did not, {len(found)} faults, {time.monotonic() - began:.0f} s", flush=True)
+    print("\n".join(faults))
+    return 1 if faults or ran == 0 or skipped > MAX_NO_RUN else 0
+
+
 def main():
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "resources/docs").rglob("*.md"))]
     pages = [page for page in pages if "decisions" not in page.parts]
@@ -83,4 +229,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_tutorials() if "--run" in FLAGS else main())

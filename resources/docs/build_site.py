@@ -1,0 +1,195 @@
+#!/usr/bin/python3
+"""Builds the documentation site without a network: stages the pages, generates the reference pages, runs Sphinx.
+
+    build_site.py ADORE FOLDER [--stage]
+
+ADORE is the program whose JSON output the generated pages come from. FOLDER receives source/ (staged pages) and html/.
+--stage stops before Sphinx. A link of a page to a missing file is an error. A link to a file of the project outside the
+site (decisions, sources, data) becomes the file's name, because the site must be complete by itself.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent
+ROOT = DOCS.parents[1]
+OUTSIDE = {"decisions"}
+
+
+def output_of(adore, *words):
+    return subprocess.run([adore, *words], capture_output=True, text=True, check=True).stdout
+
+
+def cell(value):
+    """Text of a table cell: Markdown must not read it as markup."""
+    return re.sub(r"([|*_<>\[\]`\\$])", r"\\\1", " ".join(str(value).split()))
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def code(value):
+    return f"`{value}`" if str(value) else ""
+
+
+def run_options(adore):
+    options = json.loads(output_of(adore, "run", "--list-options", "--json"))
+    rows = [[code(o["name"]), code(o["default"]), cell(o["meaning"])] for o in options]
+    return f"""# Run options
+
+`adore run --opt NAME=VALUE` sets an option of a run; the file `ADORE.json` next to a deck sets it for all runs of the
+deck. This page lists the {len(rows)} options that `adore run --list-options` prints.
+
+{table(["option", "default", "meaning"], rows)}"""
+
+
+def command_sections(command, path=()):
+    name = " ".join([*path, command["name"]])
+    text = f"## {name}\n\n{cell(command['help'])}\n\n"
+    rows = []
+    for option in command.get("options", []):
+        names = ", ".join(code(n) for n in option["names"])
+        value = "" if option["positional"] else code(option["value"])
+        choices = ", ".join(code(word) for word in option.get("words", []))
+        default = code(option["default"])
+        rows.append([names, value, choices, default, cell(option["help"])])
+    if rows:
+        text += table(["option", "value", "choices", "default", "meaning"], rows) + "\n"
+    for child in command.get("commands", []):
+        text += command_sections(child, [*path, command["name"]])
+    return text
+
+
+def commands(adore):
+    tree = json.loads(output_of(adore, "--completion", "json"))
+    return "# Commands of adore\n\nThis page lists the commands and options that `adore --completion json` prints.\n\n" \
+        + command_sections(tree)
+
+
+def integrators(adore):
+    records = json.loads(output_of(adore, "schema", "--format", "json"))["records"]
+    variable = next(v for r in records for v in r["variables"] if v["name"] == "intMet")
+    rows = [[code(o["code"]), cell(o["meaning"])] for o in variable["options"]]
+    return f"""# Integrators
+
+The deck variable `intMet` (record 1) selects the method. `adore run --integrator NAME` replaces it for one run.
+{cell(variable["help"])} [Cost and accuracy](../what-accuracy-costs.md) compares the methods.
+
+{table(["intMet", "method"], rows)}"""
+
+
+def number(value, per):
+    return "" if value is None else f"{value / per:.6g}"
+
+
+def validity(_):
+    ranges = json.loads((ROOT / "resources/validity.json").read_text())["ranges"]
+    rows = []
+    for r in ranges:
+        bounds = f"{number(r['least'], r['per']) or '-∞'} to {number(r['most'], r['per']) or '∞'}"
+        rows.append([code(r["id"]), cell(r["law"]), cell(r["quantity"]), bounds + (f" {cell(r['unit'])}" if r["unit"] else ""),
+                     r["severity"], cell(r["consequence"]), cell(r["source"])])
+    header = ["finding", "law", "quantity", "valid range", "severity", "consequence outside", "source"]
+    return f"""# Validity register
+
+Each law of the program has a range of validity. A run that leaves a range reports a finding with the name below.
+*note* and *warning* do not stop a run. *untrusted* ends with exit code 3, *refused* with exit code 2. An infinite bound
+is absent, or belongs to the data of the oil, medium or material. The register is `resources/validity.json`
+({len(rows)} ranges).
+
+{table(header, rows)}"""
+
+
+def results(adore):
+    """Channels and columns of a short run of each example: as `adore show` lists them."""
+    folder = Path(results.folder)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    channels, columns = {}, {}
+    for kind in ("ball", "tapered"):
+        deck = folder / f"{kind}.txt"
+        deck.write_text(output_of(adore, "new", kind))
+        output_of(adore, "run", str(deck), "--out", str(folder / kind), "--until", "0.01rev", "--quiet", "--progress", "none")
+        for channel in json.loads(output_of(adore, "show", str(folder / kind / "RESULTS.h5"), "--json"))["channels"]:
+            channels.setdefault(channel["id"], channel)
+        for sol in sorted((folder / kind).glob("SOL[1-7]")):
+            shown = json.loads(output_of(adore, "show", str(sol), "--json"))
+            columns.setdefault(f"{shown['kind']}", [(c["id"], c["label"], c["unit"]) for c in shown["channels"]])
+    rows = [[code(c["id"]), cell(c["label"]), cell(c["unit"])] for c in channels.values()]
+    text = f"""# Channels and columns
+
+A channel is a quantity that a run stores, under one name in all files. `adore show FILE` lists those of a file with
+their extremes. This page lists the channels of short runs of the ball and the tapered example. Other decks can have
+more, such as the routines of the user. [Files and plots](../outputs.md) describes the layout of the files.
+
+## RESULTS.h5
+
+{len(rows)} channels at full precision, SI units.
+
+{table(["channel", "label", "unit"], rows)}
+"""
+    for kind, found in columns.items():
+        text += f"## {kind[0].upper() + kind[1:]}\n\n{len(found)} columns, in the order of the file; deck units.\n\n"
+        text += table(["channel", "label", "unit"], [[code(a), cell(b), cell(c)] for a, b, c in found]) + "\n"
+    return text
+
+
+GENERATED = {"run-options": run_options, "commands": commands, "integrators": integrators, "validity": validity, "channels": results}
+
+
+def with_links_inside(text, page, pages):
+    """Links of `page` that stay within the site; others become the name of the file. Missing targets are errors."""
+    def replace(match):
+        label, target = match[1], match[2].partition("#")[0]
+        if re.match(r"[a-z]+:", match[2]) or not target:
+            return match[0]
+        path = Path(os.path.normpath(page.parent / target))
+        if path in pages or path.is_relative_to(DOCS / "reference") and path.stem in GENERATED:
+            return match[0]
+        if not path.exists():
+            sys.exit(f"{page.relative_to(ROOT)}: the link to '{match[2]}' has no target")
+        if path.is_relative_to(DOCS) and path.suffix in {".png", ".bib"}:
+            return match[0]
+        return f"{label} (`{path.relative_to(ROOT)}`)"
+
+    parts = re.split(r"(^```.*?^```$|`[^`\n]+`)", text, flags=re.MULTILINE | re.DOTALL)
+    return "".join(part if part.startswith("`") else re.sub(r"(?<!\!)\[([^\]]*)\]\(\s*([^)\s]+)\)", replace, part) for part in parts)
+
+
+def stage(adore, source):
+    shutil.rmtree(source, ignore_errors=True)
+    pages = {p for p in DOCS.rglob("*.md") if not OUTSIDE & set(p.relative_to(DOCS).parts)}
+    for path in sorted([*pages, DOCS / "conf.py", DOCS / "references.bib", *DOCS.rglob("*.png")]):
+        to = source / path.relative_to(DOCS)
+        to.parent.mkdir(parents=True, exist_ok=True)
+        if path in pages:
+            to.write_text(with_links_inside(path.read_text(), path, pages))
+        else:
+            shutil.copyfile(path, to)
+    results.folder = source.parent / "runs"
+    for name, make in GENERATED.items():
+        (source / f"reference/{name}.md").write_text(make(adore))
+    return len(pages) + len(GENERATED)
+
+
+def main():
+    adore, folder = sys.argv[1], Path(sys.argv[2]).resolve()
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    count = stage(adore, folder / "source")
+    print(f"docs: {count} pages, {len(GENERATED)} of them generated")
+    if "--stage" not in sys.argv[3:]:
+        command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", folder / "source", folder / "html"]
+        if subprocess.run(command).returncode != 0:
+            sys.exit("docs: Sphinx reported warnings; the site is not valid")
+        print(f"docs: open {folder}/html/index.html")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,21 @@
+"""Sphinx configuration of the site; ./docs.sh builds it."""
+
+project = "Adore"
+author = "the Adore authors"
+extensions = ["myst_parser"]
+master_doc = "index"
+exclude_patterns = ["_build"]
+myst_heading_anchors = 4
+nitpicky = True
+html_theme = "alabaster"
+html_theme_options = {"description": "Dynamics of rolling bearings", "page_width": "1150px", "sidebar_width": "260px"}
+html_sidebars = {"**": ["about.html", "searchbox.html", "globaltoc.html"]}
+html_show_search_summary = False  # it loads pages by XMLHttpRequest, which browsers refuse for file://
+html_copy_source = False
+html_show_sphinx = False
+
+
+def setup(app):
+    from pygments.lexers.special import TextLexer
+
+    app.add_lexer("mermaid", TextLexer)  # Debian has no offline renderer of mermaid; the source is readable
