@@ -804,21 +804,22 @@ class DeckVariables:
     """Record 8.6.1. Multiplier on the updated Lundberg-Palmgren constant, outer race. 1 keeps the built-in value."""
     shExLP1: float
     """Record 8.6.1. Shear stress exponent of the updated Lundberg-Palmgren model, outer race. 0 takes the built-in
-    exponents of the model."""
+    one."""
     depExLP1: float
-    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race."""
+    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     fcGZ1: float
     """Record 8.6.1. Multiplier on the Gupta-Zaretsky constant, outer race. 1 keeps the built-in value."""
     shExGZ1: float
-    """Record 8.6.1. Shear stress exponent of the Gupta-Zaretsky model, outer race. 0 takes the built-in exponents of
-    the model."""
+    """Record 8.6.1. Shear stress exponent of the Gupta-Zaretsky model, outer race. 0 takes the built-in one."""
     fcIH1: float
     """Record 8.6.1. Multiplier on the updated Ioannides-Harris constant, outer race. 1 keeps the built-in value."""
     shExIH1: float
     """Record 8.6.1. Shear stress exponent of the updated Ioannides-Harris model, outer race. 0 takes the built-in
-    exponents of the model."""
+    one."""
     depExIH1: float
-    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race."""
+    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     wbDis1: float
     """Record 8.6.1. Weibull slope of the outer race."""
     fco2: float
@@ -827,21 +828,22 @@ class DeckVariables:
     """Record 8.6.2. Multiplier on the updated Lundberg-Palmgren constant, inner race. 1 keeps the built-in value."""
     shExLP2: float
     """Record 8.6.2. Shear stress exponent of the updated Lundberg-Palmgren model, inner race. 0 takes the built-in
-    exponents of the model."""
+    one."""
     depExLP2: float
-    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race."""
+    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     fcGZ2: float
     """Record 8.6.2. Multiplier on the Gupta-Zaretsky constant, inner race. 1 keeps the built-in value."""
     shExGZ2: float
-    """Record 8.6.2. Shear stress exponent of the Gupta-Zaretsky model, inner race. 0 takes the built-in exponents of
-    the model."""
+    """Record 8.6.2. Shear stress exponent of the Gupta-Zaretsky model, inner race. 0 takes the built-in one."""
     fcIH2: float
     """Record 8.6.2. Multiplier on the updated Ioannides-Harris constant, inner race. 1 keeps the built-in value."""
     shExIH2: float
     """Record 8.6.2. Shear stress exponent of the updated Ioannides-Harris model, inner race. 0 takes the built-in
-    exponents of the model."""
+    one."""
     depExIH2: float
-    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race."""
+    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     wbDis2: float
     """Record 8.6.2. Weibull slope of the inner race."""
     fcLPre: float
@@ -849,22 +851,23 @@ class DeckVariables:
     value."""
     shExLPre: float
     """Record 8.6.3. Shear stress exponent of the updated Lundberg-Palmgren model, rolling elements. 0 takes the
-    built-in exponents of the model."""
+    built-in one."""
     depExLPre: float
-    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements."""
+    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     fcGZre: float
     """Record 8.6.3. Multiplier on the Gupta-Zaretsky constant, rolling elements. 1 keeps the built-in value."""
     shExGZre: float
-    """Record 8.6.3. Shear stress exponent of the Gupta-Zaretsky model, rolling elements. 0 takes the built-in
-    exponents of the model."""
+    """Record 8.6.3. Shear stress exponent of the Gupta-Zaretsky model, rolling elements. 0 takes the built-in one."""
     fcIHre: float
     """Record 8.6.3. Multiplier on the updated Ioannides-Harris constant, rolling elements. 1 keeps the built-in
     value."""
     shExIHre: float
     """Record 8.6.3. Shear stress exponent of the updated Ioannides-Harris model, rolling elements. 0 takes the
-    built-in exponents of the model."""
+    built-in one."""
     depExIHre: float
-    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements."""
+    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements. 0 beside a shear stress
+    exponent of 0 takes the built-in one."""
     wbDisRe: float
     """Record 8.6.3. Weibull slope of the rolling elements."""
     rmsAspSlope1: float
