@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -143,7 +144,7 @@ RollerOfCase roller_of(const Json& in) {
   g.count = 1;
   g.diameter = g.length = g.central_length = D;
   g.crown_radius = std::numeric_limits<double>::infinity();
-  g.land_width = {D, D};
+  g.land_width = {3.0 * D, 3.0 * D};  // the ends of a roller at the ends of a land push it along
   g.pitch_diameter = outer + inner;
   g.clearance = 2.0 * (outer - inner - D);
   b.elements = g;
@@ -167,7 +168,10 @@ Json roller_case(const Json& in) {
   e.sin_theta[0] = std::sin(theta);
   e.cos_theta[0] = std::cos(theta);
   const double zero = 0.0;
-  double r = 0.5 * model.rollers.pitch_diameter;
+  // A loose roller is on the outer race: a step of the balance is short against its clearance.
+  double r = std::max(0.5 * model.rollers.pitch_diameter,
+                      in.at("raceway_radius").at(0).get<double>() - 0.5 * model.rollers.diameter +
+                          races[0].centre.dot(radial_direction(theta)));
   e.elements = {.n = 1,
                 .x = &zero,
                 .r = &r,
