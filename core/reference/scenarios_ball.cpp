@@ -193,6 +193,9 @@ Json vibration(const Json& the_case) {
   start[theta_dot] = td;
   const dynamics::Evaluation& e = ball.evaluate(0.0, start.data());
   const std::array loads{ball_load(ball, e, 0), ball_load(ball, e, 1)};
+  require(loads[0].Q > 0.0 && loads[1].Q > 0.0,
+          "equilibrium: a ball at its x and r does not touch both races, so that there is nothing "
+          "to vibrate about. Enter bearing, derived and inner_groove_centre_x of one bearing.");
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     const dynamics::RaceContactState& c = loads[j].contact;

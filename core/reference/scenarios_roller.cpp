@@ -1,6 +1,7 @@
 #include "reference/motion.hpp"
 #include "reference/scenarios.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -101,8 +102,19 @@ struct RollerMotion {
          {{"work", work.get()}, {"heat outer", &w.line[0].heat}, {"heat inner", &w.line[1].heat}}});
     motion = std::make_unique<Motion>(std::move(scene));
   }
+  /// @throws InputError where the start presses the roller into a race as no elastic body can be
+  void check_start() const {
+    (void)motion->evaluate(0.0, motion->start.data());
+    constexpr double kDeepest = 0.02;  // of D/2
+    for (std::size_t j = 0; j < 2; ++j)
+      require(walls->line[j].approach <= kDeepest * walls->half,
+              fmt::format("{}.raceway_radius = {:.6g} m: the roller of D = {:.6g} m overlaps this "
+                          "race by {:.4g} m at initial_state. Enter a radius that leaves room.",
+                          kRace[j], walls->radius[j], 2.0 * walls->half, walls->line[j].approach));
+  }
   /// With events where a contact opens or passes the kink of the law.
   [[nodiscard]] Solution solve(const std::vector<double>& times, bool with_events) {
+    check_start();
     const double time = std::sqrt(motion->mass() / walls->stiffness[0]);
     const double r = motion->start_of("element.r"),
                  speed = std::hypot(r * motion->start_of("element.theta_dot"),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Shows that the trajectories of the reference cases depend on the shipped laws: changes one law at a time and validates.
 
-    mutations.py SOURCE [--scratch FOLDER] [--only NAME] [--jobs N] [--check] [--report FILE]
+    mutations.py SOURCE [--scratch FOLDER] [--only NAME] [--preset NAME] [--jobs N] [--check] [--report FILE]
 
 SOURCE is a checkout, which is copied to the scratch folder and never changed. For every mutation one line of a law is replaced in the copy,
 `adore` is built there, and `adore validate` runs the nine families of trajectories; then the line is restored. The table states for each family
@@ -68,17 +68,17 @@ def copy_of(source, folder):
             shutil.copy2(source / os.fsdecode(name), to)
 
 
-def build(folder, jobs):
-    subprocess.run(["cmake", "--build", folder / "build/release", "--target", "adore", f"-j{jobs}"], check=True, stdout=subprocess.DEVNULL)
+def build(folder, preset, jobs):
+    subprocess.run(["cmake", "--build", folder / "build" / preset, "--target", "adore", f"-j{jobs}"], check=True, stdout=subprocess.DEVNULL)
 
 
-def failures(folder):
+def failures(folder, preset):
     """Failed cases of each family."""
     out = {}
     for family in FAMILIES:
         report = folder / "mutated.json"
         report.unlink(missing_ok=True)
-        command = [folder / "build/release/bin/adore", "validate", folder / f"tests/reference/{family}.json", "--report", report]
+        command = [folder / "build" / preset / "bin/adore", "validate", folder / f"tests/reference/{family}.json", "--report", report]
         try:
             subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
             cases = json.loads(report.read_text())["files"][0]["cases"]
@@ -100,6 +100,7 @@ def main():
     parser.add_argument("source", type=pathlib.Path)
     parser.add_argument("--scratch", type=pathlib.Path)
     parser.add_argument("--only")
+    parser.add_argument("--preset", default="release")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--report", type=pathlib.Path)
@@ -111,9 +112,9 @@ def main():
         return 0
     folder = options.scratch or pathlib.Path(tempfile.mkdtemp(prefix="adore-mutations-"))
     copy_of(source, folder)
-    subprocess.run(["cmake", "--preset", "release"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-    build(folder, options.jobs)
-    rows = {"none": failures(folder)}
+    subprocess.run(["cmake", "--preset", options.preset], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    build(folder, options.preset, options.jobs)
+    rows = {"none": failures(folder, options.preset)}
     print(table(rows), flush=True)
     bad = [f"{family}: {n} cases fail without any mutation" for family, n in rows["none"].items() if n]
     for name, (file, old, new, _) in MUTATIONS.items():
@@ -123,8 +124,8 @@ def main():
         text = path.read_text()
         path.write_text(text.replace(old, new))
         try:
-            build(folder, options.jobs)
-            rows[name] = failures(folder)
+            build(folder, options.preset, options.jobs)
+            rows[name] = failures(folder, options.preset)
         finally:
             path.write_text(text)
         print(table(rows).splitlines()[-1], flush=True)

@@ -20,19 +20,22 @@ import re
 import subprocess
 import sys
 
+# Inputs that messages call by the term of the trade.
+TERMS = {"D": "diameter", "dm": "pitch diameter", "fi": "inner groove factor", "fo": "outer groove factor", "nRe": "pockets", "nCseg": "segments",
+         "Z": "elements"}
 KEPT_SAMPLES = 3  # of trajectories
 BATCH = 200
 
 
 def numbers(value, path=()):
-    """Paths and values of all numbers of the inputs that a change of 20 % changes."""
+    """Paths and values of all numbers of the inputs but 0."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from numbers(one, path + (key,))
     elif isinstance(value, list):
         for k, one in enumerate(value):
             yield from numbers(one, path + (k,))
-    elif isinstance(value, (int, float)) and not isinstance(value, bool) and (value != 0 or isinstance(value, int)):
+    elif isinstance(value, (int, float)) and not isinstance(value, bool) and value != 0:
         yield path, value
 
 
@@ -49,7 +52,7 @@ def shape(expected):
     """What adapters read of the expected values: which samples, rows, quantities; few of each."""
     out = {}
     for key, value in expected.items():
-        if key in ("t", "times", "states", "rows"):
+        if key in ("t", "times", "states", "rows") and isinstance(value, list):
             out[key] = value[:KEPT_SAMPLES]
         elif key == "fft_bin_Hz":
             out[key] = value
@@ -98,7 +101,7 @@ def names_an_input(message, inputs):
     words = set(re.findall(r"[a-z0-9]+", message.lower()))
     for path, _ in numbers(inputs):
         for key in path:
-            if isinstance(key, str) and (key in message or all(part in words for part in re.findall(r"[a-z0-9]+", key.lower()))):
+            if isinstance(key, str) and (key in message or TERMS.get(key, key) in message or all(part in words for part in re.findall(r"[a-z0-9]+", key.lower()))):
                 return True
     return any(isinstance(key, str) and key in message for key in inputs)
 
