@@ -8,6 +8,7 @@
 #include "reference/trajectory.hpp"
 #include "statics/roller_model.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -31,6 +32,9 @@ ConstrainedBall ball_of(const Json& in) {
   std::array<double, 2> K{};
   for (std::size_t j = 0; j < 2; ++j) {
     const double f = in.at("f").at(j);
+    require(f > 0.5, fmt::format("f = {:.6g}: the groove radius over the ball diameter must be "
+                                 "above 0.5. Enter a larger factor.",
+                                 f));
     groove.groove_radius[j] = f * D;
     groove.offset[j] = (f - 0.5) * D;
     groove.centre_radius[j] = in.at("groove_circle_radius").at(j);

@@ -22,7 +22,8 @@ import sys
 
 # Inputs that messages call by the term of the trade.
 TERMS = {"D": "diameter", "dm": "pitch diameter", "fi": "inner groove factor", "fo": "outer groove factor", "nRe": "pockets", "nCseg": "segments",
-         "Z": "elements"}
+         "Z": "elements", "f_inner": "inner groove factor", "f_outer": "outer groove factor", "f_from": "groove radius", "f_to": "groove radius",
+         "S": "survival probability", "k": "half axes"}
 KEPT_SAMPLES = 3  # of trajectories
 BATCH = 200
 
