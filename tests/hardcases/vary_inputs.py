@@ -72,7 +72,7 @@ def variations(case):
                    "provenance": "computed"}
 
 
-def cut(cases):
+def cut(family, cases):
     for case in cases:
         case = dict(case)
         inputs = dict(case["inputs"])
@@ -80,6 +80,8 @@ def cut(cases):
             inputs["times"] = inputs["times"][:KEPT_SAMPLES]
         case["inputs"] = inputs
         case["expected"] = shape(case["expected"]) or {"?": 0}
+        if family.startswith("tribology"):
+            case["tolerance"] = 1.0  # of the quantities that are left out
         yield case
 
 
@@ -94,8 +96,7 @@ def ask(program, family, cases, seconds):
             return [None]
         half = len(cases) // 2
         return ask(program, family, cases[:half], seconds) + ask(program, family, cases[half:], seconds)
-    return ["" if one.get("message", "").endswith("is missing in the result") or "evaluation" in one or "worst" in one else one.get("message", "")
-            for one in answers]
+    return ["" if "evaluation" in one else one.get("message", "") or None for one in answers]
 
 
 def names_an_input(message, inputs):
@@ -123,7 +124,7 @@ def main():
         content = json.loads(file.read_text())
         family = content["family"]
         bases = {case["id"]: case for case in content["cases"] if "base" not in case["inputs"]}
-        cases = [one for case in cut(bases.values()) for one in variations(case)]
+        cases = [one for case in cut(family, bases.values()) for one in variations(case)]
         if options.sample and options.sample < len(cases):
             cases = dice.sample(cases, options.sample)
         messages = []
