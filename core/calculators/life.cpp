@@ -190,8 +190,8 @@ std::optional<Json> bearing_case(const Json& in) {
     for (const double Q : life_values(in.at(name)))
       out.patches.push_back(hertz_patch(g, race, Q, E_star));
     require(out.patches.size() == static_cast<std::size_t>(g.life.count) * contacts.slices,
-            fmt::format("{} has {} loads: Z = {} needs one for each element. Enter as many loads.",
-                        name, out.patches.size(), g.life.count));
+            fmt::format("{} has {}: Z = {} needs one for each element. Enter as many.", name,
+                        counted(out.patches.size(), "load"), g.life.count));
     out.angle = g.alpha;
     out.rotating = (race == 1) == inner_rotates;
   }

@@ -53,12 +53,12 @@ struct Walls {
       const double k = load ? (*load)[j] : stiffness[j];
       const double overlap = load ? 1.0 : one.approach;
       if (!(overlap > 0.0)) continue;
-      const dynamics::PocketAction action =
+      const dynamics::WallContact action =
           press(e, 0, race[j], m, half, linear_spring(k), overlap, law);
       one.Q = action.N;
       one.friction = action.friction;
       one.heat = action.heat;
-      one.work = action.on_ball.dot(race[j].velocity_at(action.point));
+      one.work = action.on_element.dot(race[j].velocity_at(action.point));
     }
   }
 };
@@ -93,7 +93,7 @@ struct RollerMotion {
     }
     if (in.contains("Q_outer")) w.load = {get(in, "Q_outer"), get(in, "Q_inner")};
     add(scene,
-        {[&w, total = work.get(), after](Evaluation& e, const dynamics::Races&) {
+        {[&w, total = work.get(), after](Evaluation& e, const dynamics::RaceModels&) {
            w.act(e);
            *total = w.line[0].work + w.line[1].work;
            if (after) after(e);
