@@ -186,8 +186,12 @@ std::optional<Json> bearing_case(const Json& in) {
   const bool inner_rotates = in.value("inner_rotates", true);
   for (int race = 0; race < 2; ++race) {
     life::RaceContacts& out = contacts.race[static_cast<std::size_t>(race)];
-    for (const double Q : life_values(in.at(race == 1 ? "Qi" : "Qo")))
+    const char* name = race == 1 ? "Qi" : "Qo";
+    for (const double Q : life_values(in.at(name)))
       out.patches.push_back(hertz_patch(g, race, Q, E_star));
+    require(out.patches.size() == static_cast<std::size_t>(g.life.count) * contacts.slices,
+            fmt::format("{} has {}: Z = {} needs one for each element. Enter as many.", name,
+                        counted(out.patches.size(), "load"), g.life.count));
     out.angle = g.alpha;
     out.rotating = (race == 1) == inner_rotates;
   }

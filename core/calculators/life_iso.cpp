@@ -171,6 +171,10 @@ Json roller_reference(const Json& in) {
   const IsoGeometry g = reference_geometry(in, IsoType::RadialRoller);
   life::LaminaLoads loads;
   loads.laminae = static_cast<std::size_t>(whole(in, "ns", 1, kMostSlices));
+  const std::size_t weights = in.at("lamina_weights").size();
+  require(weights == loads.laminae,
+          fmt::format("lamina_weights has {}: ns = {} needs one for each lamina. Enter as many.",
+                      counted(weights, "weight"), loads.laminae));
   for (const Json& Q : in.at("Q_roller"))
     for (const Json& weight : in.at("lamina_weights"))
       loads.inner.push_back(Q.get<double>() * weight.get<double>());

@@ -64,6 +64,7 @@ std::optional<Json> hertz_case(const Json& the_case) {
   const double E_star = bearing::contact_modulus(material(one), material(two));
   const contact::HertzConstants h = contact::hertz_constants({low, high}, E_star);
   const double Q = hertz_load(in, h);
+  require(Q > 0.0, fmt::format("load = {:.4g} N: must be above 0. Enter a load.", Q));
   const double nu = get(in, "stress_poisson");
   const double a = h.a_hat * std::cbrt(Q);
   const double b = h.b_hat * std::cbrt(Q);

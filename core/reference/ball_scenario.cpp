@@ -82,10 +82,10 @@ void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>
 
 std::shared_ptr<TractionRule> converge_traction(SmallScene& scene, TractionRule wanted) {
   auto rule = std::make_shared<TractionRule>(std::move(wanted));
-  GivenAction correction;
-  correction.act = [rule](Evaluation& e, const dynamics::Races& races) {
+  dynamics::GivenAction correction;
+  correction.act = [rule](Evaluation& e, const dynamics::RaceModels& races) {
     for (std::size_t j = 0; j < 2; ++j) {
-      const dynamics::RaceContactModel& model = races.contacts()[j];
+      const dynamics::RaceContactModel& model = races[j];
       dynamics::RaceBody& race = e.race[j];
       for (std::size_t i = 0; i < e.elements.n; ++i) {
         const auto s = dynamics::race_contact_state(model, e.elements, i, race.motion());
@@ -115,8 +115,8 @@ void book_heat(SmallScene& scene, int balls) {
   const auto n = static_cast<std::size_t>(balls);
   auto heat = std::make_shared<std::array<std::vector<double>, 2>>();
   heat->fill(std::vector<double>(n));
-  GivenAction books;
-  books.account = [heat](Evaluation& e, const dynamics::Races&) { *heat = e.heat; };
+  dynamics::GivenAction books;
+  books.account = [heat](Evaluation& e, const dynamics::RaceModels&) { *heat = e.heat; };
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < n; ++i) books.books.push_back({heat_name(j, i), &(*heat)[j][i]});
   add(scene, std::move(books));

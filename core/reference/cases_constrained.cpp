@@ -8,8 +8,10 @@
 #include "reference/trajectory.hpp"
 #include "statics/roller_model.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -30,6 +32,9 @@ ConstrainedBall ball_of(const Json& in) {
   std::array<double, 2> K{};
   for (std::size_t j = 0; j < 2; ++j) {
     const double f = in.at("f").at(j);
+    require(f > 0.5, fmt::format("f = {:.6g}: the groove radius over the ball diameter must be "
+                                 "above 0.5. Enter a larger factor.",
+                                 f));
     groove.groove_radius[j] = f * D;
     groove.offset[j] = (f - 0.5) * D;
     groove.centre_radius[j] = in.at("groove_circle_radius").at(j);
@@ -143,7 +148,7 @@ RollerOfCase roller_of(const Json& in) {
   g.count = 1;
   g.diameter = g.length = g.central_length = D;
   g.crown_radius = std::numeric_limits<double>::infinity();
-  g.land_width = {D, D};
+  g.land_width = {3.0 * D, 3.0 * D};  // the ends of a roller at the ends of a land push it along
   g.pitch_diameter = outer + inner;
   g.clearance = 2.0 * (outer - inner - D);
   b.elements = g;
@@ -167,7 +172,10 @@ Json roller_case(const Json& in) {
   e.sin_theta[0] = std::sin(theta);
   e.cos_theta[0] = std::cos(theta);
   const double zero = 0.0;
-  double r = 0.5 * model.rollers.pitch_diameter;
+  // A loose roller is on the outer race: a step of the balance is short against its clearance.
+  double r = std::max(0.5 * model.rollers.pitch_diameter,
+                      in.at("raceway_radius").at(0).get<double>() - 0.5 * model.rollers.diameter +
+                          races[0].centre.dot(radial_direction(theta)));
   e.elements = {.n = 1,
                 .x = &zero,
                 .r = &r,

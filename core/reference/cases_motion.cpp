@@ -69,7 +69,7 @@ Json trajectory_case(const Json& in) {
   add_cage(scene, body.mass, vec3(in.at("principal_moments")));
   scene.bearing.cage->inertia.geometric_centre = body.to_geometric_centre;
   scene.bearing.cage->inertia.frame = vec3(in.at("frame_angles_deg")) * kDegree;
-  add(scene, {[=](dynamics::Evaluation& e, const dynamics::Races&) {
+  add(scene, {[=](dynamics::Evaluation& e, const dynamics::RaceModels&) {
                 e.segments[0].add_force(force, e.segments[0].position);
               },
               {},

@@ -8,51 +8,8 @@
 #include <cmath>
 
 namespace adore::reference {
-namespace {
 
 using dynamics::Evaluation;
-
-using Act = std::function<void(Evaluation&, const dynamics::Races&)>;
-
-class Acting final : public dynamics::EffectBlock {
- public:
-  Acting(const Act& act, const dynamics::Races& races) : act_(act), races_(races) {}
-  void apply(Evaluation& e) noexcept override { act_(e, races_); }
-
- private:
-  const Act& act_;
-  const dynamics::Races& races_;
-};
-
-class GivenEffect final : public dynamics::SceneEffect {
- public:
-  explicit GivenEffect(GivenAction action) : action_(std::move(action)) {}
-  void declare(dynamics::SceneBuilder& scene) override {
-    using dynamics::Phase;
-    const dynamics::Races& races = *scene.find<dynamics::Races>();
-    if (action_.act) scene.block<Acting>(Phase::Force, "given", {}, action_.act, races);
-    if (action_.account) scene.block<Acting>(Phase::Account, "given", {}, action_.account, races);
-    for (const GivenAction::Book& book : action_.books)
-      scene.integral(unused_, book.name, "J", book.rate);
-  }
-
- private:
-  GivenAction action_;
-  int unused_ = -1;
-};
-
-}  // namespace
-
-class Motion::Sight final : public dynamics::SceneEffect {
- public:
-  explicit Sight(Seen& seen) : seen_(seen) {}
-  void declare(dynamics::SceneBuilder& scene) override {
-    seen_ = {&scene.e, scene.find<dynamics::Races>(), scene.find<dynamics::PocketContact>()};
-  }
-
- private:
-  Seen& seen_;
-};
 
 SmallScene::SmallScene() {
   bearing::BallGeometry& balls = bearing.balls();
@@ -80,21 +37,17 @@ void SmallScene::have(std::initializer_list<scene::Effect> effects) {
   for (const scene::Effect effect : effects) plan.effects.push_back({effect, "", true, ""});
 }
 
-void add(SmallScene& scene, GivenAction action) {
-  auto shared = std::make_shared<GivenAction>(std::move(action));
-  scene.laws.emplace_back(
-      [shared](const scene::ScenePlan&) { return std::make_unique<GivenEffect>(*shared); });
+void add(SmallScene& scene, dynamics::GivenAction action) {
+  scene.laws.push_back(dynamics::effect_of(std::move(action)));
 }
 
-dynamics::PocketAction press(Evaluation& e, std::size_t element, const dynamics::BodyState& body,
-                             const Vec3& m, double radius, const contact::CappedHertz& normal,
-                             double overlap, const tribology::TractionLaw& law) {
-  const dynamics::PocketAction action = law.visit_rounded([&](const auto& friction) {
-    return dynamics::pocket_action(normal, {}, friction, e, element, body, radius, m, overlap);
-  });
-  e.add_force(element, e.to_cylindrical(element, action.on_ball));
-  e.add_moment(element, e.to_cylindrical(element, action.arm.cross(action.friction)));
-  return action;
+dynamics::WallContact press(Evaluation& e, std::size_t element, const dynamics::BodyState& body,
+                            const Vec3& m, double radius, const contact::CappedHertz& normal,
+                            double overlap, const tribology::TractionLaw& law) {
+  const dynamics::WallContact contact =
+      dynamics::wall_contact(e, element, body, m, radius, normal, overlap, law);
+  dynamics::apply(e, element, contact);
+  return contact;
 }
 
 void add_cage(SmallScene& scene, double mass, const Vec3& moments) {
@@ -135,8 +88,7 @@ void set_hertz_constant(SmallScene& scene, std::size_t race, double K) {
 
 Motion::Motion(SmallScene scene)
     : system_([&] {
-        scene.laws.emplace_back(
-            [this](const scene::ScenePlan&) { return std::make_unique<Sight>(seen_); });
+        scene.laws.push_back(dynamics::viewed_by(view_));
         return dynamics::System(scene.bearing, scene.plan, scene.start, scene.hertz_angle,
                                 scene.options, scene.laws);
       }()) {
@@ -148,7 +100,7 @@ Motion::Motion(SmallScene scene)
 
 const Evaluation& Motion::evaluate(double t, const double* y) {
   if (system_.rhs(t, y, rates_.data()) != dynamics::RhsStatus::Ok) system_.check_state(t, y);
-  return *seen_.e;
+  return *view_.e;
 }
 
 int Motion::at(std::string_view group) const {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
-#include "dynamics/effects/pockets.hpp"
-#include "dynamics/effects/races.hpp"
+#include "dynamics/given_action.hpp"
 #include "dynamics/system.hpp"
 #include "reference/trajectory.hpp"
 
@@ -14,7 +13,7 @@
 
 /// The trajectories of the reference cases are motions of small bearings: a case puts together a
 /// Bearing, the effects of its scene and the start, and the shipped steppers integrate
-/// dynamics::System. Forces that no bearing has come from GivenAction effects, which evaluate the
+/// dynamics::System. Forces that no bearing has come from given actions, which evaluate the
 /// shipped contact and traction laws.
 namespace adore::reference {
 
@@ -32,25 +31,15 @@ struct SmallScene {
   void have(std::initializer_list<scene::Effect> effects);
 };
 
-/// What a case makes act in a scene: `act` in the phase of the forces, then `account` once all
-/// forces are known; `books` are integrals of powers that they leave.
-struct GivenAction {
-  struct Book {
-    std::string name;
-    const double* rate;
-  };
-  std::function<void(dynamics::Evaluation&, const dynamics::Races&)> act, account;
-  std::vector<Book> books;
-};
-void add(SmallScene& scene, GivenAction action);
+void add(SmallScene& scene, dynamics::GivenAction action);
 
 /// A plane or cylinder of a body, pressed on an element along m (base axes) with overlap; friction
 /// by `law`. Adds the shipped contact of ball and wall (dynamics/effects/pockets.hpp) to what acts
 /// on the element; returns it.
-dynamics::PocketAction press(dynamics::Evaluation& e, std::size_t element,
-                             const dynamics::BodyState& body, const Vec3& m, double radius,
-                             const contact::CappedHertz& normal, double overlap,
-                             const tribology::TractionLaw& law);
+dynamics::WallContact press(dynamics::Evaluation& e, std::size_t element,
+                            const dynamics::BodyState& body, const Vec3& m, double radius,
+                            const contact::CappedHertz& normal, double overlap,
+                            const tribology::TractionLaw& law);
 /// Linear spring Q = k δ as the tangent branch of the shipped pocket law.
 [[nodiscard]] inline contact::CappedHertz linear_spring(double stiffness) {
   return {0.0, 0.0, stiffness, 0.0};
@@ -76,11 +65,9 @@ class Motion final : public integrators::OdeSystem {
   const dynamics::Evaluation& evaluate(double t, const double* y);
   [[nodiscard]] const State& rates() const noexcept { return rates_; }
   [[nodiscard]] const dynamics::RaceContactModel& race(std::size_t j) const noexcept {
-    return seen_.races->contacts()[j];
+    return (*view_.races)[j];
   }
-  /// Of a scene with pockets.
-  [[nodiscard]] dynamics::PocketSet& pockets() const noexcept { return seen_.pockets->set(); }
-
+  [[nodiscard]] const dynamics::SceneView& view() const noexcept { return view_; }
   [[nodiscard]] double mass() const noexcept { return system_.bearing().element_inertia.mass; }
 
   /// First component of a group of the state ("element.r").
@@ -109,15 +96,7 @@ class Motion final : public integrators::OdeSystem {
   bool project(double t, double* y) noexcept override { return system_.project(t, y); }
 
  private:
-  /// Inside of the system.
-  struct Seen {
-    dynamics::Evaluation* e = nullptr;
-    dynamics::Races* races = nullptr;
-    dynamics::PocketContact* pockets = nullptr;
-  };
-  class Sight;
-
-  Seen seen_;
+  dynamics::SceneView view_;
   dynamics::System system_;
   std::vector<double> scales_;
   State rates_;

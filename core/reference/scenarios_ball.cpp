@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "base/symmetric_eigen.hpp"
 #include "reference/ball_scenario.hpp"
 #include "reference/scenarios.hpp"
@@ -78,6 +79,25 @@ int rule_points(const Json& in) {
   return in.at("traction_law").at("type") == "exponential" ? 24 : 16;
 }
 
+/// @throws InputError where a ball starts deeper in a race than any elastic contact
+void check_start(Motion& balls, const std::string& input, double diameter) {
+  try {
+    (void)balls.evaluate(0.0, balls.start.data());
+  } catch (const SolverError& error) {
+    throw InputError(
+        fmt::format("{} or derived: no state of this bearing, {}", input, error.what()));
+  }
+  const dynamics::Evaluation& e = balls.evaluate(0.0, balls.start.data());
+  for (const std::size_t j : {0UL, 1UL})
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const double depth = ball_load(balls, e, j, i).contact.approach;
+      require(depth <= 0.01 * diameter,
+              fmt::format("{}: ball {} overlaps the {} race by {:.4g} m, more than 1 % of D = "
+                          "{:.4g} m. Enter a position between the races.",
+                          input, i, j == 0 ? "outer" : "inner", depth, diameter));
+    }
+}
+
 Json thrust_run(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   SmallScene scene =
@@ -88,6 +108,7 @@ Json thrust_run(const Json& the_case) {
   for (const char* key :
        {"x", "r", "theta", "x_dot", "r_dot", "theta_dot", "omega_x", "omega_r", "omega_theta"})
     ball.start_of("element." + std::string(key)) = get(in.at("initial_state"), key);
+  check_start(ball, "initial_state", get(in.at("bearing"), "D"));
   scale_balls(ball);
   Problem problem = ball.problem();
   problem.tolerance = 1e-10;
@@ -193,6 +214,9 @@ Json vibration(const Json& the_case) {
   start[theta_dot] = td;
   const dynamics::Evaluation& e = ball.evaluate(0.0, start.data());
   const std::array loads{ball_load(ball, e, 0), ball_load(ball, e, 1)};
+  require(loads[0].Q > 0.0 && loads[1].Q > 0.0,
+          "equilibrium: a ball at its x and r does not touch both races, so that there is nothing "
+          "to vibrate about. Enter bearing, derived and inner_groove_centre_x of one bearing.");
   Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     const dynamics::RaceContactState& c = loads[j].contact;
@@ -280,6 +304,7 @@ Json radial_run(const Json& the_case) {
   for (std::size_t i = 0; i < n; ++i)
     balls.place(i, vec3(initial[i].at("position")), vec3(initial[i].at("velocity")),
                 vec3(initial[i].at("omega")));
+  check_start(balls, "initial_states", get(in.at("bearing"), "D"));
   scale_balls(balls);
   Problem problem = balls.problem();
   problem.tolerance = 3e-10;

@@ -66,7 +66,7 @@ void scale_pocket(Motion& ball, double clearance, double speed) {
 }
 
 /// @pre the state was evaluated
-double penetration(const Motion& ball) { return -ball.pockets().wall_point(0).gap; }
+double penetration(const Motion& ball) { return -ball.view().pocket_gap(); }
 
 /// The frictionless cases: s tangential in the sense of rotation, which at azimuth 0 is -y.
 Json rectilinear(const Json& the_case, double clearance, const Vec3& at_x_s, const Vec3& rate_x_s,
@@ -75,7 +75,7 @@ Json rectilinear(const Json& the_case, double clearance, const Vec3& at_x_s, con
   const double m = get(in, "ball_mass"), k = get(in, "pocket_stiffness");
   SmallScene scene = pocket_scene(ball_inertia(m, m), clearance, k);
   const double pitch_radius = 0.5 * scene.bearing.balls().pitch_diameter;
-  add(scene, {[=](Evaluation& e, const dynamics::Races&) {
+  add(scene, {[=](Evaluation& e, const dynamics::RaceModels&) {
                 e.add_force(0, e.to_cylindrical(0, Vec3(0.0, -push, 0.0)));
               },
               {},
@@ -151,20 +151,15 @@ Json rotating_pocket(const Json& the_case) {
   const tribology::TractionLaw law(curve);
   Motion* motion = nullptr;
   const auto pocket = [&, law](const Evaluation& e) {
-    const contact::WallPoint wall = motion->pockets().wall_point(0);
-    const dynamics::BodyState& cage = e.segments[0];
-    const Vec3 outward = motion->pockets().round_to_base(0, wall.m, cage.to_base);
-    return law.visit_rounded([&](const auto& friction) {
-      return dynamics::pocket_action(linear_spring(k), {}, friction, e, 0, cage, 0.5 * D, outward,
-                                     -wall.gap);
-    });
+    return dynamics::wall_contact(e, 0, e.segments[0], motion->view().pocket_normal(), 0.5 * D,
+                                  linear_spring(k), penetration(*motion), law);
   };
   double work = 0.0, heat = 0.0;
   add(scene, {{},
-              [&](Evaluation& e, const dynamics::Races&) {
-                const dynamics::PocketAction action = pocket(e);
+              [&](Evaluation& e, const dynamics::RaceModels&) {
+                const dynamics::WallContact action = pocket(e);
                 heat = action.heat;
-                work = action.on_ball.dot(e.segments[0].velocity_at(action.point));
+                work = action.on_element.dot(e.segments[0].velocity_at(action.point));
               },
               {{"work", &work}, {"heat pocket", &heat}}});
   Motion ball(std::move(scene));
@@ -221,7 +216,7 @@ Json rotation(const Json& the_case) {
   const Quat q0 = quaternion_from_angles(vec3(in.at("angles0_eta_xi_lambda")));
   SmallScene scene;
   add_cage(scene, 1.0, I);
-  add(scene, {[=](Evaluation& e, const dynamics::Races&) {
+  add(scene, {[=](Evaluation& e, const dynamics::RaceModels&) {
                 e.segments[0].moment += inertial + e.segments[0].to_base * in_body;
               },
               {},
@@ -296,7 +291,7 @@ class Whirl {
     scene.plan.suppressed.element_all = true;
     scene.have({scene::Effect::LandContact, scene::Effect::LandTraction, scene::Effect::Gravity});
     add(scene, {{},
-                [this, guide](Evaluation& e, const dynamics::Races&) {
+                [this, guide](Evaluation& e, const dynamics::RaceModels&) {
                   const dynamics::BodyState& cage = e.segments[0];
                   const Vec3 &at = cage.position, &v = cage.velocity;
                   const double e2 = at.squaredNorm();

@@ -1,6 +1,7 @@
 #include "reference/motion.hpp"
 #include "reference/scenarios.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -52,12 +53,12 @@ struct Walls {
       const double k = load ? (*load)[j] : stiffness[j];
       const double overlap = load ? 1.0 : one.approach;
       if (!(overlap > 0.0)) continue;
-      const dynamics::PocketAction action =
+      const dynamics::WallContact action =
           press(e, 0, race[j], m, half, linear_spring(k), overlap, law);
       one.Q = action.N;
       one.friction = action.friction;
       one.heat = action.heat;
-      one.work = action.on_ball.dot(race[j].velocity_at(action.point));
+      one.work = action.on_element.dot(race[j].velocity_at(action.point));
     }
   }
 };
@@ -92,7 +93,7 @@ struct RollerMotion {
     }
     if (in.contains("Q_outer")) w.load = {get(in, "Q_outer"), get(in, "Q_inner")};
     add(scene,
-        {[&w, total = work.get(), after](Evaluation& e, const dynamics::Races&) {
+        {[&w, total = work.get(), after](Evaluation& e, const dynamics::RaceModels&) {
            w.act(e);
            *total = w.line[0].work + w.line[1].work;
            if (after) after(e);
@@ -101,8 +102,19 @@ struct RollerMotion {
          {{"work", work.get()}, {"heat outer", &w.line[0].heat}, {"heat inner", &w.line[1].heat}}});
     motion = std::make_unique<Motion>(std::move(scene));
   }
+  /// @throws InputError where the start presses the roller into a race as no elastic body can be
+  void check_start() const {
+    (void)motion->evaluate(0.0, motion->start.data());
+    constexpr double kDeepest = 0.02;  // of D/2
+    for (std::size_t j = 0; j < 2; ++j)
+      require(walls->line[j].approach <= kDeepest * walls->half,
+              fmt::format("{}.raceway_radius = {:.6g} m: the roller of D = {:.6g} m overlaps this "
+                          "race by {:.4g} m at initial_state. Enter a radius that leaves room.",
+                          kRace[j], walls->radius[j], 2.0 * walls->half, walls->line[j].approach));
+  }
   /// With events where a contact opens or passes the kink of the law.
   [[nodiscard]] Solution solve(const std::vector<double>& times, bool with_events) {
+    check_start();
     const double time = std::sqrt(motion->mass() / walls->stiffness[0]);
     const double r = motion->start_of("element.r"),
                  speed = std::hypot(r * motion->start_of("element.theta_dot"),

@@ -251,7 +251,7 @@ struct PlateMotion {
           SmallScene scene;
           scene.bearing.element_inertia.mass = mass;
           scene.bearing.element_inertia.moments.setConstant(inertia);
-          add(scene, {[p = plates.get()](Evaluation& e, const dynamics::Races&) { p->act(e); },
+          add(scene, {[p = plates.get()](Evaluation& e, const dynamics::RaceModels&) { p->act(e); },
                       {},
                       {{"heat top", &plates->heat[0]},
                        {"heat bottom", &plates->heat[1]},

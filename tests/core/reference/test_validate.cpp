@@ -366,6 +366,77 @@ TEST_CASE("Balls under a displaced inner race", "[validation][slow]") {
   expect_covered("dynamics_ball_radial");
 }
 
+TEST_CASE("each family of trajectories fails when a law of its scene changes by 1 %",
+          "[validation][slow]") {
+  struct Change {
+    const char *family, *id, *input;
+  };
+  constexpr Change kChanges[] = {
+      {"F_dynamics", "FV01", "/Ki"},
+      {"F_dynamics", "FE01", "/inertia/0"},
+      {"F_dynamics", "FK01", "/friction_coefficient"},
+      {"F_dynamics", "FP01", "/g"},
+      {"dynamics_impact", "dyn1_sphere_plane_1", "/mass"},
+      {"dynamics_impact", "dyn1_sphere_outer_groove", "/groove_factor"},
+      {"dynamics_plates", "dyn2_exp_ball_bottom_fixed", "/law/B"},
+      {"dynamics_plates", "dyn2_twoslope_ball_symmetric", "/inertia"},
+      {"dynamics_pocket", "dyn5_bounce_free", "/pocket_stiffness"},
+      {"dynamics_pocket", "dyn5_rotating_friction", "/pocket_law/B"},
+      {"dynamics_pocket", "dyn5_ball_on_outer_race_in_pocket", "/race_law/B"},
+      {"dynamics_rigid_whirl", "dyn6_ring_torque_free", "/inertia_principal_xyz/1"},
+      {"dynamics_rigid_whirl", "dyn6_whirl_inner_guided_twoslope_gravity", "/gravity_yz/1"},
+      {"dynamics_rigid_whirl", "dyn6_whirl_inner_guided_twoslope_gravity", "/friction_law/B"},
+      {"dynamics_roller", "dyn7_spinup_skid", "/outer/stiffness"},
+      {"dynamics_roller", "dyn7_held_skew", "/law/B"},
+      {"dynamics_ball_vibration", "dyn3_vibration_40_at_rest", "/bearing/E"},
+      {"dynamics_ball_thrust", "dyn3_40_10k_twoslope_flat", "/traction_law/B"},
+      {"dynamics_ball_radial", "dyn4_radial_deep_groove", "/bearing/E"},
+  };
+  const std::filesystem::path path = adore::test::binary_dir() / "validate_changed.json";
+  std::set<std::string> families;
+  for (const Change& change : kChanges) {
+    INFO(change.id << " " << change.input);
+    Json content =
+        Json::parse(adore::test::bytes_of(kReference / (std::string(change.family) + ".json")));
+    Json changed = Json::array();
+    for (const Json& one : content.at("cases"))
+      if (one.at("id") == change.id) changed.push_back(one);
+    REQUIRE(changed.size() == 1);
+    Json& input = changed[0]["inputs"].at(Json::json_pointer(change.input));
+    REQUIRE(input != 0.0);
+    input = 1.01 * input.get<double>();
+    content["cases"] = changed;
+    std::ofstream(path) << content;
+    const ValidateReport report = validate_files(std::vector{path});
+    CHECK(report.fail == 1);
+    CHECK(report.files.at(0).cases.at(0).message.empty());  // solved, with other values
+    families.insert(change.family);
+  }
+  CHECK(families.size() == 9);
+}
+
+TEST_CASE("mode 1 rollers of 8 to 22 mm between races that fit them: diameter does not matter",
+          "[validation]") {
+  Json content = Json::parse(adore::test::bytes_of(kReference / "motion_constraints.json"));
+  Json cases = Json::array();
+  for (const Json& one : content.at("cases"))
+    for (int mm = 8; one.at("kind") == "mode1_roller" && mm <= 22; ++mm) {
+      Json other = one;
+      const double D = 1e-3 * mm;
+      other["id"] = one.at("id").get<std::string>() + " " + std::to_string(mm);
+      other["inputs"]["roller_diameter"] = D;
+      other["inputs"]["raceway_radius"] = {0.031 + 0.5 * D, 0.031 - 0.5 * D - 1e-5};
+      cases.push_back(other);
+    }
+  CHECK(cases.size() == 30);
+  content["cases"] = cases;
+  const std::filesystem::path path = adore::test::binary_dir() / "validate_rollers.json";
+  std::ofstream(path) << content;
+  const ValidateReport report = validate_files(std::vector{path});
+  INFO(complaints(report));
+  CHECK(report.pass == 30);
+}
+
 TEST_CASE("Contact, statics, kinematics and traction reference cases", "[validation][slow]") {
   for (const char* name :
        {"A_hertz_point", "C_ball_bearing", "E_kinematics", "dynamics_contact_traction",
