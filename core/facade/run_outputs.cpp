@@ -364,7 +364,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       change.why_not =
           fmt::format("the scene of the stored state is not known ({})", failure.what());
     }
-    if (const std::string text = change_remark(change, "start from " + file.filename().string());
+    if (const std::string text = change_remark(change, "start from " + file.filename().string(),
+                                               specified_shocks(s.prepared));
         !text.empty())
       s.remark(text, Severity::Warning);
     if (change.moved)
@@ -438,6 +439,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (const StartJudgement start_energy = judge_start_energy(s.prepared, system, out.y);
           !start_energy.text.empty())
         s.remark(start_energy.text, start_energy.severity);
+      if (const std::string jumps = specified_jumps(s.prepared); !jumps.empty()) s.remark(jumps);
     } catch (const SolverError& refused) {
       refuse_start(s.prepared, refused);
     }
