@@ -108,7 +108,13 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
        PanelSpec{"Bearing",
                  {{"outside diameter", "thermal.outside_diameter"}, {"bore", "thermal.bore"}},
                  false},
-       single("Housing outside diameter", "thermal.housing")}));
+       single("Housing outside diameter", "thermal.housing"),
+       PanelSpec{"Bulk",
+                 {{"outer race", "race.temperature.outer"},
+                  {"inner race", "race.temperature.inner"},
+                  {"rolling elements", "power.element_temperature"},
+                  {"cage", "power.cage_temperature"}},
+                 false}}));
   pages.push_back(history(
       "Average heat distribution in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 /// How races move beside their constant spin: freely under loads, or by laws of the time (records
@@ -50,6 +51,11 @@ struct FrameMotion {
   /// Share of the inertial force of outer and inner race that loads the bearing; free races feel
   /// that share of it.
   std::array<double, 2> load_share{1.0, 1.0};
+  /// Acceleration that a body at rest at the base origin feels in the frame: Ω² R outwards [m/s²].
+  [[nodiscard]] Eigen::Vector3d field() const {
+    return speed * speed * orbit_radius *
+           Eigen::Vector3d(0.0, -std::sin(orbit_angle), std::cos(orbit_angle));
+  }
 };
 
 struct RaceMotions {

@@ -2,6 +2,7 @@
 #include "deck/deck.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
+#include "deck/orbit_records.hpp"
 
 #include <fmt/format.h>
 
@@ -237,6 +238,11 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   return place;
 }
 
+/// Does a variable of the orbit act from the shelf (deck/orbit_records.hpp)?
+bool is_orbit_at_rest(const Deck& deck, std::string_view name) {
+  return deck.has("mode") && *find_value(deck, "mode") == Value(-1LL) && is_orbit_variable(name);
+}
+
 /// One of several sets.
 struct Pending {
   const std::pair<std::string, std::string>* text = nullptr;
@@ -295,7 +301,7 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
       for (Pending& item : pending) {
         if (item.done || item.target.name != variable.name) continue;
         changed.complete();
-        if (changed.has_record(record.id)) apply(item);
+        if (changed.has_record(record.id) || is_orbit_at_rest(changed, variable.name)) apply(item);
       }
   for (Pending& item : pending)
     if (!item.done) apply(item);  // no record takes it: set() says why
@@ -308,6 +314,15 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
 void Deck::set(std::string_view name, std::string_view value) {
   Deck changed = *this;  // so that a mistake leaves this deck as it is
   const Target target = parse_target(name);
+  if (is_orbit_at_rest(changed, target.name)) {  // as in motion, then back
+    changed.set("mode", "0");
+    changed.complete();
+    changed.set(name, value);
+    changed.set("mode", "-1");
+    changed.complete();
+    *this = std::move(changed);
+    return;
+  }
   const Place place = locate(changed, target, name, value);
   const VariableSpec& spec = place.ref->spec();
 

@@ -64,7 +64,8 @@ std::vector<NoPart> values_not_read(const Deck& deck) {
       for (std::size_t k = 0; k < record.values[v].size(); ++k) {
         const Value& value = record.values[v][k];
         const VariableSpec& variable = spec.variables[v];
-        if (std::holds_alternative<std::monostate>(value) || value == default_value(variable))
+        if (std::holds_alternative<std::monostate>(value) || value == default_value(variable) ||
+            deck.reads->has(record, v, k))
           continue;
         std::string name(variable.name);
         if (!spec.repeat.empty()) name += fmt::format("[{}]", record.instance);

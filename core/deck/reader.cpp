@@ -3,6 +3,7 @@
 #include "base/counted.hpp"
 #include "deck/lookup.hpp"
 #include "deck/number.hpp"
+#include "deck/orbit_records.hpp"
 #include "deck/record_reader.hpp"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ class Reader {
   bool find_record_at(std::size_t index, bool certain, Step& step);
   [[nodiscard]] Step next_step(std::size_t index, bool certain) const;
   bool pass_over_numbers();
+  [[nodiscard]] bool acts_on_shelf(const RecordSpec& extra);
   void skip_record();
   void shelve(const RecordSpec& extra, int instance);
   void note_missing(Step step, bool doubtful);
@@ -164,12 +166,19 @@ bool Reader::pass_over_numbers() {
   return true;
 }
 
+/// Record 3.4 or 9.5 of an orbit in mode -1.
+bool Reader::acts_on_shelf(const RecordSpec& extra) {
+  return (extra.id == "3.4" && has_orbit_switch(state_.deck())) ||
+         (extra.id == "9.5" && !orbit_records(state_.deck()).empty());
+}
+
 /// An extra record: one that the options do not ask for, or one that was there before.
 void Reader::skip_record() {
   const Label& label = *state_.label_here();
   const RecordSpec& extra = schema()[label.hint->record];
   const RecordSpec* const expected = std::exchange(state_.spec, &extra);
   const int line = static_cast<int>(label.line) + 1;
+  bool needless = false;
   if (state_.deck().has_record(extra.id) && extra.repeat.empty())
     state_.report(Severity::Error, line, "", "", "this record was there before",
                   "remove one of them");
@@ -185,13 +194,15 @@ void Reader::skip_record() {
                           extra.repeat),
         "remove it, or change the options");
   else
+    needless = true;
+  const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();
+  if (!known_before && !is_doubtful(extra.condition)) shelve(extra, label.hint->instance);
+  if (needless && !acts_on_shelf(extra))
     state_.report(
         Severity::Warning, line, "", "",
         fmt::format("this record is not needed and is ignored, because `{}` does not hold",
                     extra.condition),
         "remove it, or change the options");
-  const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();
-  if (!known_before && !is_doubtful(extra.condition)) shelve(extra, label.hint->instance);
   state_.spec = expected;
   const Label* next = state_.labels.after_line(label.line);
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);

@@ -1,6 +1,7 @@
 #include "base/write_folder.hpp"
 #include "deck/deck.hpp"
 #include "deck/lookup.hpp"
+#include "deck/orbit_records.hpp"
 
 #include <algorithm>
 #include <string>
@@ -28,7 +29,8 @@ std::string record_line(const RecordData& record) {
 
 std::string write_deck(const Deck& deck) {
   std::string text;
-  for (const RecordData& record : deck.records) text += record_line(record) + "\n";
+  for (const RecordData& record : with_orbit_records(deck).records)
+    text += record_line(record) + "\n";
   for (const std::string& line : deck.user_lines) text += line + "\n";
   return text;
 }

@@ -244,8 +244,7 @@ std::optional<ElementPlaces> Instant::places(std::span<const double> y,
   std::vector<double> azimuth;
   for (std::size_t i = 0; i < slices_.elements(); ++i)
     azimuth.push_back(y[static_cast<std::size_t>(slices_.at(Quantity::Theta, i))]);
-  const statics::PlaceModel model{bearing_, scene_.balls, scene_.rollers, conservative,
-                                  scene_.plan.race_motions.frame};
+  const statics::PlaceModel model{bearing_, scene_.balls, scene_.rollers, conservative};
   try {
     auto found = statics::element_places(model, azimuth, task, guess);
     if (!found) return found;

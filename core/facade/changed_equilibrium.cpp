@@ -4,6 +4,7 @@
 #include "facade/kept_races.hpp"
 #include "facade/ring_growth.hpp"
 #include "facade/thermal_run.hpp"
+#include "scene/user_laws.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,36 @@
 
 namespace adore::facade {
 
-std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause) {
+std::string specified_shocks(const Prepared& prepared) {
+  const auto& laws = prepared.options.system.user;
+  return laws && laws->motion != nullptr
+             ? "routine ADRX1 specifies loads or motions of the races, which no equilibrium has"
+             : std::string();
+}
+
+std::string specified_jumps(const Prepared& prepared) {
+  const auto& laws = prepared.options.system.user;
+  if (!laws || laws->motion == nullptr) return {};
+  const scene::UserMotion::Promise& promise = laws->motion->promise();
+  std::string out;
+  const auto add = [&](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
+  for (const double kink : promise.kinks)
+    if (kink > 0.0) add(fmt::format("a jump of its loads at t = {:.4g} s", kink));
+  for (std::size_t j = 0; j < 2; ++j) {
+    const char* const race = j == 0 ? "outer" : "inner";
+    if (const double speed = promise.start_velocity[j].norm(); speed > 0.0)
+      add(fmt::format("{} race starts with {:.4g} m/s", race, speed));
+    if (promise.start_spin[j] != 0.0)
+      add(fmt::format("{} race starts with {:.4g} rad/s more", race, promise.start_spin[j]));
+  }
+  return out.empty() ? out
+                     : "shocks that routine ADRX1 specifies, exempt from the judgement of excess "
+                       "energy: " +
+                           out;
+}
+
+std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause,
+                          const std::string& specified) {
   if (!change.why_not.empty())
     return fmt::format(
         "{}: {}, so the state stays where it is; the next revolutions contain a vibration", cause,
@@ -21,6 +51,7 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
   const std::string text = fmt::format(
       "{}: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} J)",
       cause, change.excess, 100.0 * ratio, change.elastic);
+  if (!specified.empty()) return text + ": " + specified + "; the run continues";
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": contact loads after it are those of an impact. Change the bearing in "
@@ -29,7 +60,7 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
 }
 
 dynamics::MovingScene moving_scene(const Prepared& prepared, dynamics::System& system) {
-  statics::StaticsOptions balls;
+  statics::StaticsOptions balls = ball_options(prepared);
   balls.curvature = prepared.options.system.moving_angle ? statics::Curvature::Potential
                                                          : statics::Curvature::Fixed;
   balls.fixed_angle = prepared.fixed_angle;

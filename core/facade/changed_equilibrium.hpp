@@ -13,10 +13,19 @@
 /// that a stored state belongs to.
 namespace adore::facade {
 
+/// Loads and motions that routine ADRX1 gives to the races, as a clause; empty: none. The deck
+/// specifies them, and no equilibrium has them: excess energy is then reported and ends no run.
+[[nodiscard]] std::string specified_shocks(const Prepared& prepared);
+/// Jumps of ADRX1 that a run reports at its start: instants at which its loads jump (kinks), start
+/// velocities and spins; empty: none.
+[[nodiscard]] std::string specified_jumps(const Prepared& prepared);
+
 /// What is reported of a change; empty: nothing. @param cause noun phrase: "thermal step 2"
-/// @throws SolverError when the excess energy is above dynamics::kExcessRefused
+/// @param specified of specified_shocks()
+/// @throws SolverError when the excess energy is above dynamics::kExcessRefused, unless shocks are
+/// specified
 [[nodiscard]] std::string change_remark(const dynamics::NewEquilibrium& change,
-                                        const std::string& cause);
+                                        const std::string& cause, const std::string& specified);
 
 /// @param prepared outlives it
 [[nodiscard]] dynamics::MovingScene moving_scene(const Prepared& prepared,

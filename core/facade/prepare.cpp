@@ -25,9 +25,10 @@
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
+#include "setup/race_motions.hpp"
 #include "setup/scene_plan.hpp"
+#include "statics/ball_friction.hpp"
 #include "statics/deck_fault.hpp"
-#include "statics/element_places.hpp"
 #include "statics/film_doubts.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/bearing_drag.hpp"
@@ -332,6 +333,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
   out.as_built.user_version =
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
+  out.options.rollers.frame = setup::frame_motion(deck);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   set_film_options(out);
   if (out.as_built.thermal) {
@@ -407,11 +409,9 @@ Prepared prepare_model(LoadedDeck input) {
       add_remark(out, make_finding("statics.yield", text));
   };
   ask_to_go_on(out.input);
-  const auto& frame = out.plan.race_motions.frame;
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
-    if (frame) statics::put_into_frame(out.bearing, *frame, out.options.rollers, *out.rollers);
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
@@ -438,12 +438,20 @@ Prepared prepare_model(LoadedDeck input) {
     find_left_ranges(out);
     return out;
   }
-  out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
-  if (frame) statics::put_into_frame(out.bearing, *frame, statics::StaticsOptions{}, out.statics);
+  out.solve_seconds =
+      timed([&] { out.statics = statics::solve_ball_statics(out.bearing, ball_options(out)); });
+  statics::FrictionBalance balance;
+  if (!out.control.dynamic) {
+    out.solve_seconds += timed(
+        [&] { balance = statics::balance_balls(out.bearing, ball_options(out), out.statics); });
+    if (const std::string note = balance.note(); !note.empty())
+      add_remark(out, make_finding("statics.friction_balance", note));
+  }
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
-  if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
+  if (!out.control.dynamic)
+    out.friction = statics::friction_estimate(out.bearing, out.statics, balance);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
@@ -464,13 +472,12 @@ Prepared prepare_model(LoadedDeck input) {
     add_remark(out, warning(text));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
-    statics::StaticsOptions as_in_motion;
+    statics::StaticsOptions as_in_motion = ball_options(out);
     as_in_motion.curvature =
         out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
-    if (frame) statics::put_into_frame(out.bearing, *frame, as_in_motion, out.start);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
@@ -480,6 +487,12 @@ Prepared prepare_model(LoadedDeck input) {
 }
 
 }  // namespace
+
+statics::StaticsOptions ball_options(const Prepared& prepared) {
+  statics::StaticsOptions out;
+  out.frame = prepared.options.rollers.frame;
+  return out;
+}
 
 void add_remark(Prepared& prepared, Finding finding) {
   finding.file = prepared.input.path.string();

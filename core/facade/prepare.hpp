@@ -69,6 +69,9 @@ struct Prepared {
 [[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
                                                     const std::string& file);
 
+/// Options of ball statics: the base frame is that of the roller options.
+[[nodiscard]] statics::StaticsOptions ball_options(const Prepared& prepared);
+
 /// Adds a remark on the deck to those that the run tells.
 void add_remark(Prepared& prepared, Finding finding);
 

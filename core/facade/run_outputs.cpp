@@ -381,7 +381,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       change.why_not =
           fmt::format("the scene of the stored state is not known ({})", failure.what());
     }
-    if (const std::string text = change_remark(change, "start from " + file.filename().string());
+    if (const std::string text = change_remark(change, "start from " + file.filename().string(),
+                                               specified_shocks(s.prepared));
         !text.empty())
       s.remark(make_finding("run.start_excess", text));
     if (change.moved)
@@ -458,6 +459,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
         s.remark(make_finding(
             start_energy.severity == Severity::Warning ? "run.start_excess" : "run.start_unknown",
             start_energy.text));
+      if (const std::string jumps = specified_jumps(s.prepared); !jumps.empty())
+        s.remark(make_finding("run.specified_jumps", jumps));
     } catch (const SolverError& refused) {
       refuse_start(s.prepared, refused);
     }

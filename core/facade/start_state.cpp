@@ -80,6 +80,8 @@ StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& sy
       "start: excess energy = {:.3g} J, {:.0f} % of the elastic energy of the equilibrium ({:.3g} "
       "J)",
       start.excess, 100.0 * start.ratio(), start.elastic);
+  if (const std::string specified = specified_shocks(prepared); !specified.empty())
+    return {text + ": " + specified + "; the run continues", Severity::Warning};
   if (start.ratio() > dynamics::kExcessRefused)
     throw SolverError(text +
                       ": the contacts start with an impact. Check the clearances and "

@@ -28,7 +28,7 @@ struct StartJudgement {
 };
 
 /// Above 10 % a warning; a note where there is no equilibrium to judge against.
-/// @throws SolverError above 100 %
+/// @throws SolverError above 100 %, unless routine ADRX1 specifies shocks (changed_equilibrium.hpp)
 [[nodiscard]] StartJudgement judge_start_energy(const Prepared& prepared, dynamics::System& system,
                                                 const std::vector<double>& y);
 

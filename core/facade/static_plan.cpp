@@ -78,6 +78,10 @@ void surroundings(Entries& out, const Prepared& p) {
   const std::string speeds =
       fmt::format("rpm1 = {:g}, rpm2 = {:g}", rpm(b.speed[0]), rpm(b.speed[1]));
   out.add("centrifugal, gyroscopic loads", turning, speeds);
+  if (const auto& frame = p.options.rollers.frame)
+    out.add("turning base frame", true,
+            fmt::format("kRotFrame = 1: {:g} rpm on a radius of {:g} m", rpm(frame->speed),
+                        frame->orbit_radius));
   const bearing::Mounting& m = p.as_built.mounting;
   const bool fits = m.fit[0] > 0.0 || m.fit[1] > 0.0;
   out.add("fits of the races", fits,
@@ -123,7 +127,9 @@ void results(Entries& out, const Prepared& p) {
           "mode = -1: only its plays are computed (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction torque", true,
-          "estimated from speeds and loads of the equilibrium, which itself knows no friction");
+          p.bearing.rollers()
+              ? "estimated from speeds and loads of the equilibrium, which itself knows no friction"
+              : "balls in balance of friction under the laws of motion; no cage");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
                                   given(deck, "kBaseTemp"))

@@ -33,7 +33,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
       last_rollers = std::move(solution);
       return *last_rollers;
     }
-    statics::StaticsOptions options;
+    statics::StaticsOptions options = ball_options(prepared);
     options.difference_share = request.share;
     options.warm_start = previous != nullptr;
     if (previous != nullptr)

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace adore::facade {
@@ -49,7 +50,11 @@ ThermalRun::ThermalRun(const Prepared& prepared)
       acceleration_(prepared.options.thermal_acceleration) {
   shown_.outside = now_.race[0];
   shown_.bore = now_.race[1];
-  shown_.housing = now_.housing;
+  shown_.housing = shown_.housing_mean = now_.housing;
+  shown_.raceway = now_.race;
+  shown_.film.fill(std::numeric_limits<double>::quiet_NaN());  // of no network yet
+  shown_.shaft_mean = now_.shaft;
+  shown_.medium = now_.medium;
   shown_.coolant_in = shown_.coolant_out =
       as_built_.thermal->base == 2 || as_built_.thermal->base == 3
           ? as_built_.thermal->base_temperature
@@ -109,9 +114,25 @@ bool ThermalRun::due(double time) const noexcept {
 
 void ThermalRun::show(const thermal::BearingHeat& heat) {
   const thermal::NetworkTemperatures& T = heat.temperature;
-  shown_ = {
-      steps_,    T.coolant_in,         T.coolant_out,     T.outer_interface, T.inner_interface,
-      T.housing, heat.sources.total(), heat.to_coolant(), heat.flows.race};
+  const auto film = [&](const char* name) {
+    for (const thermal::NodeTemperature& node : heat.nodes)
+      if (node.name == name) return node.temperature;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  shown_ = {steps_,
+            T.coolant_in,
+            T.coolant_out,
+            T.outer_interface,
+            T.inner_interface,
+            T.housing,
+            heat.sources.total(),
+            heat.to_coolant(),
+            heat.flows.race,
+            {T.outer_raceway, T.inner_raceway},
+            {film("film of the outer race"), film("film of the inner race")},
+            heat.bulk.housing,
+            heat.bulk.shaft,
+            T.coolant_mean};
 }
 
 ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
@@ -211,10 +232,14 @@ void ThermalRun::save(std::map<std::string, double>& state) const {
   for (std::size_t n = 0; n < history_.size(); ++n)
     for (std::size_t k = 0; k < history_[n].size(); ++k)
       state[fmt::format("thermal.history.{}.{}", n, k)] = history_[n][k];
-  const double shown[] = {shown_.coolant_in,   shown_.coolant_out,  shown_.outside,
-                          shown_.bore,         shown_.housing,      shown_.heat,
-                          shown_.coolant_heat, shown_.race_heat[0], shown_.race_heat[1]};
+  const double shown[] = {shown_.raceway[0],   shown_.raceway[1],  shown_.housing_mean,
+                          shown_.shaft_mean,   shown_.medium,      shown_.coolant_in,
+                          shown_.coolant_out,  shown_.outside,     shown_.bore,
+                          shown_.housing,      shown_.heat,        shown_.coolant_heat,
+                          shown_.race_heat[0], shown_.race_heat[1]};
   for (std::size_t k = 0; k < std::size(shown); ++k) state[key("shown", k)] = shown[k];
+  for (std::size_t j = 0; j < 2; ++j)
+    if (std::isfinite(shown_.film[j])) state[key("film", j)] = shown_.film[j];
 }
 
 bool ThermalRun::restore(const std::map<std::string, double>& state,
@@ -261,11 +286,29 @@ bool ThermalRun::restore(const std::map<std::string, double>& state,
   for (std::size_t n = 0; n < count; ++n)
     for (std::size_t k = 0; k < now.size(); ++k)
       history_[n][k] = get(fmt::format("thermal.history.{}.{}", n, k), kColdest, thermal::kHottest);
-  std::array<double, 9> shown{};
+  std::array<double, 14> shown{};
   for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = get(key("shown", k), -kMost, kMost);
-  shown_ = {steps_,   shown[0], shown[1],
-            shown[2], shown[3], shown[4],
-            shown[5], shown[6], {shown[7], shown[8]}};
+  // Films are not computed before the next thermal step where a network without them was stored.
+  std::array<double, 2> film{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto found = state.find(key("film", j));
+    film[j] = found == state.end() ? std::numeric_limits<double>::quiet_NaN()
+                                   : get(key("film", j), 0.0, kMost);
+  }
+  shown_ = {steps_,
+            shown[5],
+            shown[6],
+            shown[7],
+            shown[8],
+            shown[9],
+            shown[10],
+            shown[11],
+            {shown[12], shown[13]},
+            {shown[0], shown[1]},
+            film,
+            shown[2],
+            shown[3],
+            shown[4]};
   return true;
 }
 
@@ -277,22 +320,19 @@ thermal::RaceConductance race_conductance(const Prepared& p) {
 std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
   p.bearing = std::move(operating);
   std::optional<statics::LubricantFilms> films;
-  const auto& frame = p.plan.race_motions.frame;
   if (p.bearing.rollers()) {
     auto scene = std::make_shared<dynamics::RollerScene>();
     scene->options = p.options.rollers;
     scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
-    if (frame) statics::put_into_frame(p.bearing, *frame, p.options.rollers, scene->solution);
     p.start = dynamics::static_start(*scene, p.bearing);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, scene->solution);
     p.roller_scene = std::move(scene);
   } else {
-    statics::StaticsOptions as_in_motion;
+    statics::StaticsOptions as_in_motion = ball_options(p);
     as_in_motion.curvature =
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
-    if (frame) statics::put_into_frame(p.bearing, *frame, as_in_motion, p.start);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
   if (!films) return {};

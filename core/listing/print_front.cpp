@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "deck/defaults.hpp"
+#include "deck/orbit_records.hpp"
 #include "deck/schema.hpp"
 #include "life/constants.hpp"
 #include "listing/print_cage.hpp"
@@ -59,7 +60,8 @@ void echo(Report& report, const deck::Deck& deck) {
   report.text(
       "Every record that was read, in the deck's own units. Meanings are in our words; codes say "
       "what was chosen.");
-  for (const deck::RecordData& record : deck.records) {
+  const deck::Deck shown = deck::with_orbit_records(deck);
+  for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
     demand(spec != nullptr, "a deck holds records of the schema only");
     report.heading(fmt::format(

@@ -510,6 +510,30 @@ constexpr auto kTable = std::to_array<Channel>({
     {"thermal.inner_heat", "average heat to the inner race", &unit::kPower, "-", false,
      each<Per::Thermal, 1>([](const Source& s) { return s.thermal().race_heat[1]; }),
      "through it, over the last thermal step"},
+    // SOL7 has fixed columns; these are in RESULTS.h5.
+    {"thermal.outer_raceway", "outer raceway surface temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().raceway[0]; }),
+     "of the last thermal step"},
+    {"thermal.inner_raceway", "inner raceway surface temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().raceway[1]; }),
+     "of the last thermal step"},
+    {"thermal.outer_film", "outer contact film temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().film[0]; }),
+     "mean of all contacts, of the last thermal step; NaN: not computed (before the first step, "
+     "and by the ladder)"},
+    {"thermal.inner_film", "inner contact film temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().film[1]; }),
+     "mean of all contacts, of the last thermal step; NaN: not computed (before the first step, "
+     "and by the ladder)"},
+    {"thermal.housing_mean", "housing mean temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().housing_mean; }),
+     "of the last thermal step"},
+    {"thermal.shaft_mean", "shaft mean temperature", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().shaft_mean; }),
+     "of the last thermal step"},
+    {"thermal.medium", "temperature of oil or air in the bearing", &unit::kTemperature, "-", false,
+     each<Per::Thermal, 1>([](const Source& s) { return s.thermal().medium; }),
+     "of the last thermal step"},
 });
 
 }  // namespace

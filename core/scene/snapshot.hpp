@@ -141,6 +141,9 @@ struct ThermalSnapshot {
   double housing = 0.0;                        ///< its outside [K]
   double heat = 0.0, coolant_heat = 0.0;       ///< all; what the coolant takes [W]
   std::array<double, 2> race_heat{};           ///< what goes through the races [W]
+  std::array<double, 2> raceway{};             ///< surfaces of the raceways [K]
+  std::array<double, 2> film{};                ///< of the race contacts; NaN: not computed [K]
+  double housing_mean = 0.0, shaft_mean = 0.0, medium = 0.0;  ///< [K]
 };
 
 struct Snapshot {

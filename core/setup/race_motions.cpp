@@ -1,5 +1,7 @@
 #include "setup/race_motions.hpp"
 
+#include "deck/orbit_records.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -280,22 +282,33 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
       if (const double amplitude = of_race("raceSpeedAmp"); amplitude != 0.0)
         out.variation[j] = {amplitude, of_race("raceSpeedFreq")};
   }
-  if (deck.integer("kRotFrame") == 1)
-    if (const double speed = deck.si("brgAngVel"); speed != 0.0)
-      out.frame = bearing::FrameMotion{speed,
-                                       deck.si("brgOrbitRad"),
-                                       deck.si("brgAngPos"),
-                                       {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
+  out.frame = frame_motion(deck);
   return out;
 }
 
+std::optional<bearing::FrameMotion> frame_motion(const Deck& given) {
+  const Deck deck = deck::with_orbit_records(given);
+  if (deck.integer("kRotFrame") != 1) return std::nullopt;
+  for (const char* name : {"brgOrbitRad", "brgAngPos", "brgAngVel", "brgLoadFrac1", "brgLoadFrac2"})
+    if (!deck.has(name))
+      throw InputError({deck.issue(Severity::Error, name, "no value, but kRotFrame = 1",
+                                   "enter its value in record 9.5")});
+  if (deck.real("brgOrbitRad") < 0.0)
+    throw InputError({deck.issue(Severity::Error, "brgOrbitRad", "the radius is negative",
+                                 "enter 0 or a positive radius")});
+  const double speed = deck.si("brgAngVel");
+  if (speed == 0.0) return std::nullopt;
+  return bearing::FrameMotion{speed,
+                              deck.si("brgOrbitRad"),
+                              deck.si("brgAngPos"),
+                              {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
+}
+
 Vec3 frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) {
-  if (!moves(deck) || deck.integer("kRotFrame") != 1) return Vec3::Zero();
-  const double speed = deck.si("brgAngVel"), radius = deck.si("brgOrbitRad"),
-               angle = deck.si("brgAngPos");
-  const double mass =
-      deck.si("brgLoadFrac2") * races[1].mass - deck.si("brgLoadFrac1") * races[0].mass;
-  return mass * speed * speed * radius * Vec3(0.0, -std::sin(angle), std::cos(angle));
+  const auto frame = frame_motion(deck);
+  if (!frame) return Vec3::Zero();
+  const double mass = frame->load_share[1] * races[1].mass - frame->load_share[0] * races[0].mass;
+  return mass * frame->field();
 }
 
 Vec3 race_weight(const Deck& deck, const std::array<bearing::Inertia, 2>& races,

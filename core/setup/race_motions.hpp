@@ -2,9 +2,11 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
+#include "bearing/race_motion.hpp"
 #include "deck/deck.hpp"
 #include "scene/plan.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,10 @@ namespace adore::setup {
 /// Loads of free races come from record 9.1.1: they act on the inner race, the opposite ones on the
 /// outer race (reading N40).
 [[nodiscard]] bearing::RaceMotions build_race_motions(const deck::Deck& deck);
+
+/// The base frame of record 9.5, in every mode (deck/orbit_records.hpp); empty: it does not turn.
+/// @throws InputError where a value of the record is missing or its radius negative
+[[nodiscard]] std::optional<bearing::FrameMotion> frame_motion(const deck::Deck& deck);
 
 /// What the turning base frame (record 9.5) adds to the load that record 9.1.1 gives: the shares of
 /// the races' centrifugal force, that of the outer race reversed, because it reaches the inner race

@@ -144,21 +144,25 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S, P>& f) 
     f.gyroscopic =
         weight * (seat.inertia * (f.orbital + m.frame_speed) * rolling.spin * f.beta.sin);
     const S per_race = f.gyroscopic / seat.diameter;
-    switch (site.law.share) {
-      case SpinLaw::Share::Outer:
-        f.contact[0].friction = 2.0 * per_race;
-        break;
-      case SpinLaw::Share::Equal:
-        f.contact[0].friction = per_race;
-        f.contact[1].friction = per_race;
-        break;
-      case SpinLaw::Share::ByLoad:
-        f.contact[0].friction = 2.0 * per_race * Q_o / (Q_o + Q_i);
-        f.contact[1].friction = 2.0 * per_race * Q_i / (Q_o + Q_i);
-        break;
-      case SpinLaw::Share::None:
-        break;
-    }
+    if (site.tractions) {
+      f.orbital = site.tractions->orbital;
+      for (std::size_t j = 0; j < 2; ++j) f.contact[j].friction = site.tractions->along[j];
+    } else
+      switch (site.law.share) {
+        case SpinLaw::Share::Outer:
+          f.contact[0].friction = 2.0 * per_race;
+          break;
+        case SpinLaw::Share::Equal:
+          f.contact[0].friction = per_race;
+          f.contact[1].friction = per_race;
+          break;
+        case SpinLaw::Share::ByLoad:
+          f.contact[0].friction = 2.0 * per_race * Q_o / (Q_o + Q_i);
+          f.contact[1].friction = 2.0 * per_race * Q_i / (Q_o + Q_i);
+          break;
+        case SpinLaw::Share::None:
+          break;
+      }
   }
   const S turning = f.orbital + m.frame_speed;
   f.centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;

@@ -38,6 +38,21 @@ double prescribed_pitch_angle(double angle) {
   return angle - std::numbers::pi * std::ceil(angle / std::numbers::pi - 0.5);
 }
 
+/// Puts the bearing into a base frame that turns about an axis parallel to X (record 9.5).
+/// @param field acceleration that a body at rest at the base origin feels there [m/s²]
+void set_frame(BallModel& m, double speed, const Eigen::Vector3d& field) {
+  m.frame_speed = speed;
+  m.field = field;
+  m.moving = m.moving || speed != 0.0;
+  const double turning = m.base_orbital + speed;
+  const auto set = [&](BallSeat& seat) {
+    seat.base_centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;
+    seat.window = 1e-3 * seat.base_centrifugal;
+  };
+  set(m);
+  for (BallSeat& seat : m.own) set(seat);
+}
+
 }  // namespace
 
 HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_star,
@@ -190,20 +205,8 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
         options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.element_count();
   }
   add_imperfect_seats(m, bearing, options);
+  if (options.frame) set_frame(m, options.frame->speed, options.frame->field());
   return m;
-}
-
-void set_frame(BallModel& m, double speed, const Eigen::Vector3d& field) {
-  m.frame_speed = speed;
-  m.field = field;
-  m.moving = m.moving || speed != 0.0;
-  const double turning = m.base_orbital + speed;
-  const auto set = [&](BallSeat& seat) {
-    seat.base_centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * turning * turning;
-    seat.window = 1e-3 * seat.base_centrifugal;
-  };
-  set(m);
-  for (BallSeat& seat : m.own) set(seat);
 }
 
 }  // namespace adore::statics

@@ -114,10 +114,6 @@ struct BallModel : BallSeat {
 [[nodiscard]] BallModel make_ball_model(const bearing::Bearing& bearing,
                                         const StaticsOptions& options);
 
-/// Puts the bearing into a base frame that turns about an axis parallel to X (record 9.5).
-/// @param field acceleration that a body at rest at the base origin feels there [m/s²]
-void set_frame(BallModel& model, double speed, const Eigen::Vector3d& field);
-
 /// Fills own and own_number for the imperfections of the bearing (bearing.imperfections): balls of
 /// other diameter, grooves whose bottom or radius is another at the ball's azimuth.
 /// Ball k: D_k, mass and inertia of bearing/element_inertia.hpp. Groove j at azimuth ψ:

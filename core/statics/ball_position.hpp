@@ -6,10 +6,17 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 /// Where a ball stands in both grooves: the coordinates of contact/ball_groove.hpp, for exact or
 /// small-angle kinematics of the inner race. Vectors in the azimuth frame (e_x, e_r, e_θ).
 namespace adore::statics {
+
+/// Of a ball in balance of friction (ball_friction.hpp), instead of the spin rule's.
+struct GivenTractions {
+  std::array<double, 2> along{};  ///< along the major axes, on the ball [N]
+  double orbital = 0.0;           ///< ω_m [rad/s]
+};
 
 struct BallSite {
   double sin = 0.0, cos = 1.0;  ///< of the azimuth
@@ -17,6 +24,7 @@ struct BallSite {
   SpinLaw law;
   double pitch_guess =
       std::numeric_limits<double>::quiet_NaN();  ///< where the least-heat search starts
+  std::optional<GivenTractions> tractions;
 };
 
 template <class P>

@@ -318,4 +318,26 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
   return notes;
 }
 
+void fill_summary(const BallModel& m, StaticSolution& s) {
+  s.max_load = s.max_deflection = s.max_stiffness = 0.0;
+  double heaviest = -1.0;
+  for (const StaticBall& ball : s.balls) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      s.max_load = std::max(s.max_load, ball.Q[j]);
+      if (ball.Q[j] > 0.0) {
+        s.max_deflection = std::max(s.max_deflection, ball.delta[j]);
+        s.max_stiffness = std::max(s.max_stiffness, 1.5 * ball.Q[j] / ball.delta[j]);
+      }
+    }
+    if (ball.inner_contact && ball.Q[1] > heaviest) {
+      heaviest = ball.Q[1];
+      s.race_control_ratio = ball.race_control_ratio;
+      s.hertz = {m.hertz[0].at(ball.alpha[0]), m.hertz[1].at(ball.alpha[1])};
+    }
+  }
+  if (heaviest < 0.0) {
+    s.hertz = {m.hertz[0].reference(), m.hertz[1].reference()};
+  }
+}
+
 }  // namespace adore::statics

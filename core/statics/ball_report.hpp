@@ -15,6 +15,9 @@ namespace adore::statics {
 [[nodiscard]] StaticBall report_ball(const BallModel& model, const std::array<double, 5>& q,
                                      const BallState& ball);
 
+/// Largest load, deflection and stiffness, and what the most loaded ball gives.
+void fill_summary(const BallModel& model, StaticSolution& solution);
+
 /// Notes about the whole solution: balls without inner contact or load, contact angles beyond 90
 /// degrees, ellipses over a shoulder or across a split.
 [[nodiscard]] std::vector<std::string> report_notes(const BallModel& model,

@@ -223,27 +223,6 @@ Vec5 cold_start(const BallModel& model, const RaceTask& task, const Vec5& given,
   return start == ColdStart::Springs ? guess_by_springs(model, task, plain) : plain;
 }
 
-void fill_summary(const BallModel& m, StaticSolution& s) {
-  double heaviest = -1.0;
-  for (const StaticBall& ball : s.balls) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      s.max_load = std::max(s.max_load, ball.Q[j]);
-      if (ball.Q[j] > 0.0) {
-        s.max_deflection = std::max(s.max_deflection, ball.delta[j]);
-        s.max_stiffness = std::max(s.max_stiffness, 1.5 * ball.Q[j] / ball.delta[j]);
-      }
-    }
-    if (ball.inner_contact && ball.Q[1] > heaviest) {
-      heaviest = ball.Q[1];
-      s.race_control_ratio = ball.race_control_ratio;
-      s.hertz = {m.hertz[0].at(ball.alpha[0]), m.hertz[1].at(ball.alpha[1])};
-    }
-  }
-  if (heaviest < 0.0) {
-    s.hertz = {m.hertz[0].reference(), m.hertz[1].reference()};
-  }
-}
-
 StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
                           const StaticsOptions& options) {
   BallModel model = make_ball_model(bearing, options);

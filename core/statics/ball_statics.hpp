@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "bearing/race_motion.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "statics/race_result.hpp"
@@ -8,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +49,8 @@ struct StaticsOptions {
   RingKinematics kinematics = RingKinematics::Exact;
   Control control = Control::FromBearing;
   Orbit orbit = Orbit::PerBall;
-  double first_azimuth = 0.0;     ///< of ball 1 [rad]
+  std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
+  double first_azimuth = 0.0;                 ///< of ball 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection
   bool warm_start = false;  ///< use StaticConstraints::displacement of force-controlled directions

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "bearing/race_motion.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/race_equilibrium.hpp"
 #include "statics/roller_statics.hpp"
@@ -43,15 +42,7 @@ struct PlaceModel {
   /// Constant Hertz constants and one orbital speed for all balls: a convex problem with a solution
   /// wherever there is one.
   bool conservative = false;
-  std::optional<bearing::FrameMotion> frame = {};  ///< base frame that turns; speeds relative to it
 };
-
-/// Replaces elements, displacement, load and sizes of a solution by those in a base frame that
-/// turns (record 9.5), at the same azimuths. @throws SolverError when there is no equilibrium there
-void put_into_frame(const bearing::Bearing& bearing, const bearing::FrameMotion& frame,
-                    const StaticsOptions& options, StaticSolution& solution);
-void put_into_frame(const bearing::Bearing& bearing, const bearing::FrameMotion& frame,
-                    const RollerOptions& options, RollerSolution& solution);
 
 /// @param azimuth of every element [rad]
 /// @param guess displacement of the inner race; given directions stay there

@@ -1,10 +1,8 @@
 #include "statics/friction.hpp"
 
-#include "bearing/material.hpp"
-#include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
-#include "statics/ball_statics.hpp"
-#include "statics/kinematics.hpp"
+#include "statics/ball_friction.hpp"
+#include "statics/contact_laws.hpp"
 #include "statics/roller_statics.hpp"
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
@@ -84,131 +82,7 @@ bool is_film(const tribology::TractionLaw& law, const tribology::FilmContact& fi
   return law.has_film() && law.film(point).thinnest > 0.0 && law.film(point).share >= 1.0;
 }
 
-/// What a lubricant's law needs that all contacts of a race share.
-class Oil {
- public:
-  explicit Oil(const Bearing& bearing) : bearing_(bearing) {
-    if (!bearing.lubrication) return;
-    oil_ = tribology::lubricant_of(*bearing.lubrication);
-    for (std::size_t j = 0; j < 2; ++j) {
-      temperature_[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
-      modulus_[j] =
-          2.0 * bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
-      tribology::FilmSurface surface;
-      surface.radius = 0.5 * bearing.element_diameter();  // contacts say theirs
-      surface.modulus = modulus_[j];
-      surface.wall_temperature = temperature_[j];
-      for (const bool line : {false, true}) {
-        surface.line = line;
-        rolling_[j][line ? 1 : 0] =
-            tribology::rolling_resistance(*oil_, *bearing.lubrication, surface);
-      }
-    }
-  }
-  [[nodiscard]] bool given() const { return oil_.has_value(); }
-  /// Of contacts with one race. Visco-elastic films take the first one's shape for all of a race:
-  /// their surfaces take the better part of a second to make. @param width_over_pressure b/p0
-  /// [m/Pa]
-  [[nodiscard]] tribology::TractionLaw law(std::size_t j, bool line, double radius,
-                                           double width_over_pressure, double race_speed) const {
-    if (!given()) return bearing_.race_traction;
-    std::optional<tribology::TractionLaw>& kept = kept_[j];
-    if (kept && oil_->model == tribology::LubricantModel::ViscoElastic) return *kept;
-    tribology::FilmSurface surface;
-    surface.line = line;
-    surface.radius = radius;
-    surface.modulus = modulus_[j];
-    surface.wall_temperature = temperature_[j];
-    surface.race_speed = std::max(race_speed, 1e-6);
-    surface.width_over_pressure = width_over_pressure;
-    surface.walls = {tribology::film_wall(bearing_.race_material[j]),
-                     tribology::film_wall(bearing_.element_material)};
-    kept = tribology::film_law(bearing_.race_traction, *oil_, *bearing_.lubrication, surface);
-    return *kept;
-  }
-  /// κ of slip and peak pressure of a slice of a line, with the film of the whole line.
-  [[nodiscard]] std::function<double(double, double)> line_law(
-      const tribology::TractionLaw& law, const tribology::FilmContact& contact) const {
-    tribology::ContactPoint<double> point;
-    point.load = contact.load;
-    point.peak_pressure = contact.peak_pressure;
-    point.half_minor = contact.half_width;
-    point.entrainment = contact.speed;
-    point.curvature = 1.0 / contact.radius;
-    // A film points into its law, which therefore stays with the function.
-    const auto kept = std::make_shared<const tribology::TractionLaw>(law);
-    return kept->visit([&](const auto& one) -> std::function<double(double, double)> {
-      if constexpr (tribology::kHasFilm<std::decay_t<decltype(one)>>) {
-        return [here = one.at(point), kept](double slip, double pressure) {
-          return here.strip(pressure)(slip);
-        };
-      } else {
-        return [kept](double slip, double) { return kept->coefficient(slip); };
-      }
-    });
-  }
-  /// Power of the oil in the inlet; of lines over their length.
-  [[nodiscard]] double rolling(std::size_t j, const tribology::FilmContact& contact,
-                               double length) const {
-    if (!oil_ || !(bearing_.lubrication->meniscus > 0.0)) return 0.0;
-    if (!(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
-    tribology::ContactPoint<double> point;
-    point.load = contact.load;
-    point.peak_pressure = contact.peak_pressure;
-    point.half_major = contact.k * contact.half_width;
-    point.half_minor = contact.half_width;
-    point.entrainment = contact.speed;
-    point.curvature = 1.0 / contact.radius;
-    const double force = rolling_[j][contact.line ? 1 : 0].force(point);
-    return 2.0 * force * contact.speed * (contact.line ? length : 1.0);
-  }
-  /// The same of a point contact whose strips along rolling resist as lines do, each under its own
-  /// load, pressure and width: (3 Q/4a)(1 - y²), p √(1 - y²), b √(1 - y²).
-  [[nodiscard]] double rolling_of_strips(std::size_t j,
-                                         const tribology::FilmContact& contact) const {
-    if (!oil_ || !(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
-    constexpr int kStrips = 40;
-    const double a = contact.k * contact.half_width;
-    double sum = 0.0;
-    for (int i = 0; i < kStrips; ++i) {
-      const double y = (2.0 * i + 1.0) / kStrips - 1.0, chord2 = 1.0 - y * y;
-      tribology::FilmContact strip = contact;
-      strip.line = true;
-      strip.load = 0.75 * contact.load / a * chord2;
-      strip.peak_pressure = contact.peak_pressure * std::sqrt(chord2);
-      strip.half_width = contact.half_width * std::sqrt(chord2);
-      sum += rolling(j, strip, 2.0 * a / kStrips);
-    }
-    return sum;
-  }
-  [[nodiscard]] const std::string& name() const { return oil_->name; }
-
- private:
-  const Bearing& bearing_;
-  std::optional<tribology::Lubricant> oil_;
-  std::array<std::array<tribology::RollingResistance, 2>, 2> rolling_;  ///< of points, of lines
-  std::array<double, 2> temperature_{}, modulus_{};
-  mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
-};
-
-/// What films read of a loaded contact of a ball.
-tribology::FilmContact film_of(const Bearing& bearing, const StaticBall& ball, std::size_t j) {
-  const bearing::BallGeometry& balls = bearing.balls();
-  const double side = j == 0 ? 1.0 : -1.0;
-  tribology::FilmContact film;
-  film.load = ball.Q[j];
-  film.radius =
-      1.0 /
-      contact::race_curvature(balls, static_cast<int>(j), std::abs(ball.alpha[j])).along_minor;
-  film.k = ball.a[j] / ball.b[j];
-  film.half_width = ball.b[j];
-  film.peak_pressure = ball.p_max[j];
-  film.speed = (bearing.speed[j] - ball.orbital_speed) *
-               (ball.r + side * 0.5 * balls.diameter * std::cos(ball.alpha[j]));
-  return film;
-}
-
-FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
+FrictionEstimate begin(const Bearing& bearing, const ContactLaws& oil) {
   FrictionEstimate out;
   out.speed = std::abs(bearing.speed[1] - bearing.speed[0]);
   const auto acts = [](const bearing::TractionCurve& of) {
@@ -264,55 +138,51 @@ std::string FrictionEstimate::why_none() const {
          "drags";
 }
 
-FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution& solution) {
-  const Oil oil(bearing);
+FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution& solution,
+                                   const FrictionBalance& balance) {
+  const ContactLaws oil(bearing);
   FrictionEstimate out = begin(bearing, oil);
-  const bearing::BallGeometry& balls = bearing.balls();
-  const double R = 0.5 * balls.diameter;
   const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(30, 8);
-  const double race_speed =
-      0.5 * balls.pitch_diameter * std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
   double orbit = 0.0, spin = 0.0;
-  for (const StaticBall& ball : solution.balls) {
+  for (std::size_t k = 0; k < solution.balls.size(); ++k) {
+    const StaticBall& ball = solution.balls[k];
+    const BallMotion motion = balance.motion_of(k, ball);
     const auto share = 1.0 / static_cast<double>(solution.balls.size());
-    orbit += share * ball.orbital_speed;
-    spin += share * std::hypot(ball.omega_x - bearing.speed[0], ball.omega_r);
+    orbit += share * motion.orbit;
+    spin += share * std::hypot(motion.omega[0] - bearing.speed[0], motion.omega[1]);
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
-      const double alpha = ball.alpha[j];
-      const double groove = 2.0 * balls.groove_factor[j] * R;
-      EllipseGeometry g{ball.Q[j], ball.a[j], ball.b[j], 0.0, 0.0};
-      tribology::set_contact_surface(g, tribology::ContactSurface::CurvedEdge, R, groove,
-                                     ball.delta[j]);
-      // n from the ball into the race, c = e_θ × n; W: race less ball, (x, r).
-      const double side = j == 0 ? 1.0 : -1.0;
-      const double n_x = side * std::sin(alpha), n_r = side * std::cos(alpha);
-      const double W_x = bearing.speed[j] - ball.omega_x, W_r = -ball.omega_r;
-      EllipseKinematics m{};
-      m.W_n = W_x * n_x + W_r * n_r;
-      m.W_c = -W_x * n_r + W_r * n_x;
-      const tribology::FilmContact film = film_of(bearing, ball, j);
-      m.entrainment = film.speed;
-      const tribology::TractionLaw law =
-          oil.law(j, false, film.radius, ball.b[j] / ball.p_max[j], race_speed);
-      const tribology::EllipseTraction traction = free_traction(law, g, m, rule);
-      const double all = traction.heat;
-      one.load_slip = traction.load_slip;
-      one.of_oil = is_film(law, film);
-      EllipseGeometry flat = g;
+      const BallContact at = ball_contact(bearing, oil, ball, j);
+      EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
+      const auto traction = [&](const EllipseGeometry& surface, bool balanced) {
+        if (balanced) return tribology::ellipse_traction(at.law, surface, m, rule);
+        EllipseKinematics free = m;
+        free.W_t = 0.0;
+        return free_traction(at.law, surface, free, rule);
+      };
+      const tribology::EllipseTraction found = traction(at.ellipse, motion.balanced);
+      one.load_slip = found.load_slip;
+      one.of_oil = is_film(at.law, at.film);
+      EllipseGeometry flat = at.ellipse;
       flat.rho = 0.0;
-      one.spin = std::min(free_traction(law, flat, m, rule).heat, all);
-      one.sliding = all - one.spin;
-      one.rolling = oil.rolling(j, film, 0.0);
+      one.spin = std::min(traction(flat, false).heat, found.heat);
+      one.sliding = found.heat - one.spin;
+      one.rolling = oil.rolling(j, at.film, 0.0);
     }
   }
   add_drag(bearing, orbit, spin, out);
+  if (const std::string note = balance.note(); !note.empty())
+    out.notes.push_back(note);
+  else if (!balance.balls.empty())
+    out.notes.emplace_back(
+        "heat, torque and loads are those of balls in balance of friction; their speeds and ratios "
+        "in other tables follow the spin rule (kAngVel)");
   return out;
 }
 
 double rolling_over_strips(const Bearing& bearing, const StaticSolution& solution) {
-  const Oil oil(bearing);
+  const ContactLaws oil(bearing);
   double points = 0.0, strips = 0.0;
   for (const StaticBall& ball : solution.balls)
     for (std::size_t j = 0; j < 2; ++j) {
@@ -330,7 +200,7 @@ double rolling_excess(double over_strips) {
 }
 
 FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution& solution) {
-  const Oil oil(bearing);
+  const ContactLaws oil(bearing);
   FrictionEstimate out = begin(bearing, oil);
   const bearing::RollerGeometry& rollers = *bearing.rollers();
   const double R = 0.5 * rollers.diameter;

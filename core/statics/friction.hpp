@@ -1,18 +1,20 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "statics/friction_balance.hpp"
 #include "tribology/bearing_drag.hpp"
 
 #include <array>
 #include <string>
 #include <vector>
 
-/// Friction of a quasi-static solution: what its speeds and loads dissipate, an estimate, because
-/// the equilibrium knows no friction. SI.
+/// Friction of a quasi-static solution: what its speeds and loads dissipate, an estimate: the
+/// equilibrium of rollers knows no friction, that of balls none of the cage. SI.
 ///
-/// Element and race: speeds are those of the solution (balls: no slip at the contact centres, spin
-/// by kAngVel; rollers: pure rolling). Over each contact the slip of the spin and of the curved
-/// surface (Heathcote),
+/// Element and race: balls in balance of friction have the slip of that balance
+/// (ball_friction.hpp), others the speeds of the solution (balls: no slip at the contact centres,
+/// spin by kAngVel; rollers: pure rolling). Over each contact the slip of the spin and of the
+/// curved surface (Heathcote),
 ///   u_t = u + W_n ξ - W_c h(ξ),   u_c = W_t h(ξ) - W_n η,
 /// acts with the deck's traction law; u is the creep for which the contact carries no force along
 /// the rolling direction, ∫ τ_t dA = 0, as a freely rolling element does. Heat = ∫ τ u dA. Its part
@@ -60,8 +62,10 @@ struct FrictionEstimate {
   [[nodiscard]] double torque() const noexcept { return speed > 0.0 ? power() / speed : 0.0; }
 };
 
+/// @param balance of the balls (ball_friction.hpp); balls without one roll freely, as above
 [[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
-                                                 const StaticSolution& solution);
+                                                 const StaticSolution& solution,
+                                                 const FrictionBalance& balance = {});
 /// Rolling resistance of all balls by the law of points over that of strips with the law of lines,
 /// which knows the pressure coefficient of the oil (laws/rolling_resistance.hpp); 0: neither rolls
 /// in oil.

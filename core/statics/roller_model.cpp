@@ -187,19 +187,16 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   }
   m.race_speed = b.speed;
   m.outer_tilt = b.constraints.outer_misalignment;
+  if (options.frame) {
+    m.frame_speed = options.frame->speed;
+    m.field = options.frame->field();
+  }
   add_inertia(m, b, options.guide);
   const double length = m.slicing.effective_length;
   m.line_stiffness = std::max(m.law[0].constant, m.law[1].constant) * length;
   m.lever = 0.25 * length;
   m.longest_step = 5e-3 * g.diameter + 0.25 * std::abs(g.clearance);
   return m;
-}
-
-void set_frame(RollerModel& m, const bearing::Bearing& b, bool guide, double speed,
-               const Eigen::Vector3d& field) {
-  m.frame_speed = speed;
-  m.field = field;
-  add_inertia(m, b, guide);
 }
 
 void add_race(const RollerModel& m, const RollerBody& body, std::size_t j, const Vec4& p,

@@ -77,12 +77,6 @@ struct RollerModel {
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);
 
-/// Puts the bearing into a base frame that turns about an axis parallel to X (record 9.5).
-/// @param guide as RollerOptions::guide
-/// @param field acceleration that a body at rest at the base origin feels there [m/s²]
-void set_frame(RollerModel& model, const bearing::Bearing& bearing, bool guide, double speed,
-               const Eigen::Vector3d& field);
-
 /// Adds what race j does to a roller of this body at p, by the contact and the kinematics of the
 /// model. `each`: empty, or as many as RollerModel::results.
 void add_race(const RollerModel& model, const RollerBody& body, std::size_t j, const Vec4& p,

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "bearing/race_motion.hpp"
 #include "statics/race_result.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,8 +48,9 @@ struct RollerOptions {
   int slices = 31;
   RollerContact contact = RollerContact::Sliced;
   RollerKinematics kinematics = RollerKinematics::Exact;
-  double line_constant = 0.0;     ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
-  double first_azimuth = 0.0;     ///< of roller 1 [rad]
+  double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
+  std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
+  double first_azimuth = 0.0;                 ///< of roller 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection
   bool guide = true;  ///< guide ring or cage hold what the centrifugal force of barrels has along

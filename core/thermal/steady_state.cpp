@@ -1,6 +1,7 @@
 #include "thermal/steady_state.hpp"
 
 #include "base/errors.hpp"
+#include "statics/ball_friction.hpp"
 #include "statics/ball_statics.hpp"
 #include "thermal/operating.hpp"
 #include "thermal/relaxation.hpp"
@@ -78,19 +79,20 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
                                const statics::RollerOptions& rollers) {
   OperatingState out;
   out.bearing = bearing_at(as_built, bulk, as_built.thermal->geometry_every > 0);
-  const auto take = [&](const auto& solution) {
-    out.contact = race_conductance(out.bearing, solution);
-    out.friction = statics::friction_estimate(out.bearing, solution);
-  };
   if (out.bearing.rollers()) {
     const auto solution = statics::solve_roller_statics(out.bearing, rollers);
     out.orbit = solution.orbital_speed;
-    take(solution);
+    out.contact = race_conductance(out.bearing, solution);
+    out.friction = statics::friction_estimate(out.bearing, solution);
   } else {
-    const auto solution = statics::solve_ball_statics(out.bearing);
+    statics::StaticsOptions balls;
+    balls.frame = rollers.frame;
+    auto solution = statics::solve_ball_statics(out.bearing, balls);
+    const statics::FrictionBalance balance = statics::balance_balls(out.bearing, balls, solution);
     for (const statics::StaticBall& ball : solution.balls)
       out.orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
-    take(solution);
+    out.contact = race_conductance(out.bearing, solution);
+    out.friction = statics::friction_estimate(out.bearing, solution, balance);
   }
   return out;
 }

@@ -78,11 +78,8 @@ TEST_CASE("plot_pages: every column of a file is on a page, and no page asks for
       for (const std::string& column : there) {
         INFO(column);
         // phi belongs to spherical pockets; the manual has no page for a race's polar position.
-        // Bulk temperatures give way to the page of the thermal model where the file has one.
-        const bool left_out =
-            (kind == SolKind::Power && column.find("temperature") != column.npos) ||
-            (!spherical && column.starts_with("pocket.phi")) ||
-            (column.starts_with("race.") && column.ends_with("l_position"));
+        const bool left_out = (!spherical && column.starts_with("pocket.phi")) ||
+                              (column.starts_with("race.") && column.ends_with("l_position"));
         CHECK((left_out || shown.count(column) == 1));
       }
       for (const auto& page : pages)

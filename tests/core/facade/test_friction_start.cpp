@@ -1,5 +1,7 @@
 #include "base/rotation.hpp"
 #include "deck/templates.hpp"
+#include "dynamics/friction_start.hpp"
+#include "facade/changed_equilibrium.hpp"
 #include "facade/start_state.hpp"
 #include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
@@ -7,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -153,20 +156,35 @@ TEST_CASE("start: an element pressed into its races → excess energy is judged"
   }
 }
 
-TEST_CASE("an orbit in a deck of mode -1 → listed without part, and noted", "[unit][facade]") {
-  facade::LoadedDeck input;
-  input.path = facade::kStandardInput;
-  input.deck = deck::new_deck("ball");
-  input.deck.set_all(Sets{{"kRotFrame", "1"}});
-  input.deck.set_all(Sets{{"brgOrbitRad", "0.1"}, {"brgAngVel", "2000"}});
-  input.deck.set_all(Sets{{"mode", "-1"}});
-  const facade::Prepared ready = facade::prepare(std::move(input));
-  std::string listed, noted;
-  for (const deck::NoPart& value : ready.no_part) listed += value.variable + " ";
-  for (const Issue& issue : ready.input.warnings) noted += issue.text();
-  CHECK(listed.find("brgAngVel") != std::string::npos);
-  CHECK(listed.find("brgOrbitRad") != std::string::npos);
-  CHECK(noted.find("kRotFrame = 1") != std::string::npos);
+TEST_CASE("change_remark(): shocks that the deck specifies end no run", "[unit][facade]") {
+  dynamics::NewEquilibrium change;
+  change.moved = true;
+  change.elastic = 1.0;
+  change.excess = 0.05;
+  CHECK(facade::change_remark(change, "thermal step 2", {}).empty());
+  change.excess = 2.0;
+  CHECK_THROWS_WITH(facade::change_remark(change, "thermal step 2", {}),
+                    Catch::Contains("thermal step 2: excess energy = 2 J, 200 %"));
+  CHECK_THAT(
+      facade::change_remark(change, "thermal step 2", "routine ADRX1 specifies loads"),
+      Catch::Contains("200 %") && Catch::Contains("ADRX1") && Catch::Contains("the run continues"));
+}
+
+TEST_CASE("balance_race(): a step that raises the residual is undone", "[physics][facade]") {
+  const facade::Prepared ready = prepared("ball", {{"mode", "2"}});
+  dynamics::System system = facade::make_system(ready);
+  std::vector<double> start = system.initial_state();
+  // The friction of the balls moves the race's balance.
+  (void)dynamics::balance_friction(system, start);
+  const Mat3 stiffness = ready.start.stiffness.topLeftCorner<3, 3>();
+  const std::array<bool, 3> free{true, true, true};
+  std::vector<double> right = start, wrong = start;
+  const double better = dynamics::balance_race(system, right, stiffness, free);
+  CHECK((right != start));
+  // Away from the balance: the first step makes it worse.
+  const double left = dynamics::balance_race(system, wrong, -stiffness, free);
+  CHECK((wrong == start));
+  CHECK(left > 10.0 * better);
 }
 
 TEST_CASE("rollers without a balance of friction start as they are, and a remark says so",

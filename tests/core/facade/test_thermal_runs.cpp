@@ -138,6 +138,53 @@ TEST_CASE("the network of a motion's last thermal step is in RUN.json, with the 
   CHECK(left == Approx(made).epsilon(1e-9));
 }
 
+TEST_CASE("RESULTS.h5 has the temperatures of rings, elements, cage, housing, shaft and films",
+          "[physics][thermal]") {
+  for (const bool ladder : {false, true}) {
+    INFO("ladder " << ladder);
+    const fs::path where = folder("h5_temperatures");
+    deck::Deck deck = moving("ball");
+    deck.set("maxStps", "150");
+    deck.set("kPltFreq", "2");
+    std::map<std::string, std::string> options;
+    if (ladder) options["thermalModel"] = "ladder";
+    REQUIRE(run_deck(deck, where, false, {options.begin(), options.end()}).outcome.status ==
+            facade::RunStatus::Done);
+    const results::StaticTables all = results::read_static_tables(where / "RUN.json");
+    const results::StaticTable* network = all.find("thermal network");
+    REQUIRE(network != nullptr);
+    const results::H5Reader h5(where / "RESULTS.h5");
+    for (const auto& [id, node] : {std::pair{"thermal.outer_film", "film of the outer race"},
+                                   {"thermal.inner_film", "film of the inner race"},
+                                   {"thermal.outer_raceway", "outer raceway"},
+                                   {"thermal.inner_raceway", "inner raceway"}}) {
+      INFO(id);
+      REQUIRE(h5.find(id) != nullptr);
+      CHECK(h5.find(id)->unit == "K");
+      const std::vector<double> values = h5.read(id);
+      const bool film = std::string(id).ends_with("film");
+      CHECK(std::isnan(values.front()) == film);  // not computed before the first step
+      if (film && ladder)
+        CHECK(std::isnan(values.back()));
+      else if (const results::StaticColumn* column = network->find(node))
+        CHECK(values.back() == Approx(column->values.front()).margin(1e-9));
+      else
+        CHECK(ladder);
+    }
+    const double hottest = ladder ? 400.0 : h5.read("thermal.inner_film").back();
+    for (const char* id :
+         {"race.temperature", "power.element_temperature", "power.cage_temperature",
+          "thermal.housing_mean", "thermal.shaft_mean", "thermal.medium"}) {
+      INFO(id);
+      REQUIRE(h5.find(id) != nullptr);
+      for (const double kelvin : h5.read(id)) {
+        CHECK(kelvin > 285.0);
+        CHECK(kelvin < std::max(hottest, 321.0) + 5.0);
+      }
+    }
+  }
+}
+
 TEST_CASE("all heat of the ledger goes into the thermal network, whatever made it",
           "[unit][thermal]") {
   for (const char* type : {"ball", "cylindrical"}) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "statics/contact_laws.hpp"
+#include "statics/friction_balance.hpp"
+
+/// Balls of an equilibrium in balance of friction. SI.
+///
+/// Spin rules (kAngVel) fix the spin axis and let friction carry the gyroscopic moment, however
+/// little friction there is. Here each ball has its four speeds, ω = (ω_x, ω_r, ω_θ) and its orbit
+/// ω_m, from balance under the laws of motion, steady in the frame of its azimuth:
+///   Σ M_x = 0,  Σ M_r = -J (ω_m + Ω_f) ω_θ,  Σ M_θ = J (ω_m + Ω_f) ω_r,  Σ F_θ = 0.
+/// M and F: traction over both ellipses (tribology/ellipse_traction.hpp) at the slip of
+///   u = (Ω_j - ω_m) r e_θ + (Ω_j e_x - ω) × p,
+/// rolling resistance of the oil (dynamics/effects/rolling_resistance.cpp) and drag of the medium
+/// (kChrn). Ω_f: speed of the base frame of record 9.5. Newton steps on the flow dω/dτ = M/J whose
+/// pseudo time grows as the residual falls.
+/// The tractions along the major axes replace the shares of the spin rule in the equilibrium, ω_m
+/// the kinematic one in the centrifugal force; both are repeated until the tractions stay.
+///
+/// Speeds, angles and ratios of the solution remain those of the spin rule at the new contacts. A
+/// ball without a balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the
+/// spin rule; FrictionBalance reports the first. Limits: the cage, gravity and the change of the
+/// spin axis along the orbit are left out; races are not tilted here; stiffness has constant
+/// tractions.
+namespace adore::statics {
+
+/// @param r radius of the ball's orbit
+[[nodiscard]] tribology::EllipseKinematics contact_motion(const bearing::Bearing& bearing,
+                                                          const BallContact& contact,
+                                                          const BallMotion& motion, double r,
+                                                          std::size_t race);
+
+/// Changes places and loads of the solution. @param options those of the solution
+[[nodiscard]] FrictionBalance balance_balls(const bearing::Bearing& bearing,
+                                            const StaticsOptions& options,
+                                            StaticSolution& solution);
+
+}  // namespace adore::statics

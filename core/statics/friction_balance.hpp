@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// Motion of balls whose friction is in balance (ball_friction.hpp).
+namespace adore::statics {
+
+struct StaticBall;
+
+struct BallMotion {
+  Eigen::Vector3d omega =
+      Eigen::Vector3d::Zero();    ///< on (e_x, e_r, e_θ), in the base frame [rad/s]
+  double orbit = 0.0;             ///< ω_m [rad/s]
+  std::array<double, 2> along{};  ///< traction on the ball along the major axis, by race [N]
+  bool balanced = false;          ///< false: no slip at the contact centres, spin by kAngVel
+};
+
+struct FrictionBalance {
+  std::vector<BallMotion> balls;  ///< empty: not computed
+  std::string failure;            ///< why it was given up for the whole bearing; empty: it was not
+  std::vector<std::size_t> left;  ///< loaded balls without a balance, from 0
+
+  /// Of ball k: in balance, or that of the solution.
+  [[nodiscard]] BallMotion motion_of(std::size_t k, const StaticBall& ball) const;
+  /// What outputs report; empty: all loaded balls are in balance, or nothing was computed.
+  [[nodiscard]] std::string note() const;
+};
+
+}  // namespace adore::statics
