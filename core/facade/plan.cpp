@@ -26,12 +26,14 @@ std::string cost_text(const RunCost& cost) {
                                    : fmt::format("{:.3g} s", cost.pilot_time));
   return fmt::format(
       "\nprocessor time of the whole run\n  about {} with set-up, output and files, {}\n",
-      duration_text(cost.seconds), pilot);
+      cost.seconds < 10.0 ? fmt::format("{:.2g} s", cost.seconds) : duration_text(cost.seconds),
+      pilot);
 }
 
 }  // namespace
 
-PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token stop) {
+PlanReport plan_of_run(const RunRequest& request, double pilot, double start,
+                       std::stop_token stop) {
   Prepared prepared = prepare(request, stop);
   if (!request.until.empty() && prepared.control.dynamic) {
     const double scale = make_system(prepared).scales().time;
@@ -46,8 +48,11 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token 
   out.json = plan_json(scene, stability_text(prepared));
   out.json["disk"] = disk_use_json(disk);
   out.remarks = prepared.input.warnings;
-  if (!(pilot > 0.0) || !prepared.control.dynamic) return out;
-  const RunCost cost = run_cost(request, pilot, std::move(stop));
+  // A quasi-static deck has no pilot: it is solved once more if that is quick.
+  const double solved = prepared.solve_seconds + prepared.stiffness_seconds;
+  if (!(pilot > 0.0) || (!prepared.control.dynamic && solved > pilot)) return out;
+  RunCost cost = run_cost(request, pilot, std::move(stop));
+  if (cost.seconds > 0.0) cost.seconds += start;
   out.text += cost_text(cost);
   out.json["run_cost"] = {{"pilot_revolutions", cost.pilot_turns}, {"whole", cost.whole}};
   if (cost.seconds > 0.0) out.json["run_cost"]["processor_s"] = cost.seconds;
@@ -58,7 +63,7 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token 
 PlanReport plan(const DeckRequest& request, std::stop_token stop) {
   RunRequest run;
   static_cast<DeckRequest&>(run) = request;
-  return plan_of_run(run, 0.0, std::move(stop));
+  return plan_of_run(run, 0.0, 0.0, std::move(stop));
 }
 
 }  // namespace adore::facade
