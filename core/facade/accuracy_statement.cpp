@@ -72,7 +72,8 @@ class Statement {
       const double seen = twin_ ? kSeen * std::max(changed, off) : scatter;
       q.statistical = std::max(q.statistical, std::min(scatter, seen));
     }
-    q.numerical = kNumerical * (q.irregular ? std::max(off - q.statistical, 0.0) : off);
+    const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
+    q.numerical = std::max(kNumerical * beyond, kFloor);
   }
 
   /// @param least of the scale [SI] @return whether there is such a result

@@ -58,8 +58,8 @@ def measure(adore: str, deck: str, until: str | None, sets: list[str]) -> dict:
         return {"failure": plan["run_cost"].get("failure", "no figure")}
     with tempfile.TemporaryDirectory() as folder:
         seconds, code, _, err = processor([adore, "run", deck, "--out", folder, "--quiet", *extra])
-    if code not in (0, 3):
-        return {"failure": err.strip()[-200:]}
+    if code != 0:
+        return {"failure": "the run fails: " + (err.strip().splitlines() or [""])[-1][:120]}
     return {
         "until": until or "the deck's end",
         "predicted": predicted,
