@@ -4,6 +4,7 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/listing_view.hpp"
 #include "facade/effect_costs.hpp"
+#include "facade/model_errors.hpp"
 #include "facade/prepare.hpp"
 #include "facade/solution_tables.hpp"
 #include "listing/print_file.hpp"
@@ -58,6 +59,8 @@ Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
   std::string text = in_window_words(facade::plan_text(ready, facade::plan_with_estimates(ready)));
   const std::string costs = facade::effect_costs_text(ready);
   if (!costs.empty()) text += "\n" + costs;
+  if (const auto models = facade::models_beside(ready.input))
+    text += "\n" + facade::model_table(*models);
   return {{}, std::move(text)};
 }
 

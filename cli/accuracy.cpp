@@ -13,6 +13,7 @@
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "deck/keep_text.hpp"
+#include "facade/model_errors.hpp"
 #include "facade/results_folder.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ std::vector<double> parse_tolerances(const std::string& text) {
 struct Options : DeckOptions {
   std::string methods, tolerances, out = ".", accuracy = "1%";
   double turns = 50.0, budget = 120.0;
-  bool apply = false, go_on = false;
+  bool apply = false, go_on = false, models = false, turns_given = false;
 };
 
 std::string contents(const std::filesystem::path& path) { return read_text_file(path); }
@@ -93,6 +94,36 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
                   : fmt::format(" (written anew, without remarks behind the values; {} is the "
                                 "deck as it was)",
                                 backup.string()));
+}
+
+/// Into the folder of --out or, without it, next to the deck, where runs and forms look for it.
+int run_models(const Options& options, bool out_given) {
+  constexpr double kTurns = 2.0;
+  if (options.apply || options.go_on || !options.methods.empty() || !options.tolerances.empty())
+    throw InputError(
+        "--models changes the model and keeps the deck's own settings; leave out --apply, "
+        "--continue, --methods and --tols");
+  check_range("--turns", options.turns);
+  check_range("--budget", options.budget);
+  facade::DeckRequest request;
+  options.fill(request);
+  std::filesystem::path folder = options.out;
+  if (!out_given && !request.text) folder = facade::deck_path(request).parent_path();
+  if (folder.empty()) folder = ".";
+  const facade::ResultsFolder made(folder);
+  const std::filesystem::path file = made.path() / facade::kModelFile;
+  check_export(file, facade::model_json({}), {options.deck});
+  InterruptWatch watch;
+  const facade::ModelStudy study = facade::study_models(
+      request, options.turns_given ? options.turns : kTurns, options.budget,
+      [](const facade::ModelRow& row) {
+        tell(fmt::format("  {:<15}{:<40} {:.3g} s{}\n", row.variant.group, row.variant.name,
+                         row.seconds, row.failure.empty() ? "" : ", no result"));
+      },
+      watch.token());
+  write_export(file, facade::model_json(study), {options.deck});
+  print("{}\n{}\n", facade::model_table(study), file.string());
+  return 0;
 }
 
 int run(const Options& options) {
@@ -174,10 +205,10 @@ void add_accuracy(CLI::App& app, int& exit_code) {
       ->add_option("--tols", options->tolerances,
                    "tolerances, separated by commas (default: 1e-4 to 1e-7)")
       ->type_name("LIST");
-  command
-      ->add_option("--turns", options->turns,
-                   "turns of the shaft that the best settings are judged over")
-      ->capture_default_str();
+  CLI::Option* turns = command
+                           ->add_option("--turns", options->turns,
+                                        "turns of the shaft that the best settings are judged over")
+                           ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
                    "processor time of the study [s]; fewer turns if need be")
@@ -188,14 +219,24 @@ void add_accuracy(CLI::App& app, int& exit_code) {
       ->type_name("PERCENT");
   command->add_flag("--apply", options->apply, "write the recommended settings into the deck");
   command->add_flag("--continue", options->go_on, "go on with a study that was broken off");
-  command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
-      ->type_name("DIR")
-      ->default_str("here");
+  command->add_flag("--models", options->models,
+                    "model errors instead: damping, traction law, cage friction, nodes or slices, "
+                    "mode and thermal model, each changed within its uncertainty (2 revolutions "
+                    "unless --turns is given); MODELS.json next to the deck, which PRINT.txt and "
+                    "AdrInput show");
+  CLI::Option* out =
+      command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
+          ->type_name("DIR")
+          ->default_str("here");
   command->footer(
       "Examples\n"
       "  adore accuracy DATA.txt --out study\n"
+      "  adore accuracy DATA.txt --models\n"
       "  adore accuracy DATA.txt --methods rkf3,rkf5 --tols 1e-4,1e-6 --turns 10 --apply");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([=, &exit_code] {
+    options->turns_given = turns->count() > 0;
+    exit_code = options->models ? run_models(*options, out->count() > 0) : run(*options);
+  });
 }
 
 }  // namespace adore::cli

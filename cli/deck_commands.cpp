@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -88,11 +89,13 @@ std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& re
 void plan(const PlanOptions& options) {
   check_range("--turns", options.turns);
   check_range("--pilot", options.pilot);
+  // Loading and start of the program, which a run has, too.
+  const double start = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   facade::RunRequest request;
   options.fill(request);
   request.until = options.until;
   const InterruptWatch watch;
-  facade::PlanReport report = facade::plan_of_run(request, options.pilot, watch.token());
+  facade::PlanReport report = facade::plan_of_run(request, options.pilot, start, watch.token());
   print_warnings(report.remarks);
   if (!options.json) print("{}", report.text);
   std::fflush(stdout);

@@ -1,5 +1,6 @@
 #include "facade/run.hpp"
 
+#include "base/counted.hpp"
 #include "base/interrupted.hpp"
 #include "base/json_text.hpp"
 #include "base/terminal_text.hpp"
@@ -156,7 +157,8 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
       if (const double turns = stated->needed_turns(target);
           options.extend && turns > 0.0 && extended < kMostExtended) {
         ++extended;
-        tell(fmt::format("the means need about {:.3g} revolutions: the run goes on\n", turns));
+        tell(fmt::format("the means need about {}: the run goes on\n",
+                         counted(fmt::format("{:.3g}", turns), "revolution")));
         request.until = given.until = fmt::format("{:.6g}rev", turns);
         request.go_on = true;
         request.overwrite = false;

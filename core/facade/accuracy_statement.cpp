@@ -72,7 +72,8 @@ class Statement {
       const double seen = twin_ ? kSeen * std::max(changed, off) : scatter;
       q.statistical = std::max(q.statistical, std::min(scatter, seen));
     }
-    q.numerical = kNumerical * (q.irregular ? std::max(off - q.statistical, 0.0) : off);
+    const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
+    q.numerical = std::max(kNumerical * beyond, kFloor);
   }
 
   /// @param least of the scale [SI] @return whether there is such a result
@@ -211,9 +212,10 @@ std::string statement_text(const AccuracyStatement& statement) {
   out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
   if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
     out += fmt::format(
-        "  The means need about {:.3g} revolutions for {} (this run: {:.4g}). Run longer with "
+        "  The means need about {} for {} (this run: {:.4g}). Run longer with "
         "--until {:.3g}rev, or add --extend.\n",
-        turns, percent(statement.target), statement.turns, turns);
+        counted(fmt::format("{:.3g}", turns), "revolution"), percent(statement.target),
+        statement.turns, turns);
   return out;
 }
 

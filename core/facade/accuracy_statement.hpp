@@ -17,7 +17,8 @@
 /// the whirl the larger of whirl and cage ratio; of all others their own value.
 ///
 /// Numerical part: kNumerical times the difference to the same run with tighter settings
-/// (verify()).
+/// (verify()), kFloor at least: both share start state, tables of films and single precision of
+/// films (3e-5), whose errors that difference does not show.
 ///
 /// Regular motion (a relative change of the loads by kNearby changes the quantity by less than
 /// kRegular): statistical part = kTwin times the change by these loads.
@@ -33,7 +34,7 @@
 /// Largest loads are no means: their statistical part is that of the changed loads alone. Without
 /// external loads there is no such second run, and all quantities count as irregular.
 ///
-/// kNumerical, kTwin, kSeen and kRegular are estimates, checked over decks of all types
+/// kNumerical, kTwin, kSeen, kFloor and kRegular are estimates, checked over decks of all types
 /// (resources/docs/accuracy-promises.md).
 namespace adore::facade {
 
@@ -42,6 +43,7 @@ constexpr double kRegular = 1e-4;
 constexpr double kNumerical = 1.5;
 constexpr double kTwin = 2.0;
 constexpr double kSeen = 10.0;
+constexpr double kFloor = 1e-4;
 
 struct StatedQuantity {
   std::string id;      ///< key result; "mean_load" of the races

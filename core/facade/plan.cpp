@@ -26,13 +26,18 @@ std::string cost_text(const RunCost& cost) {
                                    : fmt::format("{:.3g} s", cost.pilot_time));
   return fmt::format(
       "\nprocessor time of the whole run\n  about {} with set-up, output and files, {}\n",
-      duration_text(cost.seconds), pilot);
+      cost.seconds < 10.0 ? fmt::format("{:.2g} s", cost.seconds) : duration_text(cost.seconds),
+      pilot);
 }
 
 }  // namespace
 
-PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token stop) {
-  Prepared prepared = prepare(request, stop);
+PlanReport plan_of_run(const RunRequest& request, double pilot, double start,
+                       std::stop_token stop) {
+  // First of all: a run meets tables that nobody has read before, too.
+  RunCost cost;
+  if (pilot > 0.0) cost = run_cost(request, pilot, stop);
+  Prepared prepared = prepare(request, std::move(stop));
   if (!request.until.empty() && prepared.control.dynamic) {
     const double scale = make_system(prepared).scales().time;
     const RunSpan span = run_span(request, prepared, scale);
@@ -48,8 +53,8 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token 
   out.remarks = prepared.input.warnings;
   for (Finding& note : solution_notes(prepared)) out.remarks.push_back(std::move(note));
   out.json["findings"] = findings_json(out.remarks);
-  if (!(pilot > 0.0) || !prepared.control.dynamic) return out;
-  const RunCost cost = run_cost(request, pilot, std::move(stop));
+  if (!(pilot > 0.0)) return out;
+  if (cost.seconds > 0.0) cost.seconds += start;
   out.text += cost_text(cost);
   out.json["run_cost"] = {{"pilot_revolutions", cost.pilot_turns}, {"whole", cost.whole}};
   if (cost.seconds > 0.0) out.json["run_cost"]["processor_s"] = cost.seconds;
@@ -60,7 +65,7 @@ PlanReport plan_of_run(const RunRequest& request, double pilot, std::stop_token 
 PlanReport plan(const DeckRequest& request, std::stop_token stop) {
   RunRequest run;
   static_cast<DeckRequest&>(run) = request;
-  return plan_of_run(run, 0.0, std::move(stop));
+  return plan_of_run(run, 0.0, 0.0, std::move(stop));
 }
 
 }  // namespace adore::facade

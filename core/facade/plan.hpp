@@ -20,9 +20,9 @@ struct PlanReport {
 constexpr double kPlanPilot = 3.0;
 
 /// The plan of a run, to its end. @param pilot processor time of the motion that is run to measure
-/// the cost [s]; 0: none
+/// the cost [s]; 0: none @param start processor time of the program before its run [s]
 /// @throws InputError, SolverError (no equilibrium)
-[[nodiscard]] PlanReport plan_of_run(const RunRequest& request, double pilot,
+[[nodiscard]] PlanReport plan_of_run(const RunRequest& request, double pilot, double start = 0.0,
                                      std::stop_token stop = {});
 /// Of the deck's own run, without a pilot.
 [[nodiscard]] PlanReport plan(const DeckRequest& request, std::stop_token stop = {});

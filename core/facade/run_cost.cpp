@@ -28,7 +28,10 @@ RunCost run_cost(const RunRequest& request, double budget, std::stop_token stop)
   const double begin = scene::processor_seconds();
   RunCost out;
   const ProgressSink watch = [&](const Progress& at) {
-    if (at.runs > 0) return;  // a table before the motion
+    if (at.runs > 0) {  // a table before the motion
+      if (scene::processor_seconds() - begin > budget) end.request_stop();
+      return;
+    }
     looks.push_back({at.fraction, at.time, scene::processor_seconds() - begin});
     out.end_time = at.end_time;
     if (looks.back().seconds - looks.front().seconds > budget) end.request_stop();
@@ -57,7 +60,8 @@ RunCost run_cost(const RunRequest& request, double budget, std::stop_token stop)
     const double rate = (last.seconds - from.seconds) / (last.share - from.share);
     out.seconds = all + rate * (1.0 - last.share);
   } catch (const Interrupted&) {
-    throw;
+    if (stop.stop_requested()) throw;
+    out.failure = "the stiffness table before the motion takes longer than the pilot";
   } catch (const InputError& error) {
     out.failure = error.what();
   } catch (const SolverError& error) {

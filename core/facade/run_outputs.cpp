@@ -16,6 +16,7 @@
 #include "facade/law_ranges.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/missed_tolerance.hpp"
+#include "facade/model_errors.hpp"
 #include "facade/motion_watch.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
@@ -54,6 +55,16 @@ using scene::Snapshot;
 std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
   for (int i = 0; i < system.layout().size(); ++i) out.push_back(system.layout().component_name(i));
+  return out;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    out.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
   return out;
 }
 
@@ -283,6 +294,8 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
+  if (const auto models = models_beside(prepared.input))
+    print.texts("MODEL ERRORS", lines_of(model_table(*models)), true);
   if (prepared.user && !prepared.user->documentation().empty())
     print.texts("USER ROUTINES", prepared.user->documentation(), true);
 }

@@ -12,6 +12,7 @@ struct UserLaws;  // user_laws.hpp
 struct ContactDampingOptions {
   double impact_loss = 0.0;  ///< α of all pairs [s/m]; 0: that of the pair of materials
   bool impact_only = false;  ///< without the losses of materials and oil films, for closed forms
+  double factor = 1.0;       ///< on all of them: uncertainty of the model
 };
 
 /// How finely contacts are integrated over their area.

@@ -331,14 +331,19 @@ const std::vector<Option>& options() {
         {{"contactDamping", "material",
           "energy loss of all normal contacts: material (loss factors and impact losses of the "
           "materials, squeeze of the oil film), 0 (elastic, for conservation studies: contact "
-          "vibrations do not decay), or the impact loss alpha of all pairs in s/m, above 0 to 100, "
+          "vibrations do not decay), a factor on all of these losses (2x, 0.5x; 0.01x to 100x), or "
+          "the impact loss alpha of all pairs in s/m, above 0 to 100, "
           "in place of that of the materials; an element that hits a race at a small speed v "
           "leaves it at about (1 - alpha v) v. Dry steel has 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
            o.system.damping.impact_loss = 0.0;
+           o.system.damping.factor = 1.0;
            std::erase(o.effects_off, kContactDamping);
            if (v == "material") return true;
            double value = 0.0;
+           if (v.ends_with('x'))
+             return parse(v.substr(0, v.size() - 1), o.system.damping.factor) &&
+                    o.system.damping.factor >= 0.01 && o.system.damping.factor <= 100.0;
            if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;
            o.system.damping.impact_loss = value;
            if (value == 0.0) o.effects_off.emplace_back(kContactDamping);

@@ -58,24 +58,27 @@ bool moves_as_sphere(const bearing::Bearing& bearing) {
 
 /// "races: loss factor 0.01, impact loss 0.08 s/m"
 std::string losses_of(const char* where, const bearing::Material& a, const bearing::Material& b,
-                      double impact) {
+                      const scene::ContactDampingOptions& options) {
   const bearing::ContactLosses losses = bearing::contact_losses(a, b);
-  return fmt::format("{}: loss factor {:.2g}, impact loss {:.2g} s/m", where, losses.loss_factor,
-                     impact > 0.0 ? impact : losses.impact_loss);
+  const double impact = options.impact_loss > 0.0 ? options.impact_loss : losses.impact_loss;
+  return fmt::format("{}: loss factor {:.2g}, impact loss {:.2g} s/m", where,
+                     options.factor * losses.loss_factor, options.factor * impact);
 }
 
-/// Which contacts are damped. @param impact of the user for all of them [s/m]; 0: of the materials
-std::string damping_reason(double impact, const std::string& element,
+/// Which contacts are damped.
+std::string damping_reason(const scene::ContactDampingOptions& options, const std::string& element,
                            const bearing::Bearing& bearing, const std::string& mode,
                            bool all_balanced, double light_load_ratio) {
-  std::string out = impact > 0.0 ? fmt::format("run option contactDamping = {:g} (in s/m)", impact)
-                                 : std::string("run option contactDamping = material");
+  std::string out = "run option contactDamping = material";
+  if (options.impact_loss > 0.0)
+    out = fmt::format("run option contactDamping = {:g} (in s/m)", options.impact_loss);
+  if (options.factor != 1.0) out = fmt::format("run option contactDamping = {:g}x", options.factor);
   const bearing::Material& of_element = bearing.element_material;
   if (all_balanced)
     out += fmt::format("; none on the races, because {} holds all {}s in balance there", mode,
                        element);
   else
-    out += "; " + losses_of("races", of_element, bearing.race_material[1], impact) +
+    out += "; " + losses_of("races", of_element, bearing.race_material[1], options) +
            (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
                                                                        : "");
   if (light_load_ratio > 0.0)
@@ -84,12 +87,12 @@ std::string damping_reason(double impact, const std::string& element,
   const bearing::RollerGeometry* rollers = bearing.rollers();
   const bool flanges = rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1));
   if (flanges && !(all_balanced && bearing.type == bearing::Type::Tapered))
-    out += "; " + losses_of("flanges", of_element, bearing.race_material[1], impact);
-  if (!bearing.cage) return out + "; " + losses_of("neighbors", of_element, of_element, impact);
-  out += "; " + losses_of("pockets", of_element, bearing.cage->material, impact);
+    out += "; " + losses_of("flanges", of_element, bearing.race_material[1], options);
+  if (!bearing.cage) return out + "; " + losses_of("neighbors", of_element, of_element, options);
+  out += "; " + losses_of("pockets", of_element, bearing.cage->material, options);
   if (bearing.land_traction)
     out +=
-        "; " + losses_of("guide lands", bearing.cage->material, bearing.race_material[0], impact);
+        "; " + losses_of("guide lands", bearing.cage->material, bearing.race_material[0], options);
   return out;
 }
 
@@ -173,7 +176,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
              ? std::string("run option contactDamping = 0, or effectsOff: contacts are elastic; "
                            "contact vibrations do not decay, so that largest loads, life and "
                            "spectra are not those of a real bearing")
-             : damping_reason(options.system.damping.impact_loss, element, bearing, mode,
+             : damping_reason(options.system.damping, element, bearing, mode,
                               deck.integer("mode") > 0, control.light_load_ratio));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),

@@ -3,10 +3,9 @@
 
     plan_seconds.py ADORE [--out TABLE.md] [--keep FILE.json] [DECK ...]
 
-Decks: the examples of `adore examples` and five catalogue bearings, three of them in oil; quasi-static ones are left
-out. A deck whose run takes longer than --longest seconds is planned and run to an earlier end (`--until`), which is
-stated. Both times are user + system time of the whole process. --keep FILE.json stores finished decks: a broken-off
-campaign continues there.
+Decks: the examples of `adore examples` to their own end, and five catalogue bearings, three of them in oil, in motion
+(mode = 0) over --turns revolutions. Both times are user + system time of the whole process. --keep FILE.json stores
+finished decks: a broken-off campaign continues there.
 """
 
 from __future__ import annotations
@@ -22,11 +21,11 @@ import tempfile
 from pathlib import Path
 
 CATALOGUE = [
-    ("6205", []),
-    ("NU209", []),
-    ("7208 B", ["kTrac=6"]),
-    ("30208", ["kTrac=6"]),
-    ("22210", ["kTrac=3"]),
+    ("6205", ["mode=0"]),
+    ("NU209", ["mode=0"]),
+    ("7208 B", ["mode=0", "kTrac=6"]),
+    ("30208", ["mode=0", "kTrac=6"]),
+    ("22210", ["mode=0", "kTrac=3"]),
 ]
 
 
@@ -53,14 +52,14 @@ def measure(adore: str, deck: str, until: str | None, sets: list[str]) -> dict:
         return {"failure": err.strip().splitlines()[-1][:200] if err.strip() else f"exit {code}"}
     plan = json.loads(out)
     if "run_cost" not in plan:
-        return {"failure": "quasi-static"}
+        return {"failure": "the plan has no processor time"}
     predicted = plan["run_cost"].get("processor_s")
     if predicted is None:
         return {"failure": plan["run_cost"].get("failure", "no figure")}
     with tempfile.TemporaryDirectory() as folder:
         seconds, code, _, err = processor([adore, "run", deck, "--out", folder, "--quiet", *extra])
-    if code not in (0, 3):
-        return {"failure": err.strip()[-200:]}
+    if code != 0:
+        return {"failure": "the run fails: " + (err.strip().splitlines() or [""])[-1][:120]}
     return {
         "until": until or "the deck's end",
         "predicted": predicted,
@@ -80,7 +79,7 @@ def decks(adore: str, folder: Path) -> list[tuple[str, str, list[str]]]:
     for designation, sets in CATALOGUE:
         path = folder / f"catalogue {designation}.txt"
         processor([adore, "new", "--catalogue", designation, "--out", str(path)])
-        out.append((f"{designation}{', in oil (' + sets[0] + ')' if sets else ''}", str(path), sets))
+        out.append((f"{designation}{', in oil (' + sets[1] + ')' if len(sets) > 1 else ''}", str(path), sets))
     return out
 
 
@@ -112,7 +111,7 @@ def main() -> int:
     parser.add_argument("names", nargs="*", help="only decks whose name contains one of these")
     parser.add_argument("--out")
     parser.add_argument("--keep")
-    parser.add_argument("--longest", type=float, default=60.0)
+    parser.add_argument("--turns", type=float, default=6.0)
     args = parser.parse_args()
     rows: dict[str, dict] = {}
     if args.keep and Path(args.keep).exists():
@@ -122,19 +121,7 @@ def main() -> int:
         for name, path, sets in decks(args.adore, folder):
             if name in rows or (args.names and not any(part in name for part in args.names)):
                 continue
-            row = measure(args.adore, path, None, sets) if args.longest <= 0 else None
-            if row is None:
-                extra = [word for one in sets for word in ("--set", one)]
-                plan = processor([args.adore, "plan", path, "--json", *extra])
-                try:
-                    seconds = json.loads(plan[2])["run_cost"]["processor_s"]
-                    turns = json.loads(plan[2])["run_cost"]["pilot_revolutions"]
-                except (KeyError, ValueError):
-                    seconds = turns = 0.0
-                until = None
-                if seconds > args.longest and turns > 0:
-                    until = f"{float(f'{turns * args.longest / 6.0:.2g}')}rev"
-                row = measure(args.adore, path, until, sets)
+            row = measure(args.adore, path, f"{args.turns:g}rev" if sets else None, sets)
             rows[name] = row
             print(name, row, file=sys.stderr, flush=True)
             if args.keep:

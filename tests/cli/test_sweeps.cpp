@@ -279,6 +279,26 @@ TEST_CASE("adore run --accuracy says what it chose, and goes on with it", "[cli]
   CHECK(contains(report["notes"].dump(), "settings for an error of 30 %"));
 }
 
+TEST_CASE("adore plan, check and new: --until and --set act", "[cli]") {
+  const Folder folder;
+  const std::string deck = (folder / "DATA.txt").string();
+  const Result made = run_adore("new ball --set rpm2=4321 --out " + deck);
+  REQUIRE(made.code == 0);
+  CHECK(contains(read(folder / "DATA.txt"), "4321"));
+  CHECK(contains(made.out, "4321 rpm"));
+  CHECK(run_adore("new ball --set rpm3=1 --out " + (folder / "no.txt").string()).code == 2);
+  CHECK(run_adore("check " + deck + " --set pitchDia=0.001").code == 2);
+  CHECK(run_adore("check " + deck + " --set rpm2=5000").code == 0);
+  const Result plan = run_adore("plan " + deck + " --until 0.02rev");
+  CHECK(plan.code == 0);
+  CHECK(contains(plan.out, "processor time of the whole run"));
+  CHECK(contains(plan.out, "the pilot came to the end of the run"));
+  CHECK(contains(plan.out, "0.02 revolutions"));
+  const json none = json::parse(run_adore("plan " + deck + " --pilot 0 --json").out);
+  CHECK_FALSE(none.contains("run_cost"));
+  CHECK(run_adore("run " + deck + " --extend").code == 2);
+}
+
 TEST_CASE("adore run --verify says how far its results go with the tolerance", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -287,6 +307,10 @@ TEST_CASE("adore run --verify says how far its results go with the tolerance", "
   INFO(run.out);
   REQUIRE(run.code == 0);
   CHECK(contains(run.out, "verified:  against tol 1e-07"));
+  CHECK(contains(run.out, "accuracy:  over the 0.02 revolutions of this run, 95 % intervals"));
+  const json report = json::parse(read(folder / "out" / "RUN.json"));
+  CHECK(report["accuracy"]["quantities"].size() >= 10);
+  CHECK(report["verify"]["results"].contains("mean_cage_ratio"));
   // Whatever was set by hand.
   for (const char* sets : {"stpMax=0.8", "nStps=2", "stpMin=1e-4", "kIcOpt=0", "tol=1e-5"}) {
     const Result again =

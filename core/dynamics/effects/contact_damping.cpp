@@ -19,9 +19,9 @@ contact::DampingLaw<> law_of(const ScenePlan& plan, const bearing::Bearing& bear
   if (!plan.has(Effect::ContactDamping)) return {};
   const bearing::ContactLosses losses = bearing::contact_losses(a, b);
   contact::DampingLaw<> law;
-  const auto& [impact_loss, impact_only] = options.damping;
-  law.impact = 1.5 * (impact_loss > 0.0 ? impact_loss : losses.impact_loss);
-  if (!impact_only) law.material = losses.loss_factor * std::sqrt(mass);
+  const auto& [impact_loss, impact_only, factor] = options.damping;
+  law.impact = factor * 1.5 * (impact_loss > 0.0 ? impact_loss : losses.impact_loss);
+  if (!impact_only) law.material = factor * losses.loss_factor * std::sqrt(mass);
   law.onset = contact::kOnsetOverRadius * 0.5 * bearing.element_diameter();
   return law;
 }
@@ -84,7 +84,7 @@ contact::DampingLaw<> race_damping(const ScenePlan& plan, const bearing::Bearing
       law_of(plan, bearing, options, bearing.element_material, bearing.race_material[j],
              rollers != nullptr ? mass / rollers->contact_length() : mass);
   if (contact::is_damped(law) && !options.damping.impact_only)
-    law.material += film_squeeze(bearing, start, j);
+    law.material += options.damping.factor * film_squeeze(bearing, start, j);
   return law;
 }
 
