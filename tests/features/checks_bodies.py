@@ -462,8 +462,8 @@ def _(b):
     c = b.channels(base)
     return base.command[:100] + " ...", [
         close("energy of a larger polar inertia, I w^2 / 2 [J]", spin, 0.5 * (9.6e-6 - 8.996e-6) * omega**2, 0.01),
-        close("energy of a mass twice as large: m (e w)^2 / 2 of the whirl [J]", heavy, 0.5 * 0.009298 * (5e-5 * omega)**2, 0.2),
-        more("mass centre off by 50 um: difference of the cage's place [m]", abs(off["cage.position.1.3"][-1] - c["cage.position.1.3"][-1]), 1e-6),
+        close("energy of a mass twice as large: m (e w)^2 / 2 of the whirl and m g z [J]", heavy, 0.009298 * (0.5 * (5e-5 * omega)**2 - 9.81 * 5e-5), 0.02),
+        more("mass centre off by 50 um: difference of the cage's place [m]", abs(off["cage.position.1.3"][-1] - c["cage.position.1.3"][-1]), 1e-7),
         differs("tilted principal axes: angular velocity about y [rad/s]", frame["cage.angular_velocity.1.2"][-1], c["cage.angular_velocity.1.2"][-1], 1e-3)]
 
 
