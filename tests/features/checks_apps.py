@@ -10,6 +10,7 @@ import zlib
 
 from bench import Sol, close, equal, feature, less, more
 
+FLAGS = ["kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD21", "kMD31", "kMD12", "kMD22", "kMD32"]
 PLOT, WINDOW = "plots", "windows"
 SIZE = ("--size", "720x480")
 
@@ -56,6 +57,8 @@ def source(b, kind):
     if kind == "flanged":
         return b.run("cylindrical", sets={"kFlngInd12": 1, "kFlngInd22": 1, "flngHt12": 0.0015, "flngHt22": 0.0015, "flngAng12": 0.5, "flngAng22": 0.5,
                                           "flngCls2": 5e-5}, until="0.1rev").read("SOL1")
+    if kind == "race":
+        return b.run(sets={"kDCR": 1, **{n: 0 if n in ("kFD32", "kMD22", "kMD32") else 1 for n in FLAGS}}, until="0.1rev").read("SOL4")
     return b.run(until="0.3rev").read({"element": "SOL1", "cage": "SOL3", "race": "SOL4"}[kind])
 
 
@@ -85,7 +88,7 @@ for k, (identifier, columns) in enumerate((("F296", [1, 2, 3]), ("F297", [4, 5])
     page(identifier, "cage", k, columns, 2 if k in (1, 5, 9) else 1)
 for k, (identifier, columns) in enumerate((("F305", [1, 2, 3]), ("F306", [4, 5, 6]), ("F307", [7, 8, 9]), ("F308", [10, 11, 12]), ("F309", [14, 15]), ("F310", [13]),
                                            ("F311", [19, 20]), ("F312", [22, 23])), 1):
-    page(identifier, "race", k, columns, 2 if k != 2 else 1)
+    page(identifier, "race", k, columns, 3 if k != 3 else 2)
 
 
 @feature("F313", PLOT)
@@ -225,9 +228,12 @@ def _(b):
 @feature("F323", PLOT)
 def _(b):
     r = b.run(until="0.3rev")
-    folder = os.path.join(b.folder, "frames")
+    folder, alone = os.path.join(b.folder, "frames"), os.path.join(b.folder, "alone")
     os.makedirs(folder)
-    b.call(r.path("SOL8"), "--render", folder, "--view", "cage", "--every", "1", "--size", "320x240", program="agore")
+    os.makedirs(alone)
+    with open(os.path.join(alone, "SOL8"), "w", encoding="utf-8") as file:
+        file.write(r.read("SOL8"))
+    b.call(os.path.join(alone, "SOL8"), "--render", folder, "--view", "cage", "--every", "1", "--size", "320x240", program="agore")
     return "agore SOL8 --render pictures --view cage --every 1", [equal("pictures, the stored frames", len(os.listdir(folder)), (len(r.read("SOL8").splitlines()) - 4) // 13)]
 
 
@@ -292,9 +298,9 @@ covered("F331", "views: each view has its data curves")
 @feature("F261", WINDOW)
 def _(b):
     folder = os.path.join(b.folder, "input-pages")
-    b.call("--render", folder, "--size", "900x600", program="adrinput")
+    b.call(b.deck("ball"), "--render", folder, "--size", "900x600", program="adrinput")
     deck = sum(line.startswith("'") for line in open(b.deck("ball"), encoding="utf-8"))
-    return "adrinput --render pages", [more("pages of the example ball bearing that it starts with; its deck has that many records", len(os.listdir(folder)), deck - 3)]
+    return "adrinput ball.txt --render pages", [more("pages of the example ball bearing that it starts with; its deck has that many records", len(os.listdir(folder)), deck - 3)]
 
 
 @feature("F263", WINDOW)
