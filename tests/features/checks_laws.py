@@ -1,0 +1,526 @@
+"""Traction, lubricants, films, churning, power and wear (F165 to F218)."""
+
+import math
+
+from bench import between, close, differs, equal, feature, less, more, not_checked
+
+G = "laws"
+T350 = {t: 350.0 for t in ("hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp")}
+SHORT = "0.02rev"
+WEAK = {"reCageTC2": 0.0}
+
+
+def heat(b, run, part="outer race contacts"):
+    return run.ledger[f"heat, {part} [J]"]
+
+
+def four_conditions(k0, km, kinf, um):
+    """A, B, C, D of k = (A + B u) exp(-C u) + D, by bisection of km - kinf = A exp(-x) / (1 - x)."""
+    a, d = k0 - kinf, kinf
+    low, high = (1.0 + 1e-12, 60.0) if a < 0 else (1e-12, 1.0 - 1e-12)
+    for _ in range(300):
+        x = 0.5 * (low + high)
+        value = a * math.exp(-x) / (1.0 - x) - (km - kinf)
+        if (value > 0) == (a < 0):
+            low = x
+        else:
+            high = x
+    c = x / um
+    return a, c * a / (1.0 - x), c, d
+
+
+def same_run(b, deck, first, second, part, third=None, until=SHORT):
+    x, y = b.run(deck, sets=first, until=until), b.run(deck, sets=second, until=until)
+    out = [close(f"heat of the {part}, the same curve by A, B, C, D [J]", heat(b, x, part), heat(b, y, part), 1e-6)]
+    if third:
+        z = b.run(deck, sets=third, until=until)
+        out.append(differs("another curve [J]", heat(b, z, part), heat(b, x, part), 1e-3))
+    return x, out
+
+
+A, B, C, D = four_conditions(0.0, 0.06, 0.04, 0.5)
+DIRECT = {"kTracType": -1, "reRaceTC1": A, "reRaceTC2": B, "reRaceTC3": C, "reRaceTC4": D}
+
+
+@feature("F165", G)
+def _(b):
+    r, out = same_run(b, "ball", DIRECT, {}, "inner race contacts", {**DIRECT, "reRaceTC4": D + 0.01})
+    r2 = b.run(sets={"kTracType": -1, "reRaceTC1": 0.0, "reRaceTC2": 0.0, "reRaceTC3": 1.0, "reRaceTC4": 0.05}, until=SHORT)
+    return r.command, out + [more("constant k = 0.05: heat at the inner races [J]", heat(b, r2, "inner race contacts"), 0.0)]
+
+
+def user_curve(b, kind, formula, name):
+    return b.formulas(name, {"version": "curve", "adrx7": {kind: {"formula": formula, "slip_scale": "0.1"}}})
+
+
+@feature("F166", G)
+def _(b):
+    two = {"kTracType": 0, "reRaceTC1": 0.0, "reRaceTC2": 0.3, "reRaceTC3": 0.0002, "reRaceTC4": 0.2}
+    r = b.run(sets=two, until=SHORT)
+    law = user_curve(b, "element_race", "(u < 0.2) ? 0.3*u : 0.06 + 0.0002*(u-0.2)", "two")
+    same = b.run(sets={"kTrac": -1}, until=SHORT, more=["--user", law])
+    other = b.run(sets={**two, "reRaceTC4": 0.1}, until=SHORT)
+    return r.command, [close("heat at the inner races, that of the same curve by ADRX7 [J]", heat(b, r, "inner race contacts"), heat(b, same, "inner race contacts"), 0.02),
+                       differs("with the kink at 0.1 m/s [J]", heat(b, other, "inner race contacts"), heat(b, r, "inner race contacts"), 1e-2)]
+
+
+@feature("F167", G)
+def _(b):
+    r, out = same_run(b, "ball", {}, DIRECT, "inner race contacts", {"reRaceTC2": 0.07})
+    block = b.run(until="0.3rev").listing.split("Rolling element to race: k =", 1)[1].splitlines()
+    listed = [float(next(x for x in block if x.split()[:1] == [n]).split()[1]) for n in "ABCD"]
+    top = max((A + B * u) * math.exp(-C * u) + D for u in [0.001 * k for k in range(1, 3000)])
+    return r.command, out + [close("B of PRINT.txt [s/m]", listed[1], B, 1e-6), close("largest k of the curve", top, 0.06, 1e-6)]
+
+
+@feature("F168", G)
+def _(b):
+    curve = {"kTracType": 2, "reRaceTC1": 0.0, "reRaceTC2": 0.05, "reRaceTC3": 0.4, "reRaceTC4": 0.0}
+    same = {"kTracType": -1, "reRaceTC1": -0.05, "reRaceTC2": 0.0, "reRaceTC3": 8.0, "reRaceTC4": 0.05}
+    r, out = same_run(b, "ball", curve, same, "inner race contacts", {**curve, "reRaceTC3": 0.8})
+    return r.command, out
+
+
+def four_kinds(b, deck, kind, names, part, until=SHORT, extra=None):
+    """Types 1 and 2 against their A, B, C, D; type 0 against a slope that never ends; each changes with its values."""
+    extra = extra or {}
+    n = lambda *v: {**extra, **dict(zip(names, v))}  # noqa: E731
+    a, bb, c, d = four_conditions(0.0, 0.09, 0.05, 0.3)
+    direct = b.run(deck, sets={kind: -1, **n(a, bb, c, d)}, until=until)
+    four = b.run(deck, sets={kind: 1, **n(0.0, 0.09, 0.05, 0.3)}, until=until)
+    asym = b.run(deck, sets={kind: 2, **n(0.0, 0.08, 0.8, 0.0)}, until=until)
+    asym2 = b.run(deck, sets={kind: -1, **n(-0.08, 0.0, 10.0, 0.08)}, until=until)
+    slope = b.run(deck, sets={kind: 0, **n(0.0, 0.01, 0.01, 1.0)}, until=until)
+    slope2 = b.run(deck, sets={kind: 0, **n(0.0, 0.02, 0.02, 1.0)}, until=until)
+    h = [heat(b, r, part) for r in (direct, four, asym, asym2, slope, slope2)]
+    return four.command, [close(f"heat of the {part}: four conditions, that of A, B, C, D [J]", h[1], h[0], 1e-6, 1e-15),
+                          close("asymptote, that of A, B, C, D [J]", h[2], h[3], 1e-6, 1e-15),
+                          between("slope of 0.02 over slope of 0.01 s/m", h[5] / h[4] if h[4] else 0.0, 1.5, 2.3), differs("asymptote against four conditions [J]", h[2], h[1], 1e-3)]
+
+
+@feature("F169", G)
+def _(b):
+    return four_kinds(b, "tapered", "kRFTracType", ["reFlngTC1", "reFlngTC2", "reFlngTC3", "reFlngTC4"], "inner race flanges")
+
+
+@feature("F170", G)
+def _(b):
+    return four_kinds(b, "ball", "kCPTracType", ["reCageTC1", "reCageTC2", "reCageTC3", "reCageTC4"], "cage pockets", extra={"avRatio": 1.2})
+
+
+@feature("F171", G)
+def _(b):
+    return four_kinds(b, "ball", "kCRTracType", ["cageRaceTC1", "cageRaceTC2", "cageRaceTC3", "cageRaceTC4"], "guide lands", until="0.05rev",
+                      extra={"gravityVecZ": -6000.0})
+
+
+@feature("F172", G)
+def _(b):
+    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadZ": 3000.0, "nRe": 14}
+    names = ["reReTC1", "reReTC2", "reReTC3", "reReTC4"]
+
+    def last(kind, *v):
+        r = b.run(sets={**bare, "kRRTracType": kind, **dict(zip(names, v))}, until="1rev")
+        c = b.channels(r)
+        return r, sum(c[f"element.angular_velocity.{k}"][-1] for k in range(1, 15))
+
+    a, bb, c, d = four_conditions(0.0, 0.09, 0.05, 0.3)
+    r, four = last(1, 0.0, 0.09, 0.05, 0.3)
+    direct = last(-1, a, bb, c, d)[1]
+    asym, asym2 = last(2, 0.0, 0.08, 0.8, 0.0)[1], last(-1, -0.08, 0.0, 10.0, 0.08)[1]
+    none, slope = last(-1, 0.0, 0.0, 1.0, 0.0)[1], last(0, 0.0, 0.01, 0.01, 1.0)[1]
+    return r.command, [close("sum of the balls' speeds: four conditions, A, B, C, D [rad/s]", four, direct, 1e-7),
+                       close("asymptote, A, B, C, D [rad/s]", asym, asym2, 1e-7), differs("without friction between balls [rad/s]", none, four, 1e-7),
+                       differs("slope 0.01 s/m against none [rad/s]", slope, none, 1e-8)]
+
+
+@feature("F173", G)
+def _(b):
+    out, command = [], ""
+    for flag, kind, deck, part, extra, until in (
+            ("kTrac", "element_race", "ball", "inner race contacts", {}, SHORT), ("kCPTrac", "element_cage", "ball", "cage pockets", {"avRatio": 1.2}, SHORT),
+            ("kCRTrac", "cage_race", "ball", "guide lands", {"gravityVecZ": -6000.0}, "0.05rev"),
+            ("kRFTrac", "roller_flange", "tapered", "inner race flanges", {}, SHORT)):
+        h = []
+        for size in (0.03, 0.06):
+            r = b.run(deck, sets={**extra, flag: -1}, until=until, more=["--user", user_curve(b, kind, f"{size}*tanh(u/0.02)", f"{kind}{size}")])
+            h.append(heat(b, r, part))
+            command = r.command
+        out.append(between(f"{kind}: heat of twice the coefficient over that before", h[1] / h[0], 1.6, 2.3))
+    bare = {"nCseg": 0, "kNumPltElem": 1, "kPltElemInd": 1, "appLoadZ": 3000.0, "nRe": 14}
+    speeds = []
+    for size in (0.0001, 0.1):
+        r = b.run(sets={**bare, "kRRTrac": -1}, until="1rev", more=["--user", user_curve(b, "element_element", f"{size}*tanh(u/0.02)", f"rr{size}")])
+        c = b.channels(r)
+        speeds.append(sum(c[f"element.angular_velocity.{k}"][-1] for k in range(1, 15)))
+    out.append(differs("element_element: sum of the balls' speeds with 0.1 and 0.0001 [rad/s]", speeds[1], speeds[0], 1e-7))
+    return command, out
+
+
+def oil(code, **sets):
+    return {"kTrac": code, "reRaceFilm": 1e-9, "strParam": 10.0, **T350, **sets}
+
+
+def lubricated(b, code, **sets):
+    return b.run(sets=oil(code, **sets), until="0.01rev")
+
+
+def law(b, code, **inputs):
+    import json
+    slips = [0.001, 0.01, 0.05, 0.1, 0.3, 1.0]
+    done = b.call("calc", "traction", given=json.dumps({"kind": "lubricated_point", "inputs": {"kTrac": code, "T": 350.0, "slip": slips, **inputs}}))
+    out = json.loads(done.stdout)
+    return out.get("results", out)
+
+
+def film(b, run, first=False):
+    c = b.channels(run)
+    t = 0 if first else len(c["time"]) // 2
+    return c["contact.film.1.2"][t]
+
+
+def slow(b, code, **sets):
+    """At 100 rpm the inlet is hardly heated; the first step will do."""
+    return b.run(sets=oil(code, **{"rpm2": 100.0, **sets}), until="0.0001rev")
+
+
+def hamrock_dowson(mu, alpha, u, rx, load, k, modulus=2.26e11):
+    return 2.69 * rx * (mu * u / modulus / rx)**0.67 * (alpha * modulus)**0.53 * (load / modulus / rx**2)**-0.067 * (1 - 0.61 * math.exp(-0.73 * k))
+
+
+def lubricant(identifier, code, relation=None):
+    @feature(identifier, "lubricants")
+    def _(b):
+        r, mine, base = lubricated(b, code), law(b, code), law(b, 4)
+        ratio = film(b, slow(b, code), True) / film(b, slow(b, 4), True)
+        wanted = (mine["mu"] / base["mu"])**0.67 * (mine["alpha"] / base["alpha"])**0.53
+        kappa = [abs(v) for v in mine["kappa"]]
+        h = r.ledger["heat, inner race contacts [J]"]
+        out = [close("film over that of kTrac 4, by viscosity and pressure coefficient (Hamrock and Dowson)", ratio, wanted, 0.25),
+               between("largest traction coefficient at 1.2 GPa", max(kappa), 0.005, 0.13), more("traction rises with slip: k(0.05) / k(0.001)", kappa[2] / kappa[0], 1.2),
+               more("heat at the inner races [J]", h, 0.0)]
+        warm = slow(b, code, **{t: 380.0 for t in T350})
+        out.append(less("film at 380 K over that at 350 K, 100 rpm", film(b, warm, True) / film(b, slow(b, code), True), 0.85))
+        if relation:
+            out += relation(b)
+        return r.command, out
+
+
+def about(value, low, high, what):
+    return lambda b: [between(what, value(b), low, high)]
+
+
+for number, identifier in ((1, "F184"), (2, "F185"), (3, "F186"), (4, "F187"), (5, "F188"), (6, "F189"), (7, "F190"), (8, "F191"), (10, "F193"), (11, "F194"),
+                           (12, "F195"), (13, "F196"), (14, "F197"), (15, "F198"), (16, "F199"), (17, "F200"), (18, "F201"), (19, "F202"), (20, "F203")):
+    lubricant(identifier, number)
+
+
+@feature("F174", "lubricants")
+def _(b):
+    k = law(b, 4)["kappa"]
+    hot = law(b, 4, T=390.0)["kappa"]
+    r, fast = lubricated(b, 4), lubricated(b, 1)
+    return r.command, [less("Newtonian film heated by its own shear: k(1.0) / k(0.3), below the isothermal ratio", abs(k[5] / k[4]), 3.3),
+                       more("k(0.01) / k(0.001), linear at small slip", abs(k[1] / k[0]), 5.0), less("traction 40 K hotter over that before", abs(hot[2] / k[2]), 1.0),
+                       differs("heat of the other viscosity law, code 1 [J]", fast.ledger["heat, inner race contacts [J]"], r.ledger["heat, inner race contacts [J]"], 1e-3)]
+
+
+@feature("F175", "lubricants")
+def _(b):
+    k8, k12 = law(b, 8)["kappa"], law(b, 12)["kappa"]
+    r = lubricated(b, 8)
+    return r.command, [less("kTrac 8: k(1.0) / k(0.1), limited by the critical stress", abs(k8[5] / k8[3]), 3.0), less("kTrac 12: k(1.0) / k(0.1)", abs(k12[5] / k12[3]), 3.0),
+                       more("kTrac 8: k(0.01) / k(0.001)", abs(k8[1] / k8[0]), 3.0), more("heat of the run [J]", r.ledger["heat, inner race contacts [J]"], 0.0)]
+
+
+@feature("F176", "lubricants")
+def _(b):
+    thin, newton = law(b, 11)["kappa"], law(b, 10)["kappa"]
+    r, n = lubricated(b, 11), lubricated(b, 10)
+    return r.command, [less("shear-thinning over Newtonian traction of the same oil (11 and 10) at 0.3 m/s", abs(thin[4] / newton[4]), 1.0001),
+                       differs("heat of the runs [J]", r.ledger["heat, inner race contacts [J]"], n.ledger["heat, inner race contacts [J]"], 1e-4)]
+
+
+@feature("F177", "lubricants")
+def _(b):
+    dry = b.run(sets=T350, until="0.01rev")
+    thick = lubricated(b, 4, reRaceFilm=1e-3)
+    thin = lubricated(b, 4)
+    h = [r.ledger["heat, inner race contacts [J]"] for r in (dry, thick, thin)]
+    return thick.command, [close("heat with a critical film of 1 mm, that of the hypothetical curve [J]", h[1], h[0], 0.02), differs("with one of 1 nm [J]", h[2], h[0], 1e-2)]
+
+
+@feature("F178", "lubricants")
+def _(b):
+    full, starved = lubricated(b, 4, strParam=10.0), lubricated(b, 4, strParam=1.1)
+    at = lubricated(b, 4, reRaceFilm=film(b, full) * 3)
+    return starved.command, [less("film with the meniscus at 1.1 half widths over the flooded film", film(b, starved) / film(b, full), 0.95), more("film stays", film(b, starved), 1e-9),
+                             differs("heat with a critical film of 3 times the film [J]", at.ledger["heat, inner race contacts [J]"], full.ledger["heat, inner race contacts [J]"], 1e-2)]
+
+
+@feature("F179", "lubricants")
+def _(b):
+    import json
+    q = json.loads(b.call("calc", "film", given=json.dumps({"kind": "hamrock_dowson_hard_ehl", "inputs": {"formula": "hamrockDowson", "mu0": 0.0116, "alpha": 1.1765e-8, "u": 12.0,
+                  "Eprime": 226373626374.0, "Rx": 0.0051, "load": 450.0, "k": 7.8}})).stdout)
+    q = q.get("results", q)
+    r = lubricated(b, 4)
+    c = b.channels(r)
+    t = len(c["time"]) // 2
+    data = law(b, 4)
+    u = 0.5 * 0.0265 * (10000 - 4080) * math.pi / 30 * 2  # both surfaces in the contact's frame
+    gamma = 0.0127 * math.cos(c["contact.angle.1.2"][t]) / 0.06
+    k = c["contact.half_major.1.2"][t] / c["contact.half_minor.1.2"][t]
+    u = 0.5 * (0.06 - 0.0127 * math.cos(c["contact.angle.1.2"][t])) * (10000 - 4080) * math.pi / 30
+    h = hamrock_dowson(data["mu"], data["alpha"], u, 0.00635 * (1 - gamma), c["contact.load.1.2"][t], k)
+    roller = b.run("cylindrical", sets=oil(4), until="0.01rev")
+    fast = b.run("cylindrical", sets=oil(4, rpm2=3000.0), until="0.005rev")
+    ratio = film(b, fast) / film(b, roller)
+    return r.command, [close("central film of the calculator (Hamrock and Dowson) [m]", q["hCentral"], hamrock_dowson(0.0116, 1.1765e-8, 12.0, 0.0051, 450.0, 7.8, 226373626374.0), 2e-3),
+                       between("film of the run over the isothermal flooded formula: thermal reduction", film(b, r) / h, 0.5, 1.05),
+                       between("line contact: film at half speed over that at full (u^0.7, less heated)", ratio, 0.55, 0.75)]
+
+
+USER = {"refTemp": 350.0, "refVis": 0.01, "prVisCoeff": 1.5e-8, "tempVisCoeff": 4000.0, "lubTherCond": 0.14, "lubDen": 900.0, "lubSpHeat": 2000.0, "refTracVis": 0.01,
+        "tracVisCoeff1": 1.2e-8, "tracVisCoeff2": 0.03, "lubName": "'own oil'"}
+
+
+def own(b, **sets):
+    values = {**oil(9), **USER, **sets}
+    return b.run(sets={k: v for k, v in values.items() if k != "lubName"}, until="0.01rev")
+
+
+@feature("F180", "lubricants")
+def _(b):
+    r = own(b)
+    f = film(b, r)
+    h = r.ledger["heat, inner race contacts [J]"]
+    return r.command, [between("film with twice the viscosity over that before: 2^0.67 less heating", film(b, own(b, refVis=0.02)) / f, 1.35, 1.65),
+                       between("film with twice the pressure coefficient: 2^0.53", film(b, own(b, prVisCoeff=3e-8)) / f, 1.3, 1.5),
+                       between("film 10 K hotter: exp(4000 (1/360 - 1/350))^0.67", film(b, own(b, **{t: 360.0 for t in T350})) / f, 0.75, 0.86),
+                       differs("heat with another traction viscosity [J]", own(b, refTracVis=0.001).ledger["heat, inner race contacts [J]"], h, 1e-2),
+                       differs("with another pressure coefficient of it [J]", own(b, tracVisCoeff1=6e-9).ledger["heat, inner race contacts [J]"], h, 1e-2),
+                       differs("with another temperature coefficient of it [J]", own(b, tracVisCoeff2=0.06).ledger["heat, inner race contacts [J]"], h, 1e-4),
+                       differs("with another conductivity [J]", own(b, lubTherCond=0.5).ledger["heat, inner race contacts [J]"], h, 1e-4)]
+
+
+@feature("F181", "lubricants")
+def _(b):
+    off, on = lubricated(b, 12), lubricated(b, 12, iTherm=1)
+    four, four_on = lubricated(b, 4), lubricated(b, 4, iTherm=1)
+    h = [r.ledger["heat, inner race contacts [J]"] for r in (off, on, four, four_on)]
+    return on.command, [less("heat at the inner races with the correction over that without", h[1] / h[0], 1.0), equal("no effect on kTrac 4 [J]", h[3], h[2])]
+
+
+@feature("F182", "lubricants")
+def _(b):
+    laws = [user_curve(b, "element_race", f"{s}*tanh(u/0.05)", f"law{s}") for s in (0.02, 0.04)]
+    h = [b.run(sets={"kTrac": -1}, until=SHORT, more=["--user", x]) for x in laws]
+    return h[0].command, [between("heat of twice the law over that before", h[1].ledger["heat, inner race contacts [J]"] / h[0].ledger["heat, inner race contacts [J]"], 1.7, 2.2)]
+
+
+@feature("F183", "lubricants")
+def _(b):
+    r, half = b.run(until=SHORT), b.run(sets={"reRaceTC2": 0.03, "reRaceTC3": 0.02}, until=SHORT)
+    return r.command, [between("heat of half the curve over that before", half.ledger["heat, inner race contacts [J]"] / r.ledger["heat, inner race contacts [J]"], 0.42, 0.58)]
+
+
+@feature("F192", "lubricants")
+def _(b):
+    r = own(b)
+    high = own(b, prVisCoeff=2.5e-8)
+    limit = [n for n in r.json["notes"] if "stress limit" in n or "limiting" in n]
+    peak = b.call("schema").stdout
+    return r.command, [more("film with a pressure coefficient of 25 over 15 1/GPa", film(b, high) / film(b, r), 1.1),
+                       equal("the deck has a variable for the limiting stress of a user lubricant", any(w in peak for w in ("limStress", "tracStrLim", "lubStrLim", "stressLimit")), True),
+                       equal("a note says where the law's stress is beyond what oils carry, or none is", isinstance(limit, list), True)]
+
+
+HYDRO = {"pocVis": 0.02, "gsVis": 0.02}
+
+
+@feature("F204", G)
+def _(b):
+    r = b.run(sets={"kPocHydro": 1, **HYDRO}, until="0.1rev")
+    c = b.channels(r)
+    thick = b.run(sets={"kPocHydro": 1, "pocVis": 0.04, "gsVis": 0.02}, until="0.1rev")
+    dry = b.run(until="0.1rev")
+    film_of = [k for k in r.ledger if "pocket" in k and "film" in k]
+    return r.command, [equal("pocket films in the plan", [e["on"] for e in r.json["plan"]["effects"] if e["name"] == "pocket films"][0], True),
+                       more("heat of the films [J]", sum(r.ledger[k] for k in film_of), 0.0), differs("cage speed with twice the viscosity [rad/s]",
+                       b.channels(thick)["cage.angular_velocity.1.1"][-1], c["cage.angular_velocity.1.1"][-1], 1e-7),
+                       less("energy residual over energy moved", r.ledger["residual over energy moved"], 1e-4), equal("items without films", sum("film" in k for k in dry.ledger), 0)]
+
+
+@feature("F205", G)
+def _(b):
+    r = b.run(sets={"kGsHydro": 1, **HYDRO}, until="0.1rev")
+    thick = b.run(sets={"kGsHydro": 1, "pocVis": 0.02, "gsVis": 0.04}, until="0.1rev")
+    h = [sum(v for k, v in x.ledger.items() if "guide-land film" in k or ("land" in k and "film" in k)) for x in (r, thick)]
+    c = b.channels(r)
+    # Petroff: 2 pi mu w^2 r^3 L / c for both lands at the start
+    w = c["cage.angular_velocity.1.1"][0]
+    petroff = 2 * 2 * math.pi * 0.02 * w * w * 0.033**3 * 0.002 / 1.489e-4
+    p = c["power.land_film_heat"][1]
+    return r.command, [between("heat of the land films over Petroff's [W]", p / petroff, 0.8, 1.6), between("twice the viscosity over that before", h[1] / h[0], 1.7, 2.2)]
+
+
+@feature("F206", G)
+def _(b):
+    both = {"kPocHydro": 1, "kGsHydro": 1}
+    x = [b.run(sets={**both, "pocVis": p, "gsVis": g}, until="0.05rev") for p, g in ((0.02, 0.02), (0.04, 0.02), (0.02, 0.04))]
+    pocket = [sum(abs(v) for v in b.channels(r)["cage.angular_velocity.1.1"][-1:]) for r in x]
+    land = [sum(b.channels(r)["power.land_film_heat"]) for r in x]
+    return x[1].command, [differs("cage speed with twice pocVis [rad/s]", pocket[1], pocket[0], 1e-8), between("land films: the same", land[1] / land[0], 0.9, 1.1),
+                          between("land films: twice gsVis", land[2] / land[0], 1.7, 2.2)]
+
+
+def drag(run):
+    return run.json["quasi_static"]["tables"]["friction"].get("drag of elements in the medium [W]", [0.0])[0]
+
+
+@feature("F207", G)
+def _(b):
+    r = b.run(until=SHORT)
+    return r.command, [equal("churning fraction of SOL7", max(r.sol("SOL7").column(2)), 0.0), equal("drag of elements, statics [W]", drag(b.static()), 0.0)]
+
+
+@feature("F208", G)
+def _(b):
+    r = b.static(sets=oil(4, kChrn=1, denRatio=0.1, visRatio=1.0))
+    twice = b.static(sets=oil(4, kChrn=1, denRatio=0.2, visRatio=1.0))
+    refused = b.static(sets={"kChrn": 1, "denRatio": 0.1, "visRatio": 1.0}, check=False)
+    return r.command, [more("drag of the balls in a tenth of oil [W]", drag(r), 1.0), between("with twice the density over that before", drag(twice) / drag(r), 1.7, 2.1),
+                       equal("without a lubricant: exit code", refused.code, 2)]
+
+
+@feature("F209", G)
+def _(b):
+    r = b.static(sets={"kChrn": 2, "chnDen": 90.0, "chnVis": 0.005})
+    twice = b.static(sets={"kChrn": 2, "chnDen": 180.0, "chnVis": 0.005})
+    thick = b.static(sets={"kChrn": 2, "chnDen": 90.0, "chnVis": 5.0})
+    e = r.elements
+    v = 0.0300052 * 4079 * math.pi / 30
+    area = math.pi / 4 * 0.0127**2
+    cd = drag(r) / 12 / (0.5 * 90.0 * v**3 * area)
+    return r.command, [between("drag coefficient of a ball on its free area P / (rho v^3 A / 2)", cd, 0.15, 2.0), between("twice the density", drag(twice) / drag(r), 1.7, 2.05),
+                       more("a thousand times the viscosity (Reynolds number below 100)", drag(thick) / drag(r), 1.3), equal("balls", len(e["inner load [N]"]), 12)]
+
+
+@feature("F210", G)
+def _(b):
+    import json
+    out, command = [], ""
+    for code, temperature in ((3, 95.0), (4, 20.0), (5, 77.0), (6, 112.0), (7, 112.0), (8, 293.15), (9, 293.15), (10, 293.15), (11, 293.15), (12, 293.15), (13, 293.15), (14, 293.15)):
+        t = {n: temperature for n in T350}
+        r = b.static(sets={**t, "kChrn": code, "denRatio": 0.1, "visRatio": 1.0}, check=False)
+        command = r.command
+        fluid = json.loads(b.call("calc", "fluid", given=json.dumps({"kind": "fluid_property", "code": code, "T": temperature})).stdout)
+        fluid = fluid.get("results", fluid)
+        same = b.static(sets={**t, "kChrn": 2, "chnDen": 0.1 * fluid["density"], "chnVis": fluid["viscosity"]}, check=False)
+        if r.code or same.code:
+            out.append(equal(f"code {code} at {temperature} K: exit code", max(r.code, same.code), 0))
+        else:
+            out.append(close(f"code {code}: drag, that of the same density and viscosity by record 10.7A [W]", drag(r), drag(same), 1e-6))
+    return command, out
+
+
+@feature("F211", G)
+def _(b):
+    import json
+
+    def calc(**inputs):
+        out = json.loads(b.call("calc", "churning", given=json.dumps({"kind": "cylinder_concentric_annulus", "inputs": {"kind": "annulus", "rho": 900.0, "mu": 0.002, "r": 0.05,
+                                "c": 0.001, "length": 0.02, "omega": 1500.0, **inputs}})).stdout)
+        return out.get("results", out)
+
+    slow = calc(omega=1.0)
+    laminar = 2 * math.pi * 0.002 * 0.05**3 * 1.0 * 0.02 / 0.001
+    lox = b.static("lox-turbopump")
+    parts = lox.table("friction")
+    double = b.static("lox-turbopump", sets={"rpm2": 15000.0})
+    return "adore calc churning (annulus)", [close("laminar torque (Petroff) [N.m]", slow["torque"], laminar, 0.05),
+                                             more("turbulent torque at 1500 rad/s over the laminar one", calc()["torque"] / (laminar * 1500.0), 2.0),
+                                             more("drag of the cage in LOX [W]", parts["drag of the cage in the medium [W]"][0], 1.0),
+                                             between("drag of the balls, 30000 over 15000 rpm: 2^3 less the drag crisis", parts["drag of elements in the medium [W]"][0] /
+                                                     double.table("friction")["drag of elements in the medium [W]"][0], 2.0, 9.0)]
+
+
+@feature("F212", G)
+def _(b):
+    r = b.run(sets={"kChrn": 2, "chnDen": 90.0, "chnVis": 0.005}, until="0.05rev")
+    c = b.channels(r)
+    t = len(c["time"]) // 2
+    whole = c["power.loss"][t]
+    part = c["power.element_drag"][t] + c["power.cage_drag"][t]
+    return r.command, [close("fraction of SOL7, (drag of balls and cage) / power", r.sol("SOL7").column(2)[t], part / whole, 1e-5), more("fraction", part / whole, 0.01)]
+
+
+@feature("F213", G)
+def _(b):
+    r = b.run("tapered", sets=oil(4, kChrn=2, chnDen=90.0, chnVis=0.005), until="0.05rev")
+    c = b.channels(r)
+    t = len(c["time"]) // 2
+    parts = sum(v[t] for k, v in c.items() if k.startswith(("contact.heat.", "flange.heat.", "element.pocket_heat.", "land.heat.")) and not math.isnan(v[t]))
+    parts += sum(c[k][t] for k in ("power.element_drag", "power.cage_drag") if k in c)
+    rolling = [k for k in c if "rolling" in k]
+    s = r.sol("SOL1")
+    return r.command, [close("heat of all contacts and drags, the power of SOL7 [W]", parts, c["power.loss"][t], 1e-3),
+                       more("channels of rolling resistance per contact", len(rolling), 0), close("SOL1 heat at the inner race, that of RESULTS.h5 [W]", s.column(25)[t],
+                       c["contact.heat.1.2"][t], 1e-3, 1e-6)]
+
+
+@feature("F214", G)
+def _(b):
+    r = b.run(until="0.3rev")
+    c = b.channels(r)
+    total = {1: 0.0, 2: 0.0}
+    for race in (1, 2):
+        for k in range(1, 13):
+            v = c[f"contact.load_slip.{k}.{race}"]
+            total[race] += sum(0.5 * (v[t] + v[t - 1]) * (c["time"][t] - c["time"][t - 1]) for t in range(1, len(v)))
+    out = []
+    for race in (1, 2):
+        # K = 1e-6, H = 7.061e9 Pa; half of the wear goes to each body of equal coefficients
+        out.append(close(f"wear rate of race {race}, K/H times the mean of load times slip [m^3/s]", c[f"race.wear_rate.{race}"][-1], 1e-6 / 7.061e9 * total[race] /
+                         c["time"][-1], 0.05))
+    return r.command, out + [more("wear rate of the cage [m^3/s]", c["power.cage_wear_rate"][-1], 0.0)]
+
+
+@feature("F215", G)
+def _(b):
+    r = b.run(until="0.3rev")
+    s = r.sol("SOL7")
+    c = b.channels(r)
+    rate = [x * t for x, t in zip(s.column(12), s.times)]
+    return r.command, [equal("worn volume never falls", all(y >= x - 1e-22 for x, y in zip(rate, rate[1:])), True), close("SOL7 value 12, RESULTS.h5 [m^3/s]", s.column(12)[-1],
+                       c["race.wear_rate.2"][-1], 1e-6), more("worn volume of the inner race [m^3]", rate[-1], 0.0)]
+
+
+@feature("F216", G)
+def _(b):
+    r = b.run(until="0.3rev")
+    c = b.channels(r)
+    mean = sum(c[f"element.orbital_position.{k}"][-1] - c[f"element.orbital_position.{k}"][0] for k in range(1, 13)) / 12
+    return r.command, [close("mean orbital ratio, turned angle of the balls over that of the shaft", r.summary["mean_orbital_ratio"], mean / c["shaft_rotation"][-1], 1e-3)]
+
+
+@feature("F217", G)
+def _(b):
+    r = b.run(until="0.3rev")
+    c = b.channels(r)
+    return r.command, [close("mean cage ratio, turned angle of the cage over that of the shaft", r.summary["mean_cage_ratio"],
+                             (c["cage.rotation.1"][-1] - c["cage.rotation.1"][0]) / c["shaft_rotation"][-1], 1e-3),
+                       close("SOL3 value 22", r.sol("SOL3").column(22)[-1], c["cage.angular_velocity.1.1"][-1] / (10000 * math.pi / 30), 1e-5)]
+
+
+@feature("F218", G)
+def _(b):
+    r = b.run(until="0.3rev")
+    c = b.channels(r)
+    t = len(c["time"]) // 2
+    y, z, vy, vz = (c[f"cage.{n}.1.{a}"][t] for n in ("position", "velocity") for a in (2, 3))
+    whirl = (y * vz - z * vy) / (y * y + z * z) / (10000 * math.pi / 30)
+    return r.command, [close("whirl ratio of SOL3, (y vz - z vy) / r^2 over the shaft's speed", r.sol("SOL3").column(1)[t], whirl, 1e-3),
+                       differs("another start (wvRatio 0): first whirl ratio", b.run(sets={"wvRatio": 0.0}, until="0.002rev").sol("SOL3").column(1)[0],
+                               r.sol("SOL3").column(1)[0], 1e-2)]
