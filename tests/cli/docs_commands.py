@@ -9,7 +9,7 @@ the first option select a help text, which must list each --option of the comman
 
 Code blocks: blocks `sh` run in bash, blocks `python` in one interpreter per page, in the order of the page and in one
 new folder. A block `text` quotes lines of the output of the block above it: each line must be there, in this order,
-with blanks compressed; `...` is a gap. A block whose first line is "```sh no-run: REASON" does not run; the tutorials
+with blanks compressed; `...` stands for anything, lines or a part of one. A block whose first line is "```sh no-run: REASON" does not run; the tutorials
 together have at most 15 of them. PYTHONPATH must lead to the module `adore`. --update replaces quoted lines whose words
 changed and whose numbers did not; --show prints the output of each block.
 """
@@ -115,7 +115,7 @@ class Runner:
 
     def run_python(self, code):
         if not self.python:
-            self.python = subprocess.Popen(["/usr/bin/python3", "-c", PYTHON_SERVER], cwd=self.folder, env=self.environment, text=True,
+            self.python = subprocess.Popen([sys.executable, "-c", PYTHON_SERVER], cwd=self.folder, env=self.environment, text=True,
                                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.python.stdin.write(f"{len(code)}\n{code}")
         self.python.stdin.flush()
@@ -140,14 +140,19 @@ def numbers_of(line):
     return re.findall(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?", line)
 
 
+def is_quoted(line, quote):
+    """`...` in a quote stands for any text."""
+    return re.fullmatch(".*".join(re.escape(part.strip()) for part in quote.split("...")), line) is not None
+
+
 def check_quote(quoted, output):
     """Faults of quoted lines, and the lines with today's words where only words changed."""
     lines, at, faults, current = [compressed(line) for line in output.splitlines()], 0, [], []
     for line in quoted:
         current.append(line)
-        if compressed(line) in ("", "..."):
+        if compressed(line) in ("", "..."):  # blank lines and gaps
             continue
-        found = next((i for i in range(at, len(lines)) if lines[i] == compressed(line)), None)
+        found = next((i for i in range(at, len(lines)) if is_quoted(lines[i], compressed(line))), None)
         if found is None:
             faults.append(f"not in the output: {compressed(line)}")
             found = next((i for i in range(at, len(lines)) if numbers_of(line) and numbers_of(lines[i]) == numbers_of(line)), None)
