@@ -364,8 +364,9 @@ std::string torque_markdown(const std::vector<TorqueTable>& tables) {
     out += fmt::format(
         "\n## {}, {}\n\n{:.1f} mm²/s at 70 °C, flooded, no medium in the cavity; N mm. The last "
         "two "
-        "columns are ours over the formula. Left out: {} points above the limiting speed, {} below "
-        "the minimum load.\n\n",
+        "columns are ours over the formula. Points left out above the limiting speed: {}, below "
+        "the "
+        "minimum load: {}.\n\n",
         table.bearing, table.oil, 1e6 * table.viscosity, table.above_speed, table.below_load);
     out +=
         "| Fr [N] | Fa [N] | rpm | rolling | sliding | spin | rib | ours | formula: rolling | "

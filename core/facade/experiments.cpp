@@ -624,7 +624,7 @@ void add_catalogue(const std::string& file, Experiment& out) {
     }
   }
   out.assumed.push_back(fmt::format(
-      "left out: {} points above the limiting speed, {} below the minimum load", speed, load));
+      "points left out above the limiting speed: {}, below the minimum load: {}", speed, load));
 }
 
 }  // namespace

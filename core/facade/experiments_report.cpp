@@ -76,8 +76,8 @@ std::vector<std::string> summary_lines(const ExperimentSummary& s) {
   std::vector<std::string> out{
       fmt::format("{} of {} bounds are kept, {} of {} signs agree.", s.bounds_held, s.bounds,
                   s.signs_agree, s.signs),
-      fmt::format("{} blind rows (the measured figure is kept aside), {} rows are not computed, {} "
-                  "failed, {} are parts of others.",
+      fmt::format("Blind (the measured figure is kept aside): {}. Not computed: {}. Failed: {}. "
+                  "Parts of other rows: {}.",
                   s.kept_aside, s.not_computed, s.failed, s.parts)};
   out.insert(out.end(), s.remarks.begin(), s.remarks.end());
   return out;
