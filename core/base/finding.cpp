@@ -33,6 +33,7 @@ std::vector<FindingKind> read_register() {
     one.unit = entry.value("unit", std::string());
     one.phrase = entry.value("phrase", std::string());
     one.range = entry.value("range", std::string());
+    one.field = entry.value("field", std::string());
     one.topic = entry.value("topic", std::string());
     one.quiet = entry.value("quiet", false);
     if (!one.range.empty()) {

@@ -29,6 +29,7 @@ struct FindingKind {
   std::string unit;      ///< of value and limit; empty: a pure number
   std::string phrase;  ///< by which sentences of lower modules are recognized; empty: by code only
   std::string range;   ///< entry of the register of validity; empty: none
+  std::string field;   ///< deck variable to which a click leads; empty: none
   std::string topic;   ///< "cage", "contact", "film" ...: curves and pages that show it
   bool quiet = false;  ///< PRINT.txt has it on its page: not repeated in the list of remarks
 };

@@ -42,8 +42,8 @@ struct DeckRequest {
 };
 
 struct LoadedDeck {
-  std::filesystem::path path;  ///< the deck file
-  deck::Deck deck;             ///< with the sets applied
+  std::filesystem::path path;     ///< the deck file
+  deck::Deck deck;                ///< with the sets applied
   std::vector<Finding> warnings;  ///< of the reader, and what the model, statics and run add
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
   std::filesystem::path user;                        ///< as in the request

@@ -11,8 +11,8 @@
 namespace adore::facade {
 
 struct PlanReport {
-  std::string text;             ///< for people
-  nlohmann::ordered_json json;  ///< bodies, effects with their reasons, estimates, disk
+  std::string text;              ///< for people
+  nlohmann::ordered_json json;   ///< bodies, effects with their reasons, estimates, disk
   std::vector<Finding> remarks;  ///< on the deck
 };
 

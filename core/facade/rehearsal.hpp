@@ -8,7 +8,7 @@ namespace adore::facade {
 
 /// What `adore run` says of a deck before its first step.
 struct Rehearsal {
-  std::vector<Issue> refusals;  ///< errors; empty: the run begins
+  std::vector<Issue> refusals;   ///< errors; empty: the run begins
   std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
 };
 

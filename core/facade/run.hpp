@@ -59,7 +59,7 @@ struct RunOutcome {
                         ///< stored step. Done: says so when there was nothing left to do
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
-  std::vector<Finding> warnings;     ///< all findings (base/finding.hpp)
+  std::vector<Finding> warnings;             ///< all findings (base/finding.hpp)
   std::vector<std::string> results;  ///< of a quasi-static run: displacement, largest load and
                                      ///< pressure, life, a line each in the deck's units
   long steps = 0;

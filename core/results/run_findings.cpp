@@ -11,6 +11,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace adore::results {
 namespace fs = std::filesystem;
 namespace {
@@ -47,7 +50,13 @@ std::string read_text(hid_t object, const char* name) {
 }  // namespace
 
 void store_findings(const WritePath& results_h5, std::span<const Finding> findings) {
-  const std::string text = dump_json(findings_json(findings));
+  std::vector<Finding> known;
+  std::copy_if(findings.begin(), findings.end(), std::back_inserter(known), [](const Finding& one) {
+    const FindingKind* kind = find_finding_kind(one.code);
+    return kind != nullptr && !one.time &&
+           (kind->origin == "check" || kind->origin == "statics" || kind->origin == "plan");
+  });
+  const std::string text = dump_json(findings_json(known));
   if (text.size() > kMostText) return;
   const Handle access = h5::access_list();
   h5::use_safe_driver(access, results_h5.folder());
@@ -84,6 +93,7 @@ std::vector<Finding> stored_findings(const fs::path& results_h5) {
 }
 
 std::vector<Finding> run_findings(const fs::path& run) {
+  if (run.empty()) return {};
   std::error_code error;
   const fs::path folder = fs::is_directory(run, error) ? run : run.parent_path();
   const auto list = read_run_member(folder / "RUN.json", "findings");

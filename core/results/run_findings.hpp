@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
-/// Findings of a finished run: list `findings` of RUN.json, and the same as text in the attributes
-/// "findings" and "findings checksum" of RESULTS.h5.
+/// Findings of a finished run: list `findings` of RUN.json. RESULTS.h5 has those known before the
+/// first step (origins check, statics and plan) as text in the attributes "findings" and "findings
+/// checksum": it has the same bytes however often the run was continued, and the watches of a
+/// motion begin anew in each process (decision 809).
 namespace adore::results {
 
 /// Adds the attributes to a closed RESULTS.h5. A file that cannot be opened stays as it is.

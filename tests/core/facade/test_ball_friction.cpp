@@ -99,7 +99,8 @@ TEST_CASE("ball friction in statics: race heat of light 40 degree balls is that 
     for (int j : {0, 1}) still += friction.of_race(j).total() - friction.of_race(j).rolling;
     INFO((more.empty() ? "dry" : "oil"));
     CHECK(still == Approx(motion).epsilon(0.02));
-    for (const std::string& note : friction.notes) CHECK(note.find("no balance") == std::string::npos);
+    for (const std::string& note : friction.notes)
+      CHECK(note.find("no balance") == std::string::npos);
   }
 }
 
