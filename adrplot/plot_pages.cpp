@@ -90,14 +90,18 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
       history("Time-averaged wear rates",
               {single("Rolling element 1", "power.element1_wear_rate"),
                both_races("Races", "race.wear_rate"), single("Cage", "power.cage_wear_rate")})};
-  if (!columns.has("thermal.inner_heat")) {
+  const bool thermal = columns.has("thermal.inner_heat");
+  const auto add_bulk = [&](const char* note) {
     if (columns.has("power.cage_temperature"))
       pages.push_back(history(
           "Bulk temperatures",
           {single("Rolling elements", "power.element_temperature"),
            both_races("Races", "race.temperature"), single("Cage", "power.cage_temperature")},
-          "Coolant, bore and housing temperatures and the heat flows are not "
-          "stored in this file."));
+          note));
+  };
+  if (!thermal) {
+    add_bulk(
+        "Coolant, bore and housing temperatures and the heat flows are not stored in this file.");
     return pages;
   }
   pages.push_back(history(
@@ -108,19 +112,14 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
        PanelSpec{"Bearing",
                  {{"outside diameter", "thermal.outside_diameter"}, {"bore", "thermal.bore"}},
                  false},
-       single("Housing outside diameter", "thermal.housing"),
-       PanelSpec{"Bulk",
-                 {{"outer race", "race.temperature.outer"},
-                  {"inner race", "race.temperature.inner"},
-                  {"rolling elements", "power.element_temperature"},
-                  {"cage", "power.cage_temperature"}},
-                 false}}));
+       single("Housing outside diameter", "thermal.housing")}));
   pages.push_back(history(
       "Average heat distribution in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),
        PanelSpec{"To the races",
                  {{"outer race", "thermal.outer_heat"}, {"inner race", "thermal.inner_heat"}},
                  false}}));
+  add_bulk("");  // behind the manual's pages
   return pages;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("plot_pages: each kind of file has the manual's pages", "[unit]") {
     return plot_pages(kind, header).size();
   };
   const auto as_is = [](results::SolHeader&) {};
-  CHECK(count(SolKind::Power, as_is) == 5);
+  CHECK(count(SolKind::Power, as_is) == 5 + 1);  // and bulk temperatures
   CHECK(count(SolKind::Power, [](auto& h) { h.value_count = 17; }) == 4);
   CHECK(count(SolKind::Element, as_is) == 8);
   CHECK(count(SolKind::Element, [](auto& h) { h.outer_flange = true; }) ==
@@ -382,9 +382,9 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   RenderOptions options;
   options.folder = base / "pictures" / "deep";
   const auto pictures = render_plots(files, options);
-  REQUIRE(pictures.size() == 8 + 21 + 9 + 5);
+  REQUIRE(pictures.size() == 8 + 21 + 9 + 6);
   CHECK(pictures.front().filename() == "SOL1-page-01.png");
-  CHECK(pictures.back().filename() == "SOL7-page-05.png");
+  CHECK(pictures.back().filename() == "SOL7-page-06.png");
   for (const auto& path : pictures) {
     const QImage image(QString::fromStdString(path.string()));
     INFO(path);

@@ -246,7 +246,7 @@ def play(program, base, seed, number, settings):
         try:
             window, settled = motion.settle(longest, shortest, tuple(f"temperature_{k}" for k in TEMPERATURES) if deck["thermal"] else (),
                                             0.0 if origin else EARLIEST.get(deck["type"], 0.0))
-            if mode == "0":
+            if mode in ("0", "1"):  # both start at the same place
                 deck["race"] = [motion.columns[f"race.{axis}.2"][0] for axis in "xyz"]
             result["settled"][mode] = [window.first, window.last]
             windows[mode], bulk[mode] = window, motion.bulk

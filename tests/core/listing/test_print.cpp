@@ -331,7 +331,9 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   run.quadrature_error = {1e-4, 10.1, 10.0};
   run.cost = {{"race contacts", 1000, 0.6}, {"stepper", 500, 0.39}};
   run.seconds = 1.0;
-  run.notes = {"a note that is long " + std::string(200, 'x') + " and goes on after it"};
+  run.findings = {
+      make_finding("run.start_friction",
+                   "a note that is long " + std::string(200, 'x') + " and goes on after it")};
   scene::ScenePlan plan;
   plan.effects = {{scene::Effect::RaceContact, "race contact", true, "kBrg = 1"},
                   {scene::Effect::Gravity, "gravity", false, "gravityVec = 0"}};
