@@ -158,8 +158,8 @@ def with_links_inside(text, page, pages):
             return match[0]
         return f"{label} (`{path.relative_to(ROOT)}`)"
 
-    parts = re.split(r"(^```.*?^```$|`[^`\n]+`)", text, flags=re.MULTILINE | re.DOTALL)
-    return "".join(part if part.startswith("`") else re.sub(r"(?<!\!)\[([^\]]*)\]\(\s*([^)\s]+)\)", replace, part) for part in parts)
+    parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
+    return "".join(part if part.startswith("```") else re.sub(r"(?<!\!)\[([^\]]*)\]\(\s*([^)\s]+)\)", replace, part) for part in parts)
 
 
 def stage(adore, source):
