@@ -158,8 +158,23 @@ def with_links_inside(text, page, pages):
             return match[0]
         return f"{label} (`{path.relative_to(ROOT)}`)"
 
-    parts = re.split(r"(^```.*?^```$|`[^`\n]+`)", text, flags=re.MULTILINE | re.DOTALL)
-    return "".join(part if part.startswith("`") else re.sub(r"(?<!\!)\[([^\]]*)\]\(\s*([^)\s]+)\)", replace, part) for part in parts)
+    parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
+    return "".join(part if part.startswith("```") else re.sub(r"(?<!\!)\[([^\]]*)\]\(\s*([^)\s]+)\)", replace, part) for part in parts)
+
+
+def add_pages_without_a_place(source):
+    """Pages that no toctree names appear in the developer guide; Sphinx would report them."""
+    named = {"index"}
+    for page in source.rglob("*.md"):
+        for block in re.findall(r"^```{toctree}\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL):
+            named |= {os.path.normpath(page.parent.relative_to(source) / line) for line in block.split() if not line.startswith(":")}
+    others = sorted({str(page.relative_to(source).with_suffix("")) for page in source.rglob("*.md")} - named)
+    if others:
+        print(f"docs: no index page lists {', '.join(others)}")
+        lines = [f"- [{name}](../{name}.md)" for name in others]
+        toctree = ["", "```{toctree}", ":hidden:", "", *(f"../{name}" for name in others), "```", ""]
+        with open(source / "developer/index.md", "a") as guide:
+            guide.write("\n".join(["", "## Other pages", "", *lines, *toctree]))
 
 
 def stage(adore, source):
@@ -176,6 +191,7 @@ def stage(adore, source):
         (source / f"reference/{name}.md").write_text(make(adore))
     with tempfile.TemporaryDirectory() as folder:
         (source / "reference/channels.md").write_text(channels(adore, Path(folder)))
+    add_pages_without_a_place(source)
     return len(pages) + len(GENERATED) + 1
 
 

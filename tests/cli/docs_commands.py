@@ -11,7 +11,8 @@ Code blocks: blocks `sh` run in bash, blocks `python` in one interpreter per pag
 new folder. A block `text` quotes lines of the output of the block above it: each line must be there, in this order,
 with blanks compressed; `...` stands for anything, lines or a part of one. A block whose first line is "```sh no-run: REASON" does not run; the tutorials
 together have at most 15 of them. PYTHONPATH must lead to the module `adore`. --update replaces quoted lines whose words
-changed and whose numbers did not; --show prints the output of each block.
+or whose numbers changed, not both; the text around them has to be read again then. --show prints the output of each
+block.
 """
 
 import os
@@ -136,8 +137,22 @@ def compressed(line):
     return " ".join(line.split())
 
 
+NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+
+
 def numbers_of(line):
-    return re.findall(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?", line)
+    return re.findall(NUMBER, line)
+
+
+def with_numbers_of(line, quote):
+    """The quote with the numbers of a line whose words are the same; None for other words."""
+    pieces = [piece for piece in re.split(rf"(\.\.\.|{NUMBER})", quote) if piece]
+    kinds = {piece: f"({NUMBER})" for piece in pieces if re.fullmatch(NUMBER, piece)} | {"...": ".*"}
+    match = re.fullmatch(" ?".join(kinds.get(piece) or re.escape(piece.strip()) for piece in pieces), line)
+    if not match:
+        return None
+    found = iter(match.groups())
+    return "".join(next(found) if re.fullmatch(NUMBER, piece) else piece for piece in pieces)
 
 
 def is_quoted(line, quote):
@@ -155,10 +170,17 @@ def check_quote(quoted, output):
         found = next((i for i in range(at, len(lines)) if is_quoted(lines[i], compressed(line))), None)
         if found is None:
             faults.append(f"not in the output: {compressed(line)}")
-            found = next((i for i in range(at, len(lines)) if numbers_of(line) and numbers_of(lines[i]) == numbers_of(line)), None)
-            if found is None:
+            numbers = numbers_of(line)
+            same = (i for i in range(at, len(lines)) if numbers and "..." not in line and numbers_of(lines[i]) == numbers)
+            alike = [i for i in range(at, len(lines)) if with_numbers_of(lines[i], compressed(line))]
+            found = next(same, None)
+            if found is not None:
+                current[-1] = output.splitlines()[found].strip()
+            elif alike:  # the row of a table with most numbers in common
+                found = max(alike, key=lambda i: len(set(numbers_of(lines[i])) & set(numbers)))
+                current[-1] = with_numbers_of(lines[found], compressed(line))
+            else:
                 continue
-            current[-1] = output.splitlines()[found].rstrip()
         at = found + 1
     return faults, current
 
