@@ -7,14 +7,14 @@ include(CMakePackageConfigHelpers)
 set(ADORE_NOT_IN_THE_SHARED_LIBRARY drawing reference)
 
 set(ADORE_PUBLIC_HEADERS
-    base/errors.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/life_inputs.hpp
+    base/errors.hpp base/finding.hpp base/interrupted.hpp base/version.hpp base/write_folder.hpp bearing/life_inputs.hpp
     calculators/adapter.hpp calculators/calculator_description.hpp calculators/calculators.hpp
     deck/deck.hpp deck/defaults.hpp deck/difference.hpp deck/keep_text.hpp deck/no_part.hpp deck/schema.hpp deck/templates.hpp
     deck/unit_change.hpp deck/units.hpp
     facade/accuracy.hpp facade/check.hpp facade/deck_request.hpp facade/deck_story.hpp facade/equilibrium.hpp
     facade/measured_run.hpp facade/option_file.hpp facade/output_folder.hpp facade/plan.hpp facade/reproducible.hpp
     facade/run.hpp facade/sweep.hpp facade/verify.hpp
-    results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/quantities.hpp results/sol_file.hpp
+    results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/mean_errors.hpp results/quantities.hpp results/sol_file.hpp
     results/static_tables.hpp results/table.hpp user/adore_user.h user/plug_in.hpp)
 
 function(adore_install_library)

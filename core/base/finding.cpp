@@ -1,6 +1,7 @@
 #include "base/finding.hpp"
 
 #include "base/counted.hpp"
+#include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "base/validity.hpp"
 
@@ -22,7 +23,7 @@ Severity severity_of(std::string_view word) {
 
 std::vector<FindingKind> read_register() {
   std::vector<FindingKind> out;
-  const Json json = Json::parse(resources::get("findings.json"));
+  const Json json = parse_json(resources::get("findings.json"), "findings.json");
   for (const Json& entry : json.at("findings")) {
     FindingKind one;
     one.code = entry.at("code").get<std::string>();
@@ -290,7 +291,8 @@ std::string finding_codes_page() {
   std::string out =
       "# Codes of findings\n\n"
       "Made by `adore check --codes`. Every remark of check, statics, plan, run, end of run and\n"
-      "studies has one of these codes in `findings` of RUN.json, RESULTS.h5, Python and `--json`.\n"
+      "studies has one of these codes in `findings` of RUN.json, RESULTS.h5, Python and JSON "
+      "output.\n"
       "A finding has `code`, `severity`, `sentence`, and where they apply `quantity`, `value`,\n"
       "`least`, `limit`, `unit`, `body`, `time_s`, `step`, `file`, `line`, `record`, `variable`,\n"
       "`given` (value of the deck) and `remedy`.\n\n"

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "base/write_folder.hpp"
+#include "facade/prepare.hpp"
 #include "results/mean_load.hpp"
 #include "results/run_json.hpp"
 
@@ -93,7 +94,7 @@ class Statement {
     return true;
   }
 
-  void add_load(const scene::Vec3& half, double least) {
+  void add_load(const std::array<double, 3>& half, double least) {
     Values v;
     const std::array<const char*, 3> ids{"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -109,7 +110,7 @@ class Statement {
     q.value = length(v.run);
     q.unit = "N";
     q.scale = std::max(q.value, least);
-    judge(q, v, half.norm());
+    judge(q, v, length(half));
     out_.push_back(std::move(q));
   }
 
@@ -212,10 +213,10 @@ std::string statement_text(const AccuracyStatement& statement) {
   out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
   if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
     out += fmt::format(
-        "  The means need about {} for {} (this run: {:.4g}). Run longer with "
-        "--until {:.3g}rev, or add --extend.\n",
+        "  The means need about {} for {} (this run: {:.4g}). Run that "
+        "long, or let `adore run --accuracy ... --extend` do it.\n",
         counted(fmt::format("{:.3g}", turns), "revolution"), percent(statement.target),
-        statement.turns, turns);
+        statement.turns);
   return out;
 }
 

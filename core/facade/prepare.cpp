@@ -491,6 +491,7 @@ Prepared prepare_model(LoadedDeck input) {
 statics::StaticsOptions ball_options(const Prepared& prepared) {
   statics::StaticsOptions out;
   out.frame = prepared.options.rollers.frame;
+  out.friction_balance = prepared.options.rollers.ball_balance;
   return out;
 }
 

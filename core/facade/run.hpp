@@ -1,8 +1,8 @@
 #pragma once
 
 #include "facade/deck_request.hpp"
-#include "results/averages.hpp"
 #include "results/key_results.hpp"
+#include "results/mean_errors.hpp"
 
 #include <filesystem>
 #include <functional>

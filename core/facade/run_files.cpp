@@ -140,9 +140,13 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   power_->collect();
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued ? results::H5Writer::continue_after(place("RESULTS.h5"), begun_, channels_,
-                                                        steps.saved)
-                    : results::H5Writer::create(place("RESULTS.h5"), begun_, channels_);
+    std::vector<Finding> known = prepared_.input.warnings;
+    for (Finding& note : solution_notes(prepared_)) known.push_back(std::move(note));
+    constexpr int kBlock = results::H5Writer::kBlock;
+    all = continued
+              ? results::H5Writer::continue_after(place("RESULTS.h5"), begun_, channels_,
+                                                  steps.saved, kBlock, known)
+              : results::H5Writer::create(place("RESULTS.h5"), begun_, channels_, kBlock, known);
   }
   print->show_friction(race_friction(prepared_));
   if (prepared_.user && !prepared_.user->version().empty())

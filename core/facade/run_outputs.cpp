@@ -32,7 +32,6 @@
 #include "results/continuation.hpp"
 #include "results/file_sums.hpp"
 #include "results/restart.hpp"
-#include "results/run_findings.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
@@ -306,7 +305,6 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   for (const fs::path& file : files.written) run.files.push_back(file.filename().string());
   files.print->ledgers(run, plan, run_life);
   files.close();
-  if (files.all) results::store_findings(files.place("RESULTS.h5"), run.findings);
   std::error_code error;
   for (const fs::path& file : files.written)
     if (file.filename() != "RUN.json" && fs::exists(file, error))

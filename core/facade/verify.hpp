@@ -1,7 +1,6 @@
 #pragma once
 
 #include "facade/accuracy.hpp"
-#include "facade/prepare.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,6 +11,8 @@
 
 /// A run against itself with tighter settings: what its own numerics leave open.
 namespace adore::facade {
+
+struct Prepared;
 
 struct Verification {
   AccuracyErrors errors;  ///< of the run, against the tighter one (accuracy.hpp)

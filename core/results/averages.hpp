@@ -1,9 +1,9 @@
 #pragma once
 
 #include "results/batch_means.hpp"
+#include "results/mean_errors.hpp"
 #include "scene/snapshot.hpp"
 
-#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -11,17 +11,6 @@
 /// Time averages over a whole run (printed section 4, N54): each speed over that of the inner race
 /// relative to the outer.
 namespace adore::results {
-
-/// Half of the 95 % interval of each mean (results/batch_means.hpp), in the unit of the mean; NaN:
-/// not computed. Heat, ratios and race load from the stored steps, the largest load from every
-/// step.
-struct MeanErrors {
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  double orbital_ratio = kNone, cage_ratio = kNone, swept_whirl_ratio = kNone;
-  double power_loss = kNone, heat_outer = kNone, heat_inner = kNone, heat_elsewhere = kNone;
-  double largest_load = kNone;
-  scene::Vec3 load = scene::Vec3::Constant(kNone);
-};
 
 struct Averages {
   double time = 0.0;               ///< span of the average [s]

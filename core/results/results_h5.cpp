@@ -9,6 +9,7 @@
 #include "results/continuation.hpp"
 #include "results/h5_driver.hpp"
 #include "results/h5_layout.hpp"
+#include "results/run_findings.hpp"
 #include "results/sol_writer.hpp"
 
 #include <fmt/format.h>
@@ -249,9 +250,10 @@ struct H5Writer::Impl {
     return made;
   }
   /// The bytes of a file with every dataset and no step.
-  std::string empty_file(const bearing::Bearing& bearing);
+  std::string empty_file(const bearing::Bearing& bearing, const FindingsText& findings);
   /// Puts such a file there and opens it for growing.
-  void open_empty(const WritePath& place, const bearing::Bearing& bearing);
+  void open_empty(const WritePath& place, const bearing::Bearing& bearing,
+                  const FindingsText& findings);
 
   /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
   /// comes last, so that its length tells of whole rows.
@@ -393,7 +395,8 @@ H5Writer::~H5Writer() {
   impl_->file.reset();
 }
 
-std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
+std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing,
+                                       const FindingsText& findings) {
   constexpr std::size_t kGrowth = 1 << 16;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
   H5Pset_obj_track_times(creation, false);
@@ -409,6 +412,8 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
     write_attribute(root, "format", static_cast<double>(kFormat));
     write_attribute(root, "run_id", bearing.run_id);
     write_attribute(root, "conventions", kConventions);
+    write_attribute(root, FindingsText::kList, findings.list);
+    write_attribute(root, FindingsText::kSum, findings.sum);
     const Handle geometry(H5Gopen2(file, "geometry", H5P_DEFAULT));
     for (const auto& [name, value] : geometry_of(bearing)) write_attribute(geometry, name, value);
   }
@@ -428,8 +433,9 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
   return bytes;
 }
 
-void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& bearing) {
-  const std::string bytes = empty_file(bearing);
+void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& bearing,
+                                const FindingsText& findings) {
+  const std::string bytes = empty_file(bearing, findings);
   write_file_atomically(place, bytes);
   const Handle access = access_list();
   use_safe_driver(access, place.folder());
@@ -448,13 +454,13 @@ void H5Writer::Impl::open_empty(const WritePath& place, const bearing::Bearing& 
 }
 
 H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearing,
-                          const ChannelTable& table, int block) {
+                          const ChannelTable& table, int block, std::span<const Finding> findings) {
   const Quiet quiet;
   auto impl = std::make_unique<Impl>(table);
   impl->path = place.path();
   impl->shape = shape_of(bearing);
   impl->set_block(block);
-  impl->open_empty(place, bearing);
+  impl->open_empty(place, bearing, findings_text(findings));
   return H5Writer(std::move(impl));
 }
 
@@ -497,7 +503,8 @@ std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
 }
 
 H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing& bearing,
-                                  const ChannelTable& table, long last_step, int block) {
+                                  const ChannelTable& table, long last_step, int block,
+                                  std::span<const Finding> findings) {
   const std::filesystem::path path = place.path();
   const H5Reader old(path);
   check_file(old, path, bearing, table);
@@ -513,7 +520,7 @@ H5Writer H5Writer::continue_after(const WritePath& place, const bearing::Bearing
   // and damage of the old file is found before it is given up.
   const std::string next = unfinished(place.name()).string();
   try {
-    impl->open_empty({place.folder(), next}, bearing);
+    impl->open_empty({place.folder(), next}, bearing, findings_text(findings));
     while (impl->written < rows) {
       impl->waiting = std::min(rows - impl->written, impl->rows);
       std::size_t name = kSeries.size();

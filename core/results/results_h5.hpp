@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "base/write_folder.hpp"
 #include "bearing/bearing.hpp"
 #include "results/channels.hpp"
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,14 +36,17 @@ class H5Writer {
   /// A new file, replacing what was there; `table` is that of the records. `block` at most;
   /// smaller blocks lose less when the process is killed. A block that has waited for a second
   /// goes to the file with the next step although it is not full.
+  /// @param findings of the run before its first step
   /// @throws InputError when it cannot be written.
   static H5Writer create(const WritePath& place, const bearing::Bearing& bearing,
-                         const ChannelTable& table, int block = kBlock);
+                         const ChannelTable& table, int block = kBlock,
+                         std::span<const Finding> findings = {});
   /// Continues a file: checks run code and sizes, and goes on behind the steps <= `last_step` in a
   /// new file that takes the old one's place when all of them are in it.
   /// @throws InputError saying what does not fit or cannot be read; the old file is as it was.
   static H5Writer continue_after(const WritePath& place, const bearing::Bearing& bearing,
-                                 const ChannelTable& table, long last_step, int block = kBlock);
+                                 const ChannelTable& table, long last_step, int block = kBlock,
+                                 std::span<const Finding> findings = {});
 
   /// Where continue_after() makes the new file: what a process killed there leaves behind.
   [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& path);

@@ -3,8 +3,6 @@
 #include "base/checksum.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
-#include "base/write_error.hpp"
-#include "results/h5_driver.hpp"
 #include "results/h5_layout.hpp"
 #include "results/h5_process.hpp"
 #include "results/run_json.hpp"
@@ -20,18 +18,8 @@ namespace {
 
 using h5::Handle;
 
-constexpr const char* kList = "findings";
-constexpr const char* kSum = "findings checksum";
-constexpr std::size_t kMostText = std::size_t{4} << 20;  ///< bytes of the list
-
-void write_text(hid_t object, const char* name, const std::string& text) {
-  if (H5Aexists(object, name) > 0) H5Adelete(object, name);
-  const Handle type(H5Tcopy(H5T_C_S1)), space(H5Screate(H5S_SCALAR));
-  H5Tset_size(type, text.size());
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT));
-  if (attribute.valid()) H5Awrite(attribute, type, text.data());
-}
+/// Bytes of the list: attributes of HDF5 hold 64 kB.
+constexpr std::size_t kMostText = 60000;
 
 std::string read_text(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return {};
@@ -49,30 +37,29 @@ std::string read_text(hid_t object, const char* name) {
 
 }  // namespace
 
-void store_findings(const WritePath& results_h5, std::span<const Finding> findings) {
+FindingsText findings_text(std::span<const Finding> findings) {
   std::vector<Finding> known;
-  std::copy_if(findings.begin(), findings.end(), std::back_inserter(known), [](const Finding& one) {
+  for (const Finding& one : findings) {
     const FindingKind* kind = find_finding_kind(one.code);
-    return kind != nullptr && !one.time &&
-           (kind->origin == "check" || kind->origin == "statics" || kind->origin == "plan");
-  });
-  const std::string text = dump_json(findings_json(known));
-  if (text.size() > kMostText) return;
-  const Handle access = h5::access_list();
-  h5::use_safe_driver(access, results_h5.folder());
-  const Handle file(H5Fopen(results_h5.name().c_str(), H5F_ACC_RDWR, access));
-  if (!file.valid()) return;
-  {
-    const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
-    write_text(root, kList, text);
-    write_text(root, kSum, fmt::format("{:016x}", checksum(text)));
+    const bool before = kind != nullptr && !one.time &&
+                        ((kind->origin == "check" && one.severity != Severity::Note) ||
+                         kind->origin == "statics" || kind->origin == "plan");
+    if (!before) continue;
+    known.push_back(one);
+    known.back().file = fs::path(one.file).filename().string();
   }
-  H5Fflush(file, H5F_SCOPE_GLOBAL);
-  if (h5::write_error(file) != 0)
-    throw WriteError(
-        fmt::format("{}: the findings cannot be written; free some disk space or "
-                    "choose another disk",
-                    results_h5.path().string()));
+  FindingsText out;
+  out.list = dump_json(findings_json(known));
+  if (out.list.size() > kMostText) {
+    std::erase_if(known, [](const Finding& one) { return one.severity == Severity::Note; });
+    out.list = dump_json(findings_json(known));
+  }
+  while (out.list.size() > kMostText) {
+    known.resize(known.size() / 2);
+    out.list = dump_json(findings_json(known));
+  }
+  out.sum = fmt::format("{:016x}", checksum(out.list));
+  return out;
 }
 
 std::vector<Finding> stored_findings(const fs::path& results_h5) {
@@ -82,8 +69,9 @@ std::vector<Finding> stored_findings(const fs::path& results_h5) {
         H5Fopen(results_h5.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, h5::access_list()));
     if (!file.valid()) throw InputError("the file cannot be opened");
     const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
-    const std::string text = read_text(root, kList);
-    if (!text.empty() && read_text(root, kSum) != fmt::format("{:016x}", checksum(text)))
+    const std::string text = read_text(root, FindingsText::kList);
+    if (!text.empty() &&
+        read_text(root, FindingsText::kSum) != fmt::format("{:016x}", checksum(text)))
       throw InputError("its list of findings is damaged: the checksum differs");
     return text;
   };

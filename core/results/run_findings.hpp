@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/finding.hpp"
-#include "base/write_folder.hpp"
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 /// Findings of a finished run: list `findings` of RUN.json. RESULTS.h5 has those known before the
@@ -13,9 +13,14 @@
 /// motion begin anew in each process (decision 809).
 namespace adore::results {
 
-/// Adds the attributes to a closed RESULTS.h5. A file that cannot be opened stays as it is.
-/// @throws WriteError
-void store_findings(const WritePath& results_h5, std::span<const Finding> findings);
+struct FindingsText {
+  static constexpr const char *kList = "findings", *kSum = "findings checksum";  ///< attributes
+  std::string list, sum;
+};
+/// Those of `findings` that RESULTS.h5 has, without folders of files. Notes of
+/// the check are left out: a value without effect changes no byte of the results. What exceeds 60
+/// kB is left out, notes first.
+[[nodiscard]] FindingsText findings_text(std::span<const Finding> findings);
 
 /// Of the attributes. @throws InputError when the file or its list is damaged
 [[nodiscard]] std::vector<Finding> stored_findings(const std::filesystem::path& results_h5);

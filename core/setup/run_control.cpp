@@ -161,6 +161,20 @@ bool parse_automatic(std::string_view text, std::optional<double>& out, double l
   return true;
 }
 
+/// Laws of the quasi-static solution.
+void add_static_options(std::vector<Option>& table) {
+  table.push_back(
+      {{"ballFriction", "spin-rule",
+        "balls in mode -1 and in thermal analyses: spin-rule (kAngVel gives the spin axis) or "
+        "balance (spin and orbit in balance of friction; starts of motion and the table of "
+        "stiffness over speed keep the spin rule)"},
+       [](RunOptions& o, std::string_view v) {
+         if (v != "spin-rule" && v != "balance") return false;
+         o.rollers.ball_balance = v == "balance";
+         return true;
+       }});
+}
+
 /// Thermal analysis (kTherm): model and surroundings.
 void add_thermal_options(std::vector<Option>& table) {
   table.push_back(
@@ -478,6 +492,7 @@ const std::vector<Option>& options() {
            return true;
          }},
     };
+    add_static_options(all);
     add_thermal_options(all);
     add_life_options(all);
     return all;
@@ -503,6 +518,7 @@ std::vector<std::string> option_choices(std::string_view name) {
   if (name == "filmStress") return {"surface", "direct"};
   if (name == "thermalBase") return {"deck", "none"};
   if (name == "thermalTransient") return {"off", "on"};
+  if (name == "ballFriction") return {"spin-rule", "balance"};
   if (name == "thermalModel") return {"network", "ladder"};
   for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
     if (name == open) return {"auto"};

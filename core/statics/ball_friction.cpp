@@ -213,7 +213,7 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
   FrictionBalance out;
   const bool resists =
       bearing.lubrication || tribology::largest_traction(bearing.race_traction) > 0.0;
-  if (!resists || bearing.speed[0] == bearing.speed[1] ||
+  if (!options.friction_balance || !resists || bearing.speed[0] == bearing.speed[1] ||
       bearing.spin_rule == bearing::SpinRule::Prescribed || options.orbit != Orbit::PerBall)
     return out;
   const StaticSolution before = solution;

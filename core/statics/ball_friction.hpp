@@ -30,7 +30,8 @@ namespace adore::statics {
                                                           const BallMotion& motion, double r,
                                                           std::size_t race);
 
-/// Changes places and loads of the solution. @param options those of the solution
+/// Changes places and loads of the solution; nothing without StaticsOptions::friction_balance.
+/// @param options those of the solution
 [[nodiscard]] FrictionBalance balance_balls(const bearing::Bearing& bearing,
                                             const StaticsOptions& options,
                                             StaticSolution& solution);

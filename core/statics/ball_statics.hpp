@@ -50,6 +50,7 @@ struct StaticsOptions {
   Control control = Control::FromBearing;
   Orbit orbit = Orbit::PerBall;
   std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
+  bool friction_balance = false;              ///< balance_balls() acts (ball_friction.hpp)
   double first_azimuth = 0.0;                 ///< of ball 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection

@@ -50,6 +50,7 @@ struct RollerOptions {
   RollerKinematics kinematics = RollerKinematics::Exact;
   double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
   std::optional<bearing::FrameMotion> frame;  ///< base frame that turns; speeds relative to it
+  bool ball_balance = false;                  ///< of balls: StaticsOptions::friction_balance
   double first_azimuth = 0.0;                 ///< of roller 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection

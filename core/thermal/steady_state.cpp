@@ -87,6 +87,7 @@ OperatingState operating_state(const Bearing& as_built, const BulkTemperatures& 
   } else {
     statics::StaticsOptions balls;
     balls.frame = rollers.frame;
+    balls.friction_balance = rollers.ball_balance;
     auto solution = statics::solve_ball_statics(out.bearing, balls);
     const statics::FrictionBalance balance = statics::balance_balls(out.bearing, balls, solution);
     for (const statics::StaticBall& ball : solution.balls)

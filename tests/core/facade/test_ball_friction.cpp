@@ -52,6 +52,7 @@ facade::Prepared prepared(deck::Deck deck) {
   facade::LoadedDeck input;
   input.path = facade::kStandardInput;
   input.deck = std::move(deck);
+  input.option_values["ballFriction"] = "balance";
   return facade::prepare(std::move(input));
 }
 
@@ -108,7 +109,8 @@ TEST_CASE("ball friction in statics: tractions along both ellipses carry the gyr
           "[physics][statics][analytic]") {
   const facade::Prepared at = prepared(thrust_deck(-1, {}));
   statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
-  const statics::FrictionBalance found = statics::balance_balls(at.bearing, {}, solution);
+  const statics::FrictionBalance found =
+      statics::balance_balls(at.bearing, facade::ball_options(at), solution);
   REQUIRE(found.left.empty());
   for (const statics::BallMotion& ball : found.balls) {
     REQUIRE(ball.balanced);
@@ -135,6 +137,6 @@ TEST_CASE("ball friction in statics: a given spin axis keeps the spin rule", "[p
   const facade::Prepared at = prepared(thrust_deck(-1, {{"kAngVel", "2"}, {"angVelOrient", "30"}}));
   statics::StaticSolution solution = statics::solve_ball_statics(at.bearing);
   const double before = solution.balls[0].Q[0];
-  CHECK(statics::balance_balls(at.bearing, {}, solution).balls.empty());
+  CHECK(statics::balance_balls(at.bearing, facade::ball_options(at), solution).balls.empty());
   CHECK(solution.balls[0].Q[0] == before);
 }

@@ -27,14 +27,15 @@ struct Agreement {
 /// Derivatives by implicit differentiation against fourth-order differences of whole runs.
 /// @param sets beside mode -1
 Agreement agreement(const std::string& deck, const std::string& variables, double doubts,
-                    const std::string& sets = "") {
+                    const std::string& sets = "", const std::string& options = "") {
   const fs::path root = fs::temp_directory_path() / ("adore-test-derivatives-" + deck);
   fs::remove_all(root);
   fs::create_directories(root);
   std::ofstream(root / "DATA.txt") << adore::deck::template_text(deck);
   std::ofstream(root / "s.json") << R"({"adore_study": 1, "kind": "sensitivity", "deck": "DATA.txt",
-    "set": {"mode": -1)" << sets << R"(}, "variables": [)"
-                                 << variables << R"(], "quantities": ["displacement_x_m",
+    "set": {"mode": -1)" << sets << R"(}, "options": {)"
+                                 << options << R"(}, "variables": [)" << variables
+                                 << R"(], "quantities": ["displacement_x_m",
     "displacement_z_m", "stiffness_x_N_per_m", "largest_contact_load_N", "largest_pressure_Pa"]})";
   const Study study = open_study(root / "s.json");
   const fs::path folder = study.folder();
@@ -79,7 +80,7 @@ Agreement agreement(const std::string& deck, const std::string& variables, doubl
 
 TEST_CASE("exact derivatives of an equilibrium are those of differences of whole runs",
           "[unit][studies]") {
-  // Balls of a given spin axis have no friction in their equilibrium: 4e-8 measured. Those in
+  // Balls by the spin rule have no friction in their equilibrium: 4e-8 measured. Those in
   // balance of friction do: the pieces of the traction rule move with the slip, differences are up
   // to 1.5e-4 apart and say 1e-4 of doubt.
   constexpr const char* kOfBalls =
@@ -87,8 +88,8 @@ TEST_CASE("exact derivatives of an equilibrium are those of differences of whole
       {"name": "freeConAng", "step": 0.05}, {"name": "raceCurFac1", "step": 0.0001}, {"name": "rpm2", "step": 50})";
   for (const bool balanced : {false, true}) {
     const Agreement ball =
-        balanced ? agreement("ball", kOfBalls, 4.0)
-                 : agreement("ball", kOfBalls, 0.0, R"(, "kAngVel": 2, "angVelOrient": 25)");
+        balanced ? agreement("ball", kOfBalls, 4.0, "", R"("ballFriction": "balance")")
+                 : agreement("ball", kOfBalls, 0.0);
     INFO(balanced << " " << ball.where << " " << ball.worst);
     CHECK(ball.compared >= 20);
     CHECK(ball.worst < 1e-6);
