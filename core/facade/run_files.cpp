@@ -141,6 +141,10 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
     std::vector<Finding> known = prepared_.input.warnings;
+    std::erase_if(known, [&](const Finding& one) {  // a value without effect changes no byte
+      const auto names = [&](const deck::NoPart& idle) { return idle.variable == one.variable; };
+      return std::any_of(prepared_.no_part.begin(), prepared_.no_part.end(), names);
+    });
     for (Finding& note : solution_notes(prepared_)) known.push_back(std::move(note));
     constexpr int kBlock = results::H5Writer::kBlock;
     all = continued

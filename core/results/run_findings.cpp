@@ -42,8 +42,7 @@ FindingsText findings_text(std::span<const Finding> findings) {
   for (const Finding& one : findings) {
     const FindingKind* kind = find_finding_kind(one.code);
     const bool before = kind != nullptr && !one.time &&
-                        ((kind->origin == "check" && one.severity != Severity::Note &&
-                          one.code != "deck.no_effect") ||
+                        ((kind->origin == "check" && one.severity != Severity::Note) ||
                          kind->origin == "statics" || kind->origin == "plan");
     if (!before) continue;
     known.push_back(one);

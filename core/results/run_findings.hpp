@@ -18,8 +18,8 @@ struct FindingsText {
   std::string list, sum;
 };
 /// Those of `findings` that RESULTS.h5 has, without folders of files. Notes of
-/// the check, and values without effect, are left out: they change no byte of the results. What
-/// exceeds 60 kB is left out, notes first.
+/// the check are left out: a value without effect changes no byte of the results. What exceeds 60
+/// kB is left out, notes first.
 [[nodiscard]] FindingsText findings_text(std::span<const Finding> findings);
 
 /// Of the attributes. @throws InputError when the file or its list is damaged
