@@ -50,6 +50,17 @@ const deck::VariableSpec* variable_of(const Cell& cell) {
              : &spec->variables[cell.variable];
 }
 
+std::optional<Issue> place_of_variable(const deck::Deck& deck, const std::string& name) {
+  for (const deck::VariableRef& one : deck::find_variable(name)) {
+    if (deck::find_record_data(deck, std::string(one.record->id)) == nullptr) continue;
+    Issue out;
+    out.record = one.record->id;
+    out.variable = name;
+    return out;
+  }
+  return std::nullopt;
+}
+
 std::optional<Cell> cell_of(const Issue& issue) {
   const deck::RecordSpec* spec = page_record(issue.record);
   if (spec == nullptr || issue.variable.empty()) return std::nullopt;

@@ -26,5 +26,8 @@ struct Cell {
 
 /// The value that an issue speaks of: its first element when it names the whole variable.
 [[nodiscard]] std::optional<Cell> cell_of(const Issue& issue);
+/// Record and variable of a name, where the deck has its record.
+[[nodiscard]] std::optional<Issue> place_of_variable(const deck::Deck& deck,
+                                                     const std::string& name);
 
 }  // namespace adore::adrinput

@@ -98,9 +98,9 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
     if (!edited && !taken) check_->stop();  // nothing of the deck changed
   };
   start_check_ = new StartCheck(this);
-  start_check_->found = [this](const Document::Candidate& of, std::vector<Issue> refusals) {
+  start_check_->found = [this](const Document::Candidate& of, facade::Rehearsal rehearsal) {
     const bool edited = check_->isActive();
-    document_.set_rehearsal(of, std::move(refusals));
+    document_.set_rehearsal(of, std::move(rehearsal.refusals), std::move(rehearsal.remarks));
     if (edited) return;  // checkNow() comes
     check_->stop();
     askForStart();  // of the deck as it is by now
@@ -160,8 +160,11 @@ void DeckWindow::makeCentre() {
       this);
   statics_->setObjectName("statics");
   statics_->setTextName(tr("Quasi-static solution"));
+  for (const EvaluationPanel* panel : {plan_, statics_})
+    connect(panel, &EvaluationPanel::findingChosen, this, &DeckWindow::goToFinding);
   run_ = new RunPanel(this);
   connect(run_, &RunPanel::wanted, this, &DeckWindow::runDeck);
+  connect(run_, &RunPanel::findingChosen, this, &DeckWindow::goToFinding);
   connect(run_, &RunPanel::newFolderWanted, this, &DeckWindow::runInNewFolder);
   connect(run_, &RunPanel::continueWanted, this, &DeckWindow::continueRun);
   connect(run_, &RunPanel::sweepWanted, this, &DeckWindow::askForSweep);

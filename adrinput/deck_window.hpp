@@ -146,6 +146,8 @@ class DeckWindow : public QMainWindow {
   void refreshProblems();
   void showPanel(const QWidget* panel);
   void goToProblem(int row);
+  /// To the field that a finding of a run names, or that its kind has.
+  void goToFinding(const Finding& finding);
   void stepProblem(int by);
   void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);
   void refuseToSave(const std::vector<Issue>& issues, const QString& otherwise);

@@ -2,6 +2,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
+#include "base/counted.hpp"
 #include "base/excerpt.hpp"
 #include "desktop/theme.hpp"
 
@@ -9,6 +10,7 @@
 #include <QTabWidget>
 
 #include <algorithm>
+#include <utility>
 
 /// The panel of problems, and the way from one to the next.
 namespace adore::adrinput {
@@ -17,11 +19,12 @@ void DeckWindow::refreshProblems() {
   const desktop::Theme& theme = desktop::current_theme();
   const int selected = problems_->currentRow();
   problems_->clear();
-  int errors = 0;
+  int errors = 0, warnings = 0;
   for (const Problem& problem : document_.problems()) {
     const Issue& issue = problem.issue;
     const bool error = issue.severity == Severity::Error;
     errors += error || problem.refused ? 1 : 0;
+    warnings += !problem.refused && issue.severity == Severity::Warning ? 1 : 0;
     QString text = error                                 ? tr("Error")
                    : problem.refused                     ? tr("Refused")
                    : issue.severity == Severity::Warning ? tr("Warning")
@@ -52,12 +55,12 @@ void DeckWindow::refreshProblems() {
   }
   problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
   const auto total = static_cast<int>(document_.problems().size());
-  QString title = tr("Problems");
-  if (errors > 0 && errors == total)
-    title += tr(" (%1 to mend)").arg(errors);
-  else if (total > 0)
-    title += tr(" (%1 to mend, %2 to note)").arg(errors).arg(total - errors);
-  tabs_->setTabText(0, title);
+  QStringList counts;
+  for (const auto& [count, one] : {std::pair(errors, "error"), std::pair(warnings, "warning"),
+                                   std::pair(total - errors - warnings, "note")})
+    if (count > 0) counts << QString::fromStdString(counted(count, one));
+  tabs_->setTabText(0,
+                    counts.isEmpty() ? tr("Problems") : tr("Problems (%1)").arg(counts.join(", ")));
 }
 
 void DeckWindow::goToProblem(int row) {
@@ -67,6 +70,19 @@ void DeckWindow::goToProblem(int row) {
   if (problem.page.empty()) return;
   showRecord(problem.page);
   if (problem.cell) page_->focusCell(*problem.cell);
+}
+
+void DeckWindow::goToFinding(const Finding& finding) {
+  Issue place = finding;
+  if (place.variable.empty())
+    if (const FindingKind* kind = find_finding_kind(finding.code); kind != nullptr)
+      if (const auto field = place_of_variable(document_.deck(), kind->field)) place = *field;
+  const std::optional<Cell> cell = cell_of(place);
+  if (place.record.empty()) return;
+  const std::vector<std::string> pages = document_.pages();
+  if (std::find(pages.begin(), pages.end(), place.record) == pages.end()) return;
+  showRecord(place.record);
+  if (cell) page_->focusCell(*cell);
 }
 
 void DeckWindow::stepProblem(int by) {

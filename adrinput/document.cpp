@@ -362,6 +362,7 @@ void Document::find_problems() {
                                    [&](const Issue& refusal) { return refusal.text() == text; }));
   }
   if (!has_error(problems_)) add_refusals();
+  if (!has_error(problems_)) add_remarks();
   for (const Issue& issue : change_issues_) add_problem(issue);
   const std::vector<Problem> live = problems_;
   for (const Issue& from_file : file_issues_) {
@@ -405,10 +406,12 @@ void Document::forget_rehearsal() {
   notify();
 }
 
-void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals) {
+void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
+                             std::vector<Finding> remarks) {
   if (!(of == candidate())) return;  // of a deck that is no longer here
   rehearsed_ = of;
   start_refusals_ = std::move(refusals);
+  start_remarks_ = shown_findings(remarks);
   find_problems();
   notify();
 }
@@ -450,7 +453,32 @@ void Document::check_model() {
   notify();
 }
 
+/// Findings of statics and plan that the checks of the deck do not say already. One that names no
+/// variable leads to the field of its kind.
+void Document::add_remarks() {
+  if (!rehearsed_ || !(*rehearsed_ == candidate())) return;
+  for (const Finding& one : start_remarks_) {
+    const bool said = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
+      return problem.issue.message == one.message && problem.issue.variable == one.variable;
+    });
+    if (said) continue;
+    add_problem(one);
+    const FindingKind* kind = find_finding_kind(one.code);
+    if (!one.variable.empty() || kind == nullptr || kind->field.empty()) continue;
+    if (const std::optional<Issue> place = place_of_variable(state_.deck, kind->field)) {
+      problems_.back().page = place->record;
+      problems_.back().cell = cell_of(*place);
+    }
+  }
+}
+
 bool Document::has_errors() const { return has_error(problems_); }
+
+int Document::warnings() const {
+  return static_cast<int>(std::count_if(
+      problems_.begin(), problems_.end(),
+      [](const Problem& problem) { return problem.issue.severity == Severity::Warning; }));
+}
 
 RecordState Document::state_of(std::string_view record) const {
   RecordState state = RecordState::Complete;

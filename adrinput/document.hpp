@@ -2,6 +2,7 @@
 
 #include "adrinput/cell.hpp"
 #include "adrinput/typed.hpp"
+#include "base/finding.hpp"
 #include "facade/option_file.hpp"
 #include "facade/run_scales.hpp"
 
@@ -157,6 +158,7 @@ class Document {
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] RecordState state_of(std::string_view record) const;
   [[nodiscard]] bool has_errors() const;
+  [[nodiscard]] int warnings() const;
   [[nodiscard]] DeckState deck_state() const;
   /// Builds the model of a deck without errors and adds what shows only there; some milliseconds.
   void check_model();
@@ -173,7 +175,9 @@ class Document {
   /// Is it still open whether a run of this deck begins (facade/rehearsal.hpp)?
   [[nodiscard]] bool wants_rehearsal() const;
   /// What was found out about a deck, which may be another one by now.
-  void set_rehearsal(const Candidate& of, std::vector<Issue> refusals);
+  /// @param remarks as `adore check` lists them
+  void set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
+                     std::vector<Finding> remarks = {});
   /// The files beside the deck are others now, which decide about runs that go on from them.
   void forget_rehearsal();
 
@@ -216,6 +220,7 @@ class Document {
   void find_problems();
   void add_problem(Issue issue, bool refused = false);
   void add_refusals();
+  void add_remarks();
   void notify();
   std::string travel(std::vector<Step>& from, std::vector<Step>& to);
 
@@ -230,9 +235,10 @@ class Document {
   bool foreign_ = false;        ///< the file holds what another program wrote
   bool broken_ = false;         ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
-  std::vector<Issue> change_issues_;   ///< what the last change took along
-  std::vector<Issue> refusals_;        ///< of the model issues those that no run accepts
-  std::vector<Issue> start_refusals_;  ///< what a run of `rehearsed_` would end with
+  std::vector<Issue> change_issues_;    ///< what the last change took along
+  std::vector<Issue> refusals_;         ///< of the model issues those that no run accepts
+  std::vector<Issue> start_refusals_;   ///< what a run of `rehearsed_` would end with
+  std::vector<Finding> start_remarks_;  ///< what statics and plan find in it
   std::optional<Candidate> rehearsed_;
   std::map<Cell, std::string> unused_;  ///< values without a part, and why
   std::vector<std::string> effects_;

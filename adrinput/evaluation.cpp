@@ -2,6 +2,7 @@
 
 #include "adrinput/window_words.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/listing_view.hpp"
 #include "facade/effect_costs.hpp"
 #include "facade/model_errors.hpp"
@@ -51,6 +52,16 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
       text(found.stiffness(2, 2), unit::kStiffness));
 }
 
+std::vector<Finding> findings_of(const facade::Prepared& ready) {
+  std::vector<Finding> out = ready.input.warnings;
+  for (Finding& one : facade::solution_notes(ready)) out.push_back(std::move(one));
+  for (Finding& one : out) {
+    one.message = in_window_words(std::move(one.message));
+    one.remedy = in_window_words(std::move(one.remedy));
+  }
+  return out;
+}
+
 }  // namespace
 
 Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
@@ -61,7 +72,7 @@ Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
   if (!costs.empty()) text += "\n" + costs;
   if (const auto models = facade::models_beside(ready.input))
     text += "\n" + facade::model_table(*models);
-  return {{}, std::move(text)};
+  return {{}, std::move(text), std::nullopt, findings_of(ready)};
 }
 
 Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
@@ -78,7 +89,8 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
   listing::print_life(report, ready.life);
   std::string text = report.take();
   std::replace(text.begin(), text.end(), '\f', '\n');
-  return {key_results(ready, deck.units()), std::move(text), facade::solution_tables(ready)};
+  return {key_results(ready, deck.units()), std::move(text), facade::solution_tables(ready),
+          findings_of(ready)};
 }
 
 EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
@@ -86,7 +98,9 @@ EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, Q
       function_(function),
       invitation_(invitation),
       note_(new QLabel(invitation, this)),
+      findings_(new desktop::FindingsBar(this)),
       view_(desktop::make_listing_view(tr("Result"), this)) {
+  connect(findings_, &desktop::FindingsBar::chosen, this, &EvaluationPanel::findingChosen);
   note_->setWordWrap(true);
   note_->setObjectName("note");
   view_->setObjectName("text");
@@ -94,6 +108,7 @@ EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, Q
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
   layout->addWidget(note_);
+  layout->addWidget(findings_);
   layout->addWidget(view_, 1);
   layout->setAlignment(note_, Qt::AlignTop);
 }
@@ -117,6 +132,7 @@ void EvaluationPanel::forget() {
   stale_ = false;
   headline_.clear();
   tables_.reset();
+  findings_->setFindings({});
   view_->clear();
   view_->hide();
   note_->setText(invitation_);
@@ -127,6 +143,7 @@ void EvaluationPanel::show(const Evaluation& result, bool failed) {
   headline_ =
       failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
   tables_ = result.tables;
+  findings_->setFindings(result.findings);
   view_->setPlainText(QString::fromStdString(result.text));
   view_->show();
   showNote();
@@ -140,6 +157,7 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   evaluated_ = deck;
   evaluated_options_ = options;
   stale_ = another_ = false;
+  findings_->setFindings({});
   note_->setText(tr("Computing …"));
   note_->show();
   struct Outcome {

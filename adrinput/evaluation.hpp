@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrinput/background.hpp"
+#include "base/finding.hpp"
 #include "deck/deck.hpp"
 #include "results/static_tables.hpp"
 
@@ -10,9 +11,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QLabel;
 class QPlainTextEdit;
+
+namespace adore::desktop {
+class FindingsBar;
+}
 
 namespace adore::adrinput {
 
@@ -22,6 +28,7 @@ struct Evaluation {
   std::string headline;  ///< key results in one sentence, or empty
   std::string text;
   std::optional<results::StaticTables> tables = std::nullopt;  ///< of a quasi-static solution
+  std::vector<Finding> findings = {};
 };
 
 /// What this deck would simulate and why; its quasi-static equilibrium as PRINT.txt has it. Both
@@ -59,6 +66,7 @@ class EvaluationPanel : public QWidget {
 
  signals:
   void finished();
+  void findingChosen(const adore::Finding& finding);
 
  private:
   void showNote();
@@ -67,6 +75,7 @@ class EvaluationPanel : public QWidget {
   Function function_;
   QString invitation_;
   QLabel* note_;
+  desktop::FindingsBar* findings_;
   QPlainTextEdit* view_;
   Background background_;
   deck::Deck evaluated_;

@@ -234,6 +234,11 @@ void RecordList::syncState() {
         more = tr("A run computes the quasi-static solution only: mode is %1.")
                    .arg(document_.deck().integer("mode"));
       }
+      if (const int warnings = document_.warnings(); warnings > 0) {
+        sign = RecordState::Doubtful;
+        text += warnings == 1 ? tr(", 1 warning") : tr(", %1 warnings").arg(warnings);
+        more += tr(" The problems list its warnings; click for the first one.");
+      }
       break;
   }
   state_->setIcon(state_icon(sign));

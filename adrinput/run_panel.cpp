@@ -6,11 +6,14 @@
 #include "base/input_file.hpp"
 #include "desktop/behind.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/flow_layout.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
+#include "results/run_findings.hpp"
+#include "results/run_json.hpp"
 
 #include <QBoxLayout>
 #include <QCheckBox>
@@ -45,7 +48,7 @@ QString from(const std::string& text) { return QString::fromStdString(text); }
 QString report(const facade::RunOutcome& outcome) {
   std::string text;
   for (const std::string& line : outcome.results) text += line + "\n";
-  for (const Issue& issue : outcome.warnings) text += issue.text() + "\n";
+  for (const Finding& one : shown_findings(outcome.warnings)) text += one.text() + "\n";
   if (outcome.energy_scale > 0.0)
     text += fmt::format("Energy residual {:.3g} J, {:.2g} of {:.3g} J moved.\n",
                         outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
@@ -158,12 +161,15 @@ RunPanel::RunPanel(QWidget* parent)
       this);
   note_->setObjectName("run-note");
   note_->setWordWrap(true);
+  findings_ = new desktop::FindingsBar(this);
+  connect(findings_, &desktop::FindingsBar::chosen, this, &RunPanel::findingChosen);
   view_ = desktop::make_listing_view(tr("What the run tells"), this);
   view_->setObjectName("run-text");
   view_->hide();
   layout->addLayout(first);
   layout->addLayout(second);
   layout->addWidget(note_);
+  layout->addWidget(findings_);
   layout->addWidget(view_, 1);
   layout->addStretch(0);
   run_.progressed = [this](const facade::Progress& progress) { show(progress); };
@@ -251,6 +257,9 @@ void RunPanel::show(const RunEnd& end) {
     headline_ = headline_of(*end.outcome);
     noteMade(end.outcome->status != facade::RunStatus::Interrupted);
     view_->setPlainText(report(*end.outcome));
+    std::vector<Finding> found = end.outcome->warnings;
+    for (Finding& finding : found) finding.message = in_window_words(std::move(finding.message));
+    findings_->setFindings(std::move(found));
     if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
   } else if (end.sweep) {
     showSweep(*end.sweep);
@@ -298,13 +307,28 @@ void RunPanel::setAnother(const std::filesystem::path& now) {
   if (!busy()) showNote();
 }
 
+/// Findings of the run of this deck that is stored next to it.
+void RunPanel::showStored() {
+  const std::filesystem::path run = shown_file_.parent_path() / "RUN.json";
+  const nlohmann::json of = results::read_run_member(run, "deck");
+  const bool ours = of.is_string() && shown_file_.filename() == of.get<std::string>();
+  findings_->setFindings(ours ? results::run_findings(run) : std::vector<Finding>());
+}
+
 void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck,
                        const RunOptionValues& options) {
   const bool first = computed_.records.empty();
-  const bool looks = first && (file != shown_file_ || !(deck == shown_));
+  const bool opened = file != shown_file_;
+  const bool looks = first && (opened || !(deck == shown_));
   shown_file_ = file;
   shown_ = deck;
-  if (looks) enableButtons();
+  if (looks) {
+    enableButtons();
+    if (opened)
+      showStored();
+    else
+      findings_->setFindings({});
+  }
   if (first) return;
   // Results of another file are those of its folder, even where the values have become the same.
   const bool stale = another_ || !(deck == computed_ && options == computed_options_);

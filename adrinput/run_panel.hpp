@@ -24,6 +24,10 @@ class QPushButton;
 class QTimer;
 class QToolButton;
 
+namespace adore::desktop {
+class FindingsBar;
+}
+
 namespace adore::adrinput {
 
 /// The whole run of a saved deck: start, progress, cancel, what came out, and the way to the plots,
@@ -79,11 +83,14 @@ class RunPanel : public QWidget {
   void continueWanted();
   void sweepWanted();
   void finished();
+  /// An entry of the findings of the last run was clicked.
+  void findingChosen(const adore::Finding& finding);
 
  private:
   void show(const facade::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
+  void showStored();
   void showSweep(const facade::SweepOutcome& sweep);
   void begin(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
@@ -123,6 +130,7 @@ class RunPanel : public QWidget {
   QCheckBox *plots_at_end_, *animation_at_end_;
   QProgressBar* bar_;
   QLabel* note_;
+  desktop::FindingsBar* findings_;
   QPlainTextEdit* view_;
   QFileSystemWatcher* watcher_;
   QTimer* look_;  ///< a pause for a program to finish writing

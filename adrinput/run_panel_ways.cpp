@@ -4,6 +4,7 @@
 #include "adrinput/window_words.hpp"
 #include "base/counted.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/findings_bar.hpp"
 #include "facade/sweep_mark.hpp"
 
 #include <QAction>
@@ -66,6 +67,7 @@ void RunPanel::begin(const fs::path& file, const deck::Deck& deck, const RunOpti
   stale_ = false;
   file_ = file;
   out_.clear();
+  findings_->setFindings({});
 }
 
 void RunPanel::startInNewFolder(const fs::path& file, const deck::Deck& deck,

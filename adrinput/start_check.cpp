@@ -1,7 +1,6 @@
 #include "adrinput/start_check.hpp"
 
 #include "adrinput/window_words.hpp"
-#include "facade/rehearsal.hpp"
 
 #include <exception>
 #include <memory>
@@ -24,7 +23,7 @@ void StartCheck::forget() {
 
 void StartCheck::start(Document::Candidate candidate) {
   asked_ = candidate;
-  auto answer = std::make_shared<std::optional<std::vector<Issue>>>();
+  auto answer = std::make_shared<std::optional<facade::Rehearsal>>();
   background_.start(
       [candidate, answer](const std::stop_token& stop) {
         try {
@@ -33,11 +32,13 @@ void StartCheck::start(Document::Candidate candidate) {
           input.deck = candidate.deck;
           input.option_values = candidate.options;
           input.stop = stop;
-          *answer = facade::refusals_of_run(std::move(input));
-          for (Issue& issue : **answer) {
+          *answer = facade::rehearse_run(std::move(input));
+          const auto in_words = [](Issue& issue) {
             issue.message = in_window_words(std::move(issue.message));
             issue.remedy = in_window_words(std::move(issue.remedy));
-          }
+          };
+          for (Issue& issue : (*answer)->refusals) in_words(issue);
+          for (Finding& finding : (*answer)->remarks) in_words(finding);
         } catch (const std::exception&) {
           answer->reset();  // given up
         }

@@ -2,6 +2,7 @@
 
 #include "adrinput/background.hpp"
 #include "adrinput/document.hpp"
+#include "facade/rehearsal.hpp"
 
 #include <QObject>
 
@@ -18,7 +19,7 @@ class StartCheck : public QObject {
   explicit StartCheck(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Called in the thread of this object with the deck that was asked about last.
-  std::function<void(const Document::Candidate&, std::vector<Issue>)> found;
+  std::function<void(const Document::Candidate&, facade::Rehearsal)> found;
 
   /// An earlier question that is open is given up.
   void ask(Document::Candidate candidate);

@@ -1,11 +1,14 @@
 #include "adrplot/plot_window.hpp"
 
+#include "adrplot/finding_pages.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/window_place.hpp"
+#include "results/run_findings.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -21,6 +24,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
 
 namespace adore::adrplot {
 namespace {
@@ -60,6 +64,9 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(note_);
+  findings_ = new desktop::FindingsBar(this);
+  connect(findings_, &desktop::FindingsBar::chosen, this, &PlotWindow::goToFinding);
+  column->addWidget(findings_);
   column->addWidget(chart, 1);
   cursors_ = new QLabel(this);
   cursors_->setObjectName("cursors");
@@ -215,6 +222,7 @@ void PlotWindow::showCurrent() {
     offerCurves(chart);
   }
   note_->setVisible(!note_->text().isEmpty());
+  showFindings();
   {
     const QSignalBlocker quiet_x(log_x_action_), quiet_y(log_y_action_);
     log_x_action_->setChecked(chart.log_x);
@@ -225,6 +233,80 @@ void PlotWindow::showCurrent() {
   offerNames();
   view_->setMinimumHeight(static_cast<int>(view_->chartScene().leastHeight()));
   fitReadout();
+}
+
+void PlotWindow::showFindings() {
+  const Document* const doc = document();
+  if (doc == nullptr || !doc->on_disk) {
+    findings_seen_.clear();
+    return findings_->setFindings({});
+  }
+  const std::filesystem::path report = run_folder(doc->path) / "RUN.json";
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(report, error);
+  const std::string seen =
+      report.string() + std::to_string(error ? 0 : written.time_since_epoch().count());
+  if (seen != findings_seen_) {
+    findings_seen_ = seen;
+    findings_->setFindings(results::run_findings(doc->path));
+    markPages();
+  }
+  findings_->setPlace(page_concerns(doc->pages[static_cast<std::size_t>(page_ - 1)].title),
+                      tr("This page"));
+}
+
+/// A sign at the pages that warnings concern.
+void PlotWindow::markPages() {
+  const Document* const here = document();
+  std::set<std::string> topics;
+  for (const Finding& one : findings_->findings())
+    if (one.severity > Severity::Note) topics.insert(topic_of(one));
+  topics.erase("");
+  for (int k = 0; k < tree_->topLevelItemCount() && k < fileCount(); ++k) {
+    const Document& doc = *documents_[static_cast<std::size_t>(k)];
+    const bool of_run = here != nullptr && run_folder(doc.path) == run_folder(here->path);
+    QTreeWidgetItem* root = tree_->topLevelItem(k);
+    for (int p = 0; p < root->childCount() && p < static_cast<int>(doc.pages.size()); ++p) {
+      const bool marked =
+          of_run && topics.count(topic_of_page(doc.pages[static_cast<std::size_t>(p)].title)) > 0;
+      root->child(p)->setIcon(0, marked ? desktop::warning_icon() : QIcon());
+      root->child(p)->setToolTip(0, marked ? tr("A warning concerns this page") : QString());
+    }
+  }
+}
+
+void PlotWindow::goToFinding(const Finding& finding) {
+  const std::string topic = topic_of(finding);
+  const Document* const here = document();
+  if (here == nullptr) return;
+  const std::filesystem::path folder = run_folder(here->path);
+  const int element = desktop::element_of_body(finding.body);
+  // The best page: of this run and topic, over time where the finding has one, of its element.
+  int best = -1, best_page = 0, best_score = 0;
+  for (int k = 0; k < fileCount(); ++k) {
+    const Document& one = *documents_[static_cast<std::size_t>(k)];
+    if (run_folder(one.path) != folder) continue;
+    for (std::size_t p = 0; p < one.pages.size(); ++p) {
+      if (topic.empty() || topic_of_page(one.pages[p].title) != topic) continue;
+      const bool of_element = element > 0 && one.subject.ends_with(" " + std::to_string(element));
+      const bool over_time = one.pages[p].kind == PageKind::History;
+      const int score =
+          1 + (of_element ? 4 : 0) + (finding.time && over_time ? 2 : 0) + (k == current_ ? 1 : 0);
+      if (score <= best_score) continue;
+      best = k;
+      best_page = static_cast<int>(p) + 1;
+      best_score = score;
+    }
+  }
+  if (best >= 0) {
+    if (finding.time) setAbscissa(Abscissa::Time);
+    if (QTreeWidgetItem* item = tree_->topLevelItem(best)->child(best_page - 1))
+      tree_->setCurrentItem(item);
+  }
+  const desktop::ChartPage& page = view_->chartScene().page();
+  if (finding.time && page.x_unit == "s" && page.x_title == "Time")
+    view_->setCursor(0, *finding.time);
+  statusBar()->showMessage(desktop::finding_text(finding), 20000);
 }
 
 /// What the cursors tell, in a third of the window at most, beside the least of the chart.

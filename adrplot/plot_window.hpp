@@ -21,8 +21,13 @@ class QTimer;
 class QToolBar;
 class QTreeWidget;
 
+namespace adore {
+struct Finding;
+}
+
 namespace adore::desktop {
 class ChartView;
+class FindingsBar;
 enum class ChartDeed : unsigned char;
 }  // namespace adore::desktop
 
@@ -124,6 +129,11 @@ class PlotWindow : public QMainWindow {
   void offerCurves(const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
+  /// Findings of the run of the current file, those of the page first.
+  void showFindings();
+  void markPages();
+  /// To the page that shows what a finding is about, with a cursor at its time.
+  void goToFinding(const Finding& finding);
   void makeReadout();
   void fitReadout();
   void showReadout();
@@ -143,6 +153,8 @@ class PlotWindow : public QMainWindow {
   CurveChoice chosen_curves_;  ///< for the chart made last
   desktop::ChartView* view_;
   QTreeWidget* tree_;
+  desktop::FindingsBar* findings_;
+  std::string findings_seen_;  ///< folder and time of the RUN.json that they are of
   QLabel* note_;
   QLabel* cursors_;
   QScrollArea* cursors_area_;

@@ -127,6 +127,7 @@ void PlotWindow::fillTree() {
   }
   current_ = file;
   showPage(page);
+  markPages();
 }
 
 void PlotWindow::closeFile() {

@@ -1,12 +1,15 @@
 #include "adrplot/render.hpp"
 
+#include "adrplot/finding_pages.hpp"
 #include "adrplot/folder_files.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/input_limits.hpp"
 #include "desktop/chart_scene.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/image_export.hpp"
+#include "results/run_findings.hpp"
 
 #include <QImage>
 #include <fmt/format.h>
@@ -32,6 +35,7 @@ namespace {
 std::vector<fs::path> draw_document(const PlotDocument& document, const std::string& stem,
                                     const RenderOptions& options, std::string& others) {
   std::vector<fs::path> written;
+  const std::vector<Finding> findings = results::run_findings(document.path);
   desktop::ChartScene scene;
   scene.setTheme(
       desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
@@ -50,7 +54,15 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
       page.note = "Incomplete file: " + document.note + ". " + page.note;
     scene.setPage(std::move(page));
     const fs::path path = options.folder / fmt::format("{}-page-{:02}.png", stem, number);
-    desktop::save_image(scene.image({options.width, options.height}), path);
+    desktop::save_image(
+        desktop::with_findings(
+            {options.width, options.height}, findings, options.dark,
+            [&](QSize size) {
+              scene.setPageSize(QSizeF(size));
+              return scene.image(size);
+            },
+            page_concerns(document.pages[static_cast<std::size_t>(number - 1)].title)),
+        path);
     written.push_back(path);
   }
   return written;

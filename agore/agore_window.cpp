@@ -6,9 +6,11 @@
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/file_drops.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
+#include "results/run_findings.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -19,6 +21,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <exception>
@@ -47,7 +50,13 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   auto* row = new QHBoxLayout(centre);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  row->addWidget(canvas_, 1);
+  auto* picture = new QVBoxLayout;
+  picture->setSpacing(0);
+  findings_ = new desktop::FindingsBar(this);
+  connect(findings_, &desktop::FindingsBar::chosen, this, &AgoreWindow::goToFinding);
+  picture->addWidget(canvas_, 1);
+  picture->addWidget(findings_);
+  row->addLayout(picture, 1);
   makeMenus();
   new desktop::MenuKeys(*this);
   row->addWidget(makeButtons());
@@ -163,6 +172,52 @@ void AgoreWindow::setFrame(std::size_t frame) {
   showFrame();
 }
 
+/// Findings about the body of the view come first.
+void AgoreWindow::placeFindings() {
+  const View view = options_.view;
+  const int element = options_.element;
+  findings_->setPlace(
+      [view, element](const Finding& one) {
+        const auto names = [&](const char* word) {
+          return one.body.find(word) != std::string::npos;
+        };
+        switch (view) {
+          case View::Cage:
+            return names("cage");
+          case View::Pocket:
+            return names("cage") || desktop::element_of_body(one.body) == element;
+          case View::Element:
+            return desktop::element_of_body(one.body) == element;
+          case View::OuterRace:
+            return names("outer race");
+          case View::InnerRace:
+            return names("inner race");
+          default:
+            return false;
+        }
+      },
+      tr("This view"));
+}
+
+void AgoreWindow::goToFinding(const Finding& finding) {
+  if (!picture_) return;
+  pause();
+  if (finding.time) setFrame(picture_->frameAt(*finding.time));
+  const auto go = [&](View view, int element) {
+    if (why_not(view, picture_->animation()).empty()) setView(view, element);
+  };
+  const int element = desktop::element_of_body(finding.body);
+  if (finding.body.starts_with("cage"))
+    go(element > 0 ? View::Pocket : View::Cage, element);
+  else if (element > 0)
+    go(View::Element, element);
+  else if (finding.body.find("outer race") != std::string::npos)
+    go(View::OuterRace, 0);
+  else if (finding.body.find("inner race") != std::string::npos)
+    go(View::InnerRace, 0);
+  statusBar()->showMessage(desktop::finding_text(finding), 20000);
+}
+
 void AgoreWindow::setView(View view, int element) {
   if (!picture_) return askForFile();
   const std::string reason = why_not(view, picture_->animation());
@@ -263,6 +318,7 @@ void AgoreWindow::showFrame() {
 
 void AgoreWindow::refresh() {
   if (picture_ && shows(View::Flange)) choose_flange_race(picture_->animation(), options_);
+  placeFindings();
   showFrame();
   if (auto* beside = findChild<QMenu*>("besideMenu"))
     for (QAction* action : beside->actions())

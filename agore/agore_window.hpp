@@ -18,6 +18,13 @@ class QAction;
 class QComboBox;
 class QMenu;
 
+namespace adore {
+struct Finding;
+namespace desktop {
+class FindingsBar;
+}
+}  // namespace adore
+
 namespace adore::agore {
 
 /// Of its settings and recent files.
@@ -153,6 +160,9 @@ class AgoreWindow : public QMainWindow {
   void play(int direction);
   void advance();
   void refresh();
+  void placeFindings();
+  /// To frame and view of what a finding is about.
+  void goToFinding(const Finding& finding);
   void showFrame();
   [[nodiscard]] QString besideFile(const QString& name) const;
   [[nodiscard]] ViewOptions stillOptions() const;  ///< of a picture that is not passing by
@@ -160,6 +170,7 @@ class AgoreWindow : public QMainWindow {
 
   std::unique_ptr<MotionPicture> picture_;
   PictureWidget* canvas_;
+  desktop::FindingsBar* findings_;
   QComboBox *speed_ = nullptr, *slow_motion_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_;

@@ -2,9 +2,11 @@
 
 #include "base/errors.hpp"
 #include "desktop/avi_writer.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/gif_writer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/mp4_writer.hpp"
+#include "results/run_findings.hpp"
 
 #include <fmt/format.h>
 
@@ -16,14 +18,29 @@ namespace adore::agore {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<Finding> findings_of(const MotionPicture& picture) {
+  return results::run_findings(picture.animation().file.path);
+}
+
+QImage picture_of(MotionPicture& picture, std::size_t frame, const std::vector<Finding>& findings,
+                  const RenderOptions& options) {
+  return desktop::with_findings(
+      {options.width, options.height}, findings, options.view.dark,
+      [&](QSize size) { return picture.image(size, frame, options.view); });
+}
+
+}  // namespace
+
 void render_frame(MotionPicture& picture, int frame, const fs::path& path,
                   const RenderOptions& options) {
   if (frame < 1 || frame > static_cast<int>(picture.frames()))
     throw InputError(fmt::format("{} has no frame {}; its frames are 1 to {}",
                                  picture.animation().file.path.string(), frame, picture.frames()));
-  desktop::save_image(picture.image({options.width, options.height},
-                                    static_cast<std::size_t>(frame - 1), options.view),
-                      path);
+  desktop::save_image(
+      picture_of(picture, static_cast<std::size_t>(frame - 1), findings_of(picture), options),
+      path);
 }
 
 namespace {
@@ -134,9 +151,10 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   if (film.has_parent_path()) desktop::make_folder(film.parent_path());
   if (!options.replace) desktop::check_replaceable(film);
   const QSize size(options.width, options.height);
+  const std::vector<Finding> findings = findings_of(picture);
   const auto draw = [&](auto& writer) {
     if (draw_all(frames, options, [&](std::size_t frame, std::size_t) {
-          writer.add(picture.image(size, frame, options.view));
+          writer.add(picture_of(picture, frame, findings, options));
         }))
       writer.finish();  // stopped: no film
   };

@@ -3,6 +3,8 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/findings_bar.hpp"
+#include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
 
 #include <QAction>
@@ -95,6 +97,7 @@ void AgoreWindow::adopt(Animation animation) {
   seen_ = state_of(fresh->animation().file.path);
   const auto old = std::exchange(picture_, std::move(fresh));
   frame_ = std::min(frame_, frameCount() - 1);
+  findings_->setFindings(results::run_findings(picture_->animation().file.path));
   refused_ = 0;
   showFrame();  // the canvas lets go of the old one before it dies
 }

@@ -1,5 +1,6 @@
 #include "cli/pictures/gallery.hpp"
 
+#include "adrplot/finding_pages.hpp"
 #include "adrplot/plot_document.hpp"
 #include "agore/render.hpp"
 #include "base/counted.hpp"
@@ -13,10 +14,12 @@
 #include "desktop/chart_scene.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/few_colours.hpp"
+#include "desktop/findings_bar.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/text_faults.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run.hpp"
+#include "results/run_findings.hpp"
 #include "results/run_folder.hpp"
 
 #include <fmt/format.h>
@@ -67,16 +70,20 @@ class Gallery {
   void views(const fs::path& file) {
     agore::MotionPicture picture = agore::open_animation(file);
     const agore::Animation& animation = picture.animation();
+    const std::vector<Finding> findings = results::run_findings(file);
     const auto frame = static_cast<int>(0.4 * static_cast<double>(picture.frames())) + 1;
     using agore::View;
     const auto draw = [&](const std::string& name, agore::ViewOptions options) {
       options.dark = dark_;
       if (!agore::why_not(options.view, animation).empty()) return;
       const WritePath path(folder_, "view-" + name + ".png");
-      desktop::save_image(
-          desktop::in_mixed_colours(picture.image({size_.width, size_.height},
-                                                  static_cast<std::size_t>(frame - 1), options)),
-          path);
+      desktop::save_image(desktop::in_mixed_colours(desktop::with_findings(
+                              {size_.width, size_.height}, findings, dark_,
+                              [&](QSize size) {
+                                return picture.image(size, static_cast<std::size_t>(frame - 1),
+                                                     options);
+                              })),
+                          path);
       list_.emplace_back(path.name(), agore::view_title(options.view));
     };
     const auto plain = [](View view) {
@@ -123,9 +130,16 @@ class Gallery {
     scene_.setPage(document.build(number, options));
     const WritePath path(folder_, fmt::format("{}-page-{:02}{}.png",
                                               document.path.filename().string(), number, ending));
-    desktop::save_image(
-        desktop::in_few_colours(scene_.image(QSize(size_.width, size_.height)), kColoursOfPages),
-        path);
+    desktop::save_image(desktop::in_few_colours(desktop::with_findings(
+                                                    {size_.width, size_.height},
+                                                    results::run_findings(document.path), dark_,
+                                                    [&](QSize size) {
+                                                      scene_.setPageSize(QSizeF(size));
+                                                      return scene_.image(size);
+                                                    },
+                                                    adrplot::page_concerns(title)),
+                                                kColoursOfPages),
+                        path);
     for (const std::string& fault : desktop::text_faults(scene_))
       print(stderr, "adore: note: {}: {}\n", path.path().string(), fault);
     list_.emplace_back(path.name(),

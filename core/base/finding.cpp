@@ -245,7 +245,8 @@ std::vector<Finding> shown_findings(std::span<const Finding> findings) {
   Finding notes;
   for (const Finding& one : findings) {
     const FindingKind* kind = find_finding_kind(one.code);
-    if (one.severity == Severity::Error || (kind != nullptr && kind->quiet)) continue;
+    const bool quiet = kind != nullptr && kind->quiet && one.severity == Severity::Note;
+    if (one.severity == Severity::Error || quiet) continue;
     if (one.severity != Severity::Note || !begins(one.code, "validity.")) {
       out.push_back(one);
       continue;

@@ -64,7 +64,7 @@ Rehearsal rehearse_in(LoadedDeck input, const fs::path& folder) {
 
 Rehearsal rehearse(LoadedDeck input) { return rehearse_in(std::move(input), {}); }
 
-std::vector<Issue> refusals_of_run(LoadedDeck input) {
+Rehearsal rehearse_run(LoadedDeck input) {
   fs::path folder;
   if (input.path.empty()) {
     input.path = "new deck";
@@ -72,7 +72,11 @@ std::vector<Issue> refusals_of_run(LoadedDeck input) {
     folder = input.path.parent_path();
     if (folder.empty()) folder = ".";
   }
-  return rehearse_in(std::move(input), folder).refusals;
+  return rehearse_in(std::move(input), folder);
+}
+
+std::vector<Issue> refusals_of_run(LoadedDeck input) {
+  return rehearse_run(std::move(input)).refusals;
 }
 
 }  // namespace adore::facade

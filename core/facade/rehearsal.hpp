@@ -26,5 +26,7 @@ struct Rehearsal {
 /// @return errors; empty: the run begins
 /// @throws Interrupted when input.stop ended it
 [[nodiscard]] std::vector<Issue> refusals_of_run(LoadedDeck input);
+/// The same with the findings that `adore check` lists.
+[[nodiscard]] Rehearsal rehearse_run(LoadedDeck input);
 
 }  // namespace adore::facade

@@ -279,7 +279,7 @@ TEST_CASE("a deck that comes back while another one is asked about gets its answ
   const Document::Candidate second = document.candidate();
   StartCheck check;
   std::vector<Document::Candidate> answers;
-  check.found = [&](const Document::Candidate& of, const std::vector<Issue>&) {
+  check.found = [&](const Document::Candidate& of, const facade::Rehearsal&) {
     answers.push_back(of);
   };
   check.ask(first);
@@ -297,7 +297,7 @@ TEST_CASE("what is found out when a run ends is asked anew, the old answer does 
   const Document::Candidate asked = document.candidate();
   StartCheck check;
   int answers = 0;
-  check.found = [&](const Document::Candidate&, const std::vector<Issue>&) { ++answers; };
+  check.found = [&](const Document::Candidate&, const facade::Rehearsal&) { ++answers; };
   const auto wait = [&] { REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000)); };
   check.ask(asked);
   check.forget();

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/finding.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+/// Pages that show what a finding is about.
+namespace adore::adrplot {
+
+/// "cage", "film", "life", "heat", "contact" by the words of a page's title; empty: none.
+[[nodiscard]] std::string topic_of_page(std::string_view title);
+/// Of its kind; empty: none.
+[[nodiscard]] std::string topic_of(const Finding& finding);
+/// Does a finding concern the page of that title?
+[[nodiscard]] std::function<bool(const Finding&)> page_concerns(std::string_view title);
+
+}  // namespace adore::adrplot
