@@ -25,6 +25,9 @@ inline constexpr std::size_t kMaxInputBytes = std::size_t{64} << 20;
 
 /// Runs of a study, and runs of a sweep.
 inline constexpr long kMaxStudyRuns = 10'000'000;
+/// Memory of the list of runs of a study. It is estimated before the list is made: a run that sets
+/// two variables takes 0.7 kB.
+inline constexpr double kMaxStudyBytes = 4.0 * (std::uintmax_t{1} << 30);
 /// Rows of a table of numbers by the user (traction curve, surface).
 inline constexpr std::size_t kMaxTableRows = 100'000;
 /// Columns of a table of runs: the key results are about a hundred.

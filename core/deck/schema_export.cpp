@@ -133,7 +133,8 @@ std::string schema_json() {
 }
 
 std::string schema_markdown() {
-  std::string out = "# Records of the data deck\n";
+  std::string out =
+      "# Records of the data deck\n\nThis page is the output of `adore schema --format md`.\n";
   for (const RecordSpec& record : schema()) {
     out += fmt::format(
         "\n## {} {}\n\nRequired when `{}`{}.\n\n", record.id, record.title, record.condition,

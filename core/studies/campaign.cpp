@@ -316,8 +316,8 @@ class Campaign {
       std::vector<double> values;
       for (std::size_t i = from; i < tasks_.size(); ++i) {
         const auto record = read_record(folder_, tasks_[i].key);
-        values.push_back(record && record->exit_code == 0
-                             ? record->values.at(objective)
+        values.push_back(record && record->exit_code == 0 && objective < record->values.size()
+                             ? record->values[objective]
                              : std::numeric_limits<double>::quiet_NaN());
       }
       from = tasks_.size();
@@ -436,7 +436,7 @@ Results read_results(const Study& study) {
   const fs::path folder = study.folder();
   require_started(folder);
   Results out;
-  out.tasks = read_tasks(folder / kTasks);
+  out.tasks = read_tasks(folder / kTasks, study.decks.size());
   for (const Task& task : out.tasks) out.records.push_back(read_record(folder, task.key));
   return out;
 }
@@ -448,7 +448,7 @@ std::vector<results::FileCheck> verify_study(const fs::path& folder) {
   std::set<std::string> seen;
   long intact = 0;
   std::error_code error;
-  for (const Task& task : read_tasks(folder / kTasks)) {
+  for (const Task& task : read_tasks(folder / kTasks, read_job(folder).decks.size())) {
     const fs::path file = record_file(folder, task.key);
     if (!seen.insert(task.key).second || !fs::exists(file, error)) continue;
     if (read_record(folder, task.key))

@@ -86,15 +86,54 @@ Json to_json(const Quantity& q) {
       {"places", q.places},   {"unit", q.unit}};
 }
 
-Quantity quantity_of(const Json& json) {
+/// Values of a JSON text in the study's folder, which may come from a stranger. Numbers are checked
+/// before they become indices; a mistake names file, line, key and value.
+class FolderFile {
+ public:
+  explicit FolderFile(std::string file, long line = 0) : file_(std::move(file)), line_(line) {}
+
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw InputError(fmt::format(
+        "{}{}: {}. The file is damaged: remove it and start the study again with `adore study "
+        "run`; finished runs are kept.",
+        file_, line_ > 0 ? fmt::format(", line {}", line_) : "", problem));
+  }
+  [[noreturn]] void refuse(const std::string& key, const Json& value,
+                           const std::string& valid) const {
+    constexpr std::size_t kLongestValue = 80;
+    refuse(fmt::format("{} = {}: {}", key, dump_json(value).substr(0, kLongestValue), valid));
+  }
+  [[nodiscard]] long whole(const std::string& key, const Json& value, long low, long high) const {
+    const double number = real(key, value, static_cast<double>(low), static_cast<double>(high));
+    if (number != std::floor(number)) refuse(key, value, "not a whole number");
+    return static_cast<long>(number);
+  }
+  [[nodiscard]] double real(const std::string& key, const Json& value, double low,
+                            double high) const {
+    if (!value.is_number()) refuse(key, value, "not a number");
+    const auto number = value.get<double>();
+    if (!(number >= low && number <= high))
+      refuse(key, value, fmt::format("outside its range, {:.15g} to {:.15g}", low, high));
+    return number;
+  }
+
+ private:
+  std::string file_;
+  long line_;
+};
+
+Quantity quantity_of(const Json& json, const FolderFile& file, const std::string& at) {
+  constexpr long kMaxPlace = 1'000'000;  // as in the study file
   Quantity q;
   q.name = json.at("name").get<std::string>();
   q.channel = json.at("channel").get<std::string>();
-  q.statistic = static_cast<Statistic>(json.at("statistic").get<int>());
-  q.percent = json.at("percent").get<double>();
-  q.from = json.at("from").get<double>();
-  q.to = json.at("to").get<double>();
-  q.places = json.at("places").get<std::vector<std::size_t>>();
+  q.statistic = static_cast<Statistic>(file.whole(at + ".statistic", json.at("statistic"), 0,
+                                                  static_cast<long>(Statistic::Percentile)));
+  q.percent = file.real(at + ".percent", json.at("percent"), 0.0, 100.0);
+  q.from = file.real(at + ".from", json.at("from"), 0.0, 1.0);
+  q.to = file.real(at + ".to", json.at("to"), 0.0, 1.0);
+  for (const Json& place : json.at("places"))
+    q.places.push_back(static_cast<std::size_t>(file.whole(at + ".places", place, 1, kMaxPlace)));
   q.unit = json.at("unit").get<std::string>();
   return q;
 }
@@ -168,13 +207,6 @@ Settings sets_of(const Job& job, const Task& task) {
   return out;
 }
 
-[[noreturn]] void damaged(const fs::path& file) {
-  throw InputError(fmt::format(
-      "{} is damaged; remove it and start the study again with `adore study run`: finished runs "
-      "are kept",
-      file.string()));
-}
-
 /// As Hash writes it: a key is the name of a file and a folder.
 bool is_key(const std::string& text) {
   return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -186,11 +218,12 @@ std::string record_sum(const Json& json) {
 }
 
 /// "decks/1/DATA.txt": a path that stays in the study's folder.
-fs::path path_inside(const fs::path& relative, const fs::path& file) {
+fs::path path_inside(const Json& text, const FolderFile& file, const std::string& at) {
+  const fs::path relative = text.get<std::string>();
   const bool leaves = relative.empty() || relative.is_absolute() ||
                       std::any_of(relative.begin(), relative.end(),
                                   [](const fs::path& part) { return part == ".."; });
-  if (leaves) damaged(file);
+  if (leaves) file.refuse(at, text, "not a path in the folder of the study");
   return relative;
 }
 
@@ -226,23 +259,30 @@ Job prepare_job(const Study& study, const WriteFolder& folder) {
 }
 
 Job read_job(const fs::path& folder) {
-  const fs::path file = folder / "job.json";
-  const Json json = parse_json<Json>(read_text_file(file), file.string());
+  const fs::path path = folder / "job.json";
+  const Json json = parse_json<Json>(read_text_file(path), path.string());
+  const FolderFile file(path.string());
   try {
     Job job;
-    for (const Json& deck : json.at("decks"))
-      job.decks.push_back({folder / path_inside(deck.at("deck").get<std::string>(), file),
-                           settings_of(deck.at("options"))});
+    for (const Json& deck : json.at("decks")) {
+      const std::string at = fmt::format("decks[{}].deck", job.decks.size() + 1);
+      job.decks.push_back(
+          {folder / path_inside(deck.at("deck"), file, at), settings_of(deck.at("options"))});
+    }
+    if (job.decks.empty()) file.refuse("decks", json.at("decks"), "a job has at least one deck");
     job.sets = settings_of(json.at("sets"));
     job.options = settings_of(json.at("options"));
     job.until = json.at("until").get<std::string>();
     job.integrator = json.at("integrator").get<std::string>();
-    if (!json.at("tolerance").is_null()) job.tolerance = json.at("tolerance").get<double>();
+    if (const Json& tolerance = json.at("tolerance"); !tolerance.is_null())
+      job.tolerance = file.real("tolerance", tolerance, 0.0, 1.0);
     job.keep_files = json.at("keep_files").get<bool>();
-    for (const Json& q : json.at("quantities")) job.quantities.push_back(quantity_of(q));
+    for (const Json& q : json.at("quantities"))
+      job.quantities.push_back(
+          quantity_of(q, file, fmt::format("quantities[{}]", job.quantities.size() + 1)));
     return job;
-  } catch (const nlohmann::json::exception&) {
-    damaged(file);
+  } catch (const nlohmann::json::exception& error) {
+    file.refuse(error.what());
   }
 }
 
@@ -293,21 +333,24 @@ std::string task_line(const Task& task) {
   return dump_json(out) + "\n";
 }
 
-Task parse_task(const std::string& line, const std::string& name) {
-  const Json json = parse_json<Json>(line, name);
+Task parse_task(const std::string& line, const TaskSource& source) {
+  const Json json = parse_json<Json>(line, fmt::format("{}, line {}", source.file, source.line));
+  const FolderFile file(source.file, source.line);
   try {
     Task task;
-    task.number = json.at("run").get<long>();
+    task.number = file.whole("run", json.at("run"), 1, kMaxStudyRuns);
     task.key = json.at("key").get<std::string>();
-    if (!is_key(task.key)) damaged(name);
-    task.point.deck = json.at("deck").get<std::size_t>();
+    if (!is_key(task.key)) file.refuse("key", json.at("key"), "not 32 hexadecimal digits");
+    if (source.decks == 0) file.refuse("deck", json.at("deck"), "the job has no deck");
+    task.point.deck = static_cast<std::size_t>(
+        file.whole("deck", json.at("deck"), 0, static_cast<long>(source.decks) - 1));
     task.point.sets = settings_of(json.at("sets"));
     task.point.options = settings_of(json.at("options"));
     task.point.values = json.at("values").get<std::vector<double>>();
     task.point.label = json.at("label").get<std::string>();
     return task;
-  } catch (const nlohmann::json::exception&) {
-    damaged(name);
+  } catch (const nlohmann::json::exception& error) {
+    file.refuse(error.what());
   }
 }
 
@@ -318,16 +361,27 @@ void write_tasks(const WriteFolder& folder, const std::string& name,
   });
 }
 
-std::vector<Task> read_tasks(const fs::path& file) {
+std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
   std::istringstream lines(read_text_file(file, kMaxStudyTableBytes));
   std::vector<Task> out;
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty()) {
-      if (out.size() >= static_cast<std::size_t>(kMaxStudyRuns))
-        throw InputError(
-            fmt::format("{}: a study has {} runs at most", file.string(), kMaxStudyRuns));
-      out.push_back(parse_task(line, file.string()));
-    }
+  TaskSource source{file.string(), 0, decks};
+  double bytes = 0.0;
+  for (std::string line; std::getline(lines, line);) {
+    ++source.line;
+    if (line.empty()) continue;
+    if (line.size() > kMaxHandwrittenBytes)
+      throw InputError(fmt::format("{}, line {}: longer than {} MB", source.file, source.line,
+                                   kMaxHandwrittenBytes >> 20));
+    out.push_back(parse_task(line, source));
+    if (out.size() > 1 && out.back().number <= out[out.size() - 2].number)
+      FolderFile(source.file, source.line)
+          .refuse("run", out.back().number,
+                  fmt::format("not above that of the line before, {}", out[out.size() - 2].number));
+    bytes += memory_of(out.back().point);
+    if (bytes > kMaxStudyBytes)
+      throw InputError(fmt::format("{}, line {}: its runs take more than {:.3g} GB of memory",
+                                   source.file, source.line, kMaxStudyBytes / 1e9));
+  }
   return out;
 }
 
@@ -349,7 +403,9 @@ std::optional<Record> read_record(const fs::path& folder, const std::string& key
     Record out;
     out.key = json.at("key").get<std::string>();
     if (out.key != key) return {};
-    out.exit_code = json.at("exit").get<int>();
+    constexpr long kMaxExit = 255;
+    out.exit_code =
+        static_cast<int>(FolderFile(file.string()).whole("exit", json.at("exit"), 0, kMaxExit));
     for (const Json& value : json.at("values")) out.values.push_back(number_of(value));
     out.message = json.at("message").get<std::string>();
     const Json& measured = json.at("measured");

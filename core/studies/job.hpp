@@ -53,6 +53,7 @@ struct Record {
 
 /// Copies the decks and writes job.json. @throws InputError
 [[nodiscard]] Job prepare_job(const Study& study, const WriteFolder& folder);
+/// @throws InputError naming file, key and value
 [[nodiscard]] Job read_job(const std::filesystem::path& folder);
 
 /// Numbers and keys of the points. A key is the content hash of the deck with its sets as it is
@@ -61,12 +62,20 @@ struct Record {
                                            long first_number);
 
 [[nodiscard]] std::string task_line(const Task& task);
-/// @throws InputError
-[[nodiscard]] Task parse_task(const std::string& line, const std::string& name);
+/// Where a line of tasks is from, and which decks its job has.
+struct TaskSource {
+  std::string file;
+  long line = 0;          ///< from 1
+  std::size_t decks = 0;  ///< of the job: indices are below it
+};
+/// @throws InputError naming file, line, key and value
+[[nodiscard]] Task parse_task(const std::string& line, const TaskSource& source);
 /// tasks.jsonl, whole. @throws InputError
 void write_tasks(const WriteFolder& folder, const std::string& name,
                  const std::vector<Task>& tasks);
-[[nodiscard]] std::vector<Task> read_tasks(const std::filesystem::path& file);
+/// @param decks of the job. Numbers of runs rise from line to line. @throws InputError naming file,
+/// line, key and value
+[[nodiscard]] std::vector<Task> read_tasks(const std::filesystem::path& file, std::size_t decks);
 
 [[nodiscard]] std::filesystem::path record_file(const std::filesystem::path& folder,
                                                 const std::string& key);

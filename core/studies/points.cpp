@@ -1,8 +1,10 @@
 #include "studies/points.hpp"
 
 #include "base/errors.hpp"
+#include "base/input_limits.hpp"
 #include "facade/run_ending.hpp"
 #include "studies/draws.hpp"
+#include "studies/job.hpp"
 #include "studies/sensitivity.hpp"
 #include "studies/worst_case.hpp"
 
@@ -14,8 +16,6 @@
 
 namespace adore::studies {
 namespace {
-
-constexpr long kMostPoints = 10'000'000;
 
 std::vector<const Variable*> of_law(const Study& study, bool random) {
   std::vector<const Variable*> out;
@@ -99,18 +99,43 @@ std::vector<std::vector<double>> sampled(const Study& study) {
   return out;
 }
 
-long checked(double count, const Study& study) {
-  if (count > static_cast<double>(kMostPoints))
+/// @param bytes of all runs
+long checked(double count, double bytes, const Study& study) {
+  if (count > static_cast<double>(kMaxStudyRuns))
     throw InputError(
         fmt::format("{}: the study has {:.3g} runs, and {} is the most; take fewer "
                     "values or samples",
-                    study.file.string(), count, kMostPoints));
+                    study.file.string(), count, kMaxStudyRuns));
+  if (bytes > kMaxStudyBytes)
+    throw InputError(
+        fmt::format("{}: the list of {:.3g} runs takes {:.3g} GB of memory, and {:.3g} GB is the "
+                    "most; take fewer values or samples",
+                    study.file.string(), count, bytes / 1e9, kMaxStudyBytes / 1e9));
   return static_cast<long>(count);
 }
 
 void add(const Variable& variable, const std::string& target, double value, Point& out) {
   (variable.option ? out.options : out.sets).emplace_back(target, setting_text(value));
   for (const std::string& name : variable.also) out.sets.emplace_back(name, setting_text(value));
+}
+
+/// A point as large as all others of a study with variables.
+Point typical_point(const Study& study) {
+  std::vector<double> values;
+  for (const bool random : {false, true})
+    for (const Variable* variable : of_law(study, random))
+      values.insert(values.end(), variable->targets.size(),
+                    variable->values.empty() ? variable->a : variable->values.front());
+  return point_at(study, values);
+}
+
+/// Largest count of random numbers of a sample, with the rows that contain them.
+double memory_of_sample(const Study& study) {
+  double targets = 0.0;
+  for (const Variable* variable : of_law(study, true))
+    targets += static_cast<double>(variable->targets.size()) + 1.0;
+  constexpr double kCopies = 2.0;  // shares of the laws, and values
+  return kCopies * (sizeof(std::vector<double>) + targets * sizeof(double));
 }
 
 std::vector<Point> what_if_points(const Study& study) {
@@ -146,22 +171,38 @@ Columns columns_of(const Study& study) {
   return out;
 }
 
+double memory_of(const Point& point) {
+  // A text of more than 15 characters has a separate block.
+  double own = static_cast<double>(point.values.size() * sizeof(double) + point.label.capacity());
+  for (const Settings* settings : {&point.sets, &point.options})
+    for (const auto& [name, value] : *settings)
+      own += sizeof(Settings::value_type) + static_cast<double>(name.capacity() + value.capacity());
+  return sizeof(Point) + sizeof(Task) + 2.0 * own;
+}
+
 long count_points(const Study& study) {
   double count = static_cast<double>(study.decks.size());
-  if (study.kind == Kind::WhatIf)
-    return checked(count * static_cast<double>(study.cases.size() + 1), study);
-  if (study.kind == Kind::Sensitivity)
-    return checked(count * (1.0 + 4.0 * static_cast<double>(study.variables.size())), study);
-  if (study.kind == Kind::WorstCase)
-    return checked(static_cast<double>(first_round(study).size()) +
-                       2.0 * static_cast<double>(study.rounds) *
-                           static_cast<double>(columns_of(study).names.size()),
-                   study);
+  if (study.kind == Kind::WhatIf) {
+    double bytes = count * memory_of(Point{});
+    for (const WhatIfCase& one : study.cases)
+      bytes += count * memory_of({0, one.sets, one.options, {}, one.name});
+    return checked(count * static_cast<double>(study.cases.size() + 1), bytes, study);
+  }
+  const double each = memory_of(typical_point(study));
+  if (study.kind == Kind::Sensitivity) {
+    count *= 1.0 + 4.0 * static_cast<double>(study.variables.size());
+    return checked(count, count * each, study);
+  }
   for (const Variable* variable : of_law(study, false))
     count *= static_cast<double>(variable->values.size());
   if (study.has_random()) count *= static_cast<double>(study.samples);
   if (!study.bearing_seeds.empty()) count *= static_cast<double>(study.bearing_seeds.size());
-  return checked(count, study);
+  if (study.kind == Kind::WorstCase)
+    count += static_cast<double>(corners_and_middle(study)) +
+             2.0 * static_cast<double>(study.rounds) *
+                 static_cast<double>(columns_of(study).names.size());
+  return checked(count, count * each + static_cast<double>(study.samples) * memory_of_sample(study),
+                 study);
 }
 
 Point point_at(const Study& study, const std::vector<double>& values) {
@@ -176,7 +217,7 @@ Point point_at(const Study& study, const std::vector<double>& values) {
 }
 
 std::vector<Point> make_points(const Study& study) {
-  if (study.kind != Kind::WorstCase) (void)count_points(study);
+  (void)count_points(study);
   if (study.kind == Kind::Sensitivity) return sensitivity_points(study);
   if (study.kind == Kind::WhatIf) return what_if_points(study);
   const std::vector<const Variable*> values = of_law(study, false);

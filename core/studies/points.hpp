@@ -24,8 +24,12 @@ struct Columns {
 };
 [[nodiscard]] Columns columns_of(const Study& study);
 
-/// How many points; cheap. @throws InputError when there are more than ten million
+/// How many points; cheap: none is made. @throws InputError for more than kMaxStudyRuns, and for
+/// points that together take more memory than kMaxStudyBytes
 [[nodiscard]] long count_points(const Study& study);
+
+/// Memory of a run in the lists of points and tasks [bytes].
+[[nodiscard]] double memory_of(const Point& point);
 
 /// All points of kinds that know them beforehand, in the order of the table: decks, then values of
 /// grids and lists (the last one fastest), then samples, then bearing seeds. For a worst-case

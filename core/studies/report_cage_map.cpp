@@ -7,6 +7,16 @@
 
 /// Maps of cages: figures of whirl over two variables.
 namespace adore::studies {
+namespace {
+
+/// The class that a record contains as a number. Records may come from a stranger.
+std::string class_of(double value) {
+  for (const WhirlClass one : {WhirlClass::Resting, WhirlClass::Whirling, WhirlClass::Irregular})
+    if (value == static_cast<double>(one)) return std::string(whirl_class_name(one));
+  return "failed";
+}
+
+}  // namespace
 
 void Reporter::cage_map() {
   const TableColumn &x = column_of(*grids_[0]), &y = column_of(*grids_[1]);
@@ -18,10 +28,7 @@ void Reporter::cage_map() {
     for (const double a : xs) {
       const auto rows = rows_at({{&x, a}, {&y, b}});
       const double of = rows.empty() ? kNone : kind.values[rows.front()];
-      marks.back().emplace_back(std::isnan(of)
-                                    ? "failed"
-                                    : std::string(whirl_class_name(static_cast<WhirlClass>(
-                                          static_cast<unsigned char>(std::lround(of))))));
+      marks.back().push_back(class_of(of));
     }
   }
   for (const TableColumn& quantity : table_.quantities) {

@@ -128,7 +128,7 @@ class SlurmEngine {
       const std::string folder = json.at("folder").get<std::string>();
       if (!is_slurm_job(job_) || piece_ < 1 || !is_submission(folder)) throw InputError("damaged");
       submission_ = folder_ / folder;
-      batch_ = read_tasks(submission_ / kTasks);
+      batch_ = read_tasks(submission_ / kTasks, read_job(work_.folder).decks.size());
     } catch (const std::exception&) {
       forget_job();
       return false;

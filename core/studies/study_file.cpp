@@ -341,6 +341,13 @@ void check_kind(const Study& study, const std::string& name) {
   const auto random = [](const Variable& v) { return v.law != Law::Values; };
   const auto count = std::count_if(study.variables.begin(), study.variables.end(), random);
   const auto values = static_cast<long>(study.variables.size()) - count;
+  if (!study.bearing_seeds.empty() &&
+      (study.kind == Kind::WhatIf || study.kind == Kind::Sensitivity ||
+       study.kind == Kind::WorstCase))
+    refuse(fmt::format("bearing_seeds plays no part in kind {}; leave it out, or take kind sweep",
+                       kind_name(study.kind)));
+  if (study.kind == Kind::WorstCase && study.decks.size() > 1)
+    refuse("a worst-case search is of one deck; give \"deck\", and a study for each deck");
   std::set<std::string> names;
   for (const Variable& variable : study.variables)
     if (!names.insert(variable.name).second)
@@ -395,6 +402,13 @@ std::filesystem::path Study::folder() const {
 
 namespace {
 
+/// Each variable and quantity is a column of the table.
+void require_columns(std::size_t count, const JsonObject& object, std::string_view key) {
+  if (count > kMaxTableColumns)
+    throw InputError(fmt::format("{}: {} entries, and {} are the most; take fewer", object.at(key),
+                                 count, kMaxTableColumns));
+}
+
 Study checked_study(const Json& json, const std::filesystem::path& file) {
   const std::string name = file.string();
   Study out;
@@ -434,9 +448,20 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
   if (object.has("variables") || out.kind != Kind::WhatIf) {
     const Json& list = object.get("variables", "a list of variables");
     if (!list.is_array()) object.refuse("variables", "a list of {\"name\": ..., \"grid\": ...}");
-    for (std::size_t i = 0; i < list.size(); ++i)
+    require_columns(list.size(), object, "variables");
+    double combinations = 1.0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
       out.variables.push_back(
           read_variable(list[i], fmt::format("{}[{}]", object.at("variables"), i + 1), out.kind));
+      // Checked here: the values of the next variable may not fit in the memory.
+      combinations *=
+          static_cast<double>(std::max<std::size_t>(1, out.variables.back().values.size()));
+      if (combinations > static_cast<double>(kMaxStudyRuns))
+        throw InputError(
+            fmt::format("{}: their values have {:.3g} combinations, and {} runs are the most; take "
+                        "fewer values",
+                        object.at("variables"), combinations, kMaxStudyRuns));
+    }
   }
   if (object.has("correlation"))
     read_correlations(object.get("correlation", ""), object.at("correlation"), out);
@@ -453,6 +478,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
                                : Json::array();
   if (!quantities.is_array())
     object.refuse("quantities", "a list: \"largest_contact_load_N\" or {\"channel\": ...}");
+  require_columns(quantities.size(), object, "quantities");
   for (std::size_t i = 0; i < quantities.size(); ++i)
     out.quantities.push_back(
         read_quantity(quantities[i], fmt::format("{}[{}]", object.at("quantities"), i + 1)));

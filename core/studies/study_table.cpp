@@ -1,10 +1,13 @@
 #include "studies/study_table.hpp"
 
+#include "base/counted.hpp"
+#include "base/errors.hpp"
 #include "facade/run_ending.hpp"
 #include "studies/study_folder.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +31,47 @@ const TableColumn* StudyTable::find(const std::string& name) const {
   return nullptr;
 }
 
+namespace {
+
+/// The runs are those of the study: reports find them by their place in the list. The points of a
+/// search depend on its results, so that only their number of values is known.
+void check_tasks(const Study& study, const std::vector<Task>& tasks) {
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(fmt::format(
+        "{}: {}. The study file was changed after the start, or the list is damaged: start the "
+        "study again with `adore study run`; finished runs are kept.",
+        (study.folder() / "tasks.jsonl").string(), problem));
+  };
+  if (study.kind == Kind::WorstCase) {
+    const std::size_t values = columns_of(study).names.size();
+    for (const Task& task : tasks)
+      if (task.point.values.size() != values)
+        refuse(fmt::format("run {} has {}, and the study has {}", task.number,
+                           counted(task.point.values.size(), "value"), values));
+    return;
+  }
+  const std::vector<Point> points = make_points(study);
+  if (tasks.size() != points.size())
+    refuse(fmt::format("it has {}, and the study has {}", counted(tasks.size(), "run"),
+                       points.size()));
+  // A program of another version may differ in the last digit.
+  constexpr double kSame = 1e-9;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point &is = tasks[i].point, &expected = points[i];
+    const auto same = [](double a, double b) {
+      return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));
+    };
+    if (is.deck != expected.deck || is.label != expected.label ||
+        !std::equal(is.values.begin(), is.values.end(), expected.values.begin(),
+                    expected.values.end(), same))
+      refuse(fmt::format("line {}, run {}: not that of the study", i + 1, tasks[i].number));
+  }
+}
+
+}  // namespace
+
 StudyTable make_table(const Study& study, const Results& results) {
+  check_tasks(study, results.tasks);
   StudyTable out;
   const Columns columns = columns_of(study);
   facade::DeckRequest base;

@@ -26,6 +26,7 @@ struct StudyTable {
   [[nodiscard]] const TableColumn* find(const std::string& name) const;
 };
 
+/// @throws InputError when the runs are not those of the study
 [[nodiscard]] StudyTable make_table(const Study& study, const Results& results);
 
 /// RUNS.csv: `run,exit,VARIABLE [unit],...,QUANTITY [unit],...,message`; numbers with all their

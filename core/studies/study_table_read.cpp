@@ -36,8 +36,8 @@ std::string no_table_text(const std::string& why) {
   throw InputError(fmt::format("{}: {}", file.string(), no_table_text(why)));
 }
 
-/// Fields of one line, quotes taken away.
-std::vector<std::string> fields_of(const std::string& line) {
+/// Fields of one line without their quotes, and one more than `most` where it has more.
+std::vector<std::string> fields_of(const std::string& line, std::size_t most) {
   std::vector<std::string> out(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -46,12 +46,21 @@ std::vector<std::string> fields_of(const std::string& line) {
       out.back() += line[++i];
     else if (c == '"')
       quoted = !quoted;
-    else if (c == ',' && !quoted)
+    else if (c == ',' && !quoted) {
+      if (out.size() > most) break;
       out.emplace_back();
-    else if (c != '\r')
+    } else if (c != '\r')
       out.back() += c;
   }
   return out;
+}
+
+/// A whole number from 0 to kMaxStudyRuns; else -1.
+long whole_of(const std::string& text) {
+  long value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value <= kMaxStudyRuns ? value
+                                                                                            : -1;
 }
 
 double number_of(const std::string& text) {
@@ -84,22 +93,25 @@ StudyTable read_csv(const fs::path& file) {
   std::size_t from = 0;
   while (from < text.size()) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
-    const std::vector<std::string> fields = fields_of(text.substr(from, end - from));
+    const std::vector<std::string> fields =
+        fields_of(text.substr(from, end - from), head.empty() ? kMaxTableColumns : head.size());
     from = end + 1;
     if (head.empty()) {
       head = fields;
       if (head.size() < 3 || head[0] != "run" || head[1] != "exit" || head.back() != "message")
         no_table(file, "its first line is not run,exit,...,message");
       if (head.size() > kMaxTableColumns)
-        no_table(file, fmt::format("it has {} columns, and {} are read at most", head.size(),
-                                   kMaxTableColumns));
+        no_table(file, fmt::format("it has more than {} columns", kMaxTableColumns));
       out.variables.reserve(head.size());
       out.quantities.reserve(head.size());
       for (const std::string& heading : head) {
         places.push_back(nullptr);
         if (heading == "run" || heading == "exit" || heading == "message" || heading == "deck" ||
-            heading == "case")
+            heading == "case") {
+          if (std::count(head.begin(), head.end(), heading) > 1)
+            no_table(file, fmt::format("its first line has {} twice", heading));
           continue;
+        }
         TableColumn column = column_of(heading);
         auto& group = is_varied(column.name) ? out.variables : out.quantities;
         group.push_back(std::move(column));
@@ -108,15 +120,26 @@ StudyTable read_csv(const fs::path& file) {
       continue;
     }
     if (fields.size() != head.size())
-      no_table(file, fmt::format("line {} has {}, and the first {}", out.rows() + 2,
-                                 counted(fields.size(), "field"), head.size()));
+      no_table(file, fmt::format("line {} does not have {}, as the first line has", out.rows() + 2,
+                                 counted(head.size(), "field")));
+    if (out.rows() >= static_cast<std::size_t>(kMaxStudyRuns))
+      no_table(file, fmt::format("it has more than {} runs", kMaxStudyRuns));
+    const auto whole = [&](const std::string& name, const std::string& field, long least) {
+      const long value = whole_of(field);
+      if (value < least)
+        no_table(file,
+                 fmt::format("line {}: {} = \"{}\" is not a whole number from {} to {}",
+                             out.rows() + 2, name, field.substr(0, 80), least, kMaxStudyRuns));
+      return value;
+    };
+    std::pair<long, long> numbers;
     for (std::size_t k = 0; k < head.size(); ++k) {
       if (places[k] != nullptr)
         places[k]->values.push_back(number_of(fields[k]));
       else if (head[k] == "run")
-        out.run.push_back(std::atol(fields[k].c_str()));
+        numbers.first = whole("run", fields[k], 1);
       else if (head[k] == "exit")
-        out.exit.push_back(fields[k].empty() ? -1 : std::atol(fields[k].c_str()));
+        numbers.second = fields[k].empty() ? -1 : whole("exit", fields[k], 0);
       else if (head[k] == "deck")
         out.deck.push_back(fields[k]);
       else if (head[k] == "case")
@@ -124,6 +147,8 @@ StudyTable read_csv(const fs::path& file) {
       else
         out.message.push_back(fields[k]);
     }
+    out.run.push_back(numbers.first);
+    out.exit.push_back(numbers.second);
   }
   if (head.empty()) no_table(file, "it is empty");
   return out;
@@ -306,7 +331,7 @@ std::string shown(const TableColumn& column, std::size_t row) {
 }
 
 Task task_of(const fs::path& folder, long run) {
-  for (Task& task : read_tasks(folder / "tasks.jsonl"))
+  for (Task& task : read_tasks(folder / "tasks.jsonl", read_job(folder).decks.size()))
     if (task.number == run) return std::move(task);
   throw InputError(fmt::format("{}: the study has no run {}", folder.string(), run));
 }

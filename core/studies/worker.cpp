@@ -29,8 +29,10 @@ int work_from_stream(const std::filesystem::path& folder, const std::stop_token&
   };
   try {
     const Job job = read_job(folder);
+    TaskSource source{"standard input", 0, job.decks.size()};
     for (std::string line; !stop.stop_requested() && std::getline(std::cin, line);) {
-      const Task task = parse_task(line, "task");
+      ++source.line;
+      const Task task = parse_task(line, source);
       const std::optional<Record> record = run_task(job, task, folder, stop);
       if (!record) return kInterrupted;
       write_record(folder, *record);
@@ -52,7 +54,7 @@ int work_through_file(const std::filesystem::path& folder, const std::filesystem
     long at = 0;
     for (std::string line; at < first + count && std::getline(lines, line); ++at) {
       if (at < first) continue;
-      const Task task = parse_task(line, tasks.string());
+      const Task task = parse_task(line, {tasks.string(), at + 1, job.decks.size()});
       if (read_record(folder, task.key)) continue;  // by an earlier start of this piece
       const std::optional<Record> record = run_task(job, task, folder, stop);
       if (!record) return kInterrupted;

@@ -20,6 +20,12 @@ void ends(const Study& study, std::vector<double>& low, std::vector<double>& hig
 
 }  // namespace
 
+std::size_t corners_and_middle(const Study& study) {
+  std::vector<double> low, high;
+  ends(study, low, high);
+  return 1 + (low.size() <= kMostCornered ? std::size_t{1} << low.size() : 0);
+}
+
 std::vector<Point> first_round(const Study& study) {
   std::vector<Point> out = make_points(study);
   std::vector<double> low, high, at;

@@ -16,6 +16,8 @@
 namespace adore::studies {
 
 [[nodiscard]] std::vector<Point> first_round(const Study& study);
+/// Points of the first round in addition to the samples.
+[[nodiscard]] std::size_t corners_and_middle(const Study& study);
 
 class WorstCaseSearch {
  public:

@@ -272,3 +272,8 @@ TEST_CASE("the deck reference of the docs is what the schema says now", "[cli]")
   INFO("make it anew: adore schema --format md > resources/docs/deck-reference.md");
   CHECK((run_as_given("schema --format md").out == written));
 }
+
+TEST_CASE("findings page: equals the output of its command", "[cli]") {
+  INFO("make it anew: adore check --codes > resources/docs/findings.md");
+  CHECK((run_as_given("check --codes").out == read(source_dir() / "resources/docs/findings.md")));
+}

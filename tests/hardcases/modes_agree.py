@@ -20,6 +20,7 @@ The exit code is 0 when no deck failed and at most 10 % are explained.
 """
 
 import argparse
+import datetime
 import collections
 import concurrent.futures
 import json
@@ -298,6 +299,7 @@ def worst_by_quantity(result):
 
 def table(results, args):
     lines = ["# Modes agree: statics, modes 0, 1, 2 and a free inner race", "",
+             f"Tables: written by `tests/hardcases/modes_agree.py`, {datetime.date.today()}.", "",
              "Random bearings of five types, dry and in oil, a third of them thermal: decks that an engineer would run "
              "(`tests/hardcases/catalogue_decks.py`). Each runs in modes 0, 1, 2 and with a free inner race until two successive windows have the "
              "same means; the settled windows are compared with each other and with equilibria of mode -1 (`tests/hardcases/modes_agree.py`, whose "

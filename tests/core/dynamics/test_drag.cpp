@@ -41,12 +41,17 @@ TEST_CASE("drag in the medium is that of a sphere, less what the cage hides, and
   const BearingDrag with_cage(b);
   b.cage.reset();
   const BearingDrag drag(b);
-  const tribology::Medium medium{800.0, 0.01};
   const double R = 0.5 * b.balls().diameter;
+  // Independent of the table of the program: Brown and Lawler (2003) [recalled, high], C_D of a
+  // sphere within 6 % of measurements up to Re = 2e5.
+  const auto sphere_force = [&](double V) {
+    const double D = 2.0 * R, Re = 800.0 * V * D / 0.01;
+    const double C = 24.0 / Re * (1.0 + 0.15 * std::pow(Re, 0.681)) + 0.407 / (1.0 + 8710.0 / Re);
+    return C * 0.5 * 800.0 * V * V * 0.25 * kPi * D * D;
+  };
   CHECK(drag.exposed() == 1.0);
   for (const double V : {1e-3, 1.0, 40.0}) {
-    CHECK(drag.element_force(V) * V ==
-          Approx(tribology::sphere_drag(medium, V, 2.0 * R, kPi * R * R).force).epsilon(1e-12));
+    CHECK(drag.element_force(V) * V == Approx(sphere_force(V)).epsilon(0.1));
     CHECK(with_cage.element_force(V) ==
           Approx(with_cage.exposed() * drag.element_force(V)).epsilon(1e-12));
   }

@@ -367,7 +367,7 @@ TEST_CASE("angles stay continuous between records, and across a continuation", "
   CHECK(continued.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] == Approx(9.0));
   ChannelRecorder fresh(bearing, UnitSystem::SI, channel_table());
   CHECK(fresh.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] ==
-        Approx(wrapped(9.0)));
+        Approx(9.0 - 2.0 * std::numbers::pi));
 }
 
 TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][sol]") {
@@ -415,12 +415,12 @@ TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][s
     REQUIRE(frame.elements.size() == 18);
     CHECK(frame.elements[16].pocket_force == Approx(17.0 / force).epsilon(5e-3));
     CHECK(frame.elements[16].theta ==
-          Approx(wrapped(2 * std::numbers::pi * 16 / 18 + 12.0)).epsilon(5e-3));
+          Approx(12.0 + 2 * std::numbers::pi * 16 / 18 - 6 * std::numbers::pi).epsilon(5e-3));
     CHECK(frame.elements[0].angles[0] == Approx(0.3).epsilon(5e-3));
     CHECK(frame.elements[0].pocket_angle == Approx(3.31 - 2 * std::numbers::pi).epsilon(5e-3));
     CHECK(frame.land_force[1] == Approx(8.0 / force).epsilon(5e-3));
     CHECK(frame.races[1].position[2] == Approx(-1e-5 / length).epsilon(5e-3));
-    CHECK(frame.cage.angles[0] == Approx(wrapped(430.0 * 0.03)).epsilon(5e-3));
+    CHECK(frame.cage.angles[0] == Approx(430.0 * 0.03 - 4 * std::numbers::pi).epsilon(5e-3));
     CHECK(read_sol8(folder / "SOL8", {2, 4, 2}).frames.size() == 2);
   }
 }
