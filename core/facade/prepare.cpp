@@ -441,12 +441,10 @@ Prepared prepare_model(LoadedDeck input) {
   out.solve_seconds =
       timed([&] { out.statics = statics::solve_ball_statics(out.bearing, ball_options(out)); });
   statics::FrictionBalance balance;
-  if (!out.control.dynamic) {
-    out.solve_seconds += timed(
-        [&] { balance = statics::balance_balls(out.bearing, ball_options(out), out.statics); });
-    if (const std::string note = balance.note(); !note.empty())
-      add_remark(out, make_finding("statics.friction_balance", note));
-  }
+  out.solve_seconds +=
+      timed([&] { balance = statics::balance_balls(out.bearing, ball_options(out), out.statics); });
+  if (const std::string note = balance.note(); !note.empty())
+    add_remark(out, make_finding("statics.friction_balance", note));
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
@@ -478,6 +476,7 @@ Prepared prepare_model(LoadedDeck input) {
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
+    statics::balance_balls(out.bearing, as_in_motion, out.start).give_speeds(out.start);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,

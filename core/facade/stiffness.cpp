@@ -1,6 +1,7 @@
 #include "facade/stiffness.hpp"
 
 #include "base/interrupted.hpp"
+#include "statics/ball_friction.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
 
@@ -40,7 +41,9 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
       for (std::size_t k = 0; k < 5; ++k)
         if (!bearing.constraints.displacement_given[k])
           bearing.constraints.displacement[k] = previous->displacement[k];
-    return statics::solve_ball_statics(bearing, options);
+    statics::StaticSolution solution = statics::solve_ball_statics(bearing, options);
+    (void)statics::balance_balls(bearing, options, solution);
+    return solution;
   };
   std::vector<statics::StiffnessRow> rows = statics::stiffness_table(request, solve);
   if (prepared.input.table_progress) prepared.input.table_progress(request.points, request.points);

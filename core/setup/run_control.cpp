@@ -165,9 +165,8 @@ bool parse_automatic(std::string_view text, std::optional<double>& out, double l
 void add_static_options(std::vector<Option>& table) {
   table.push_back(
       {{"ballFriction", "spin-rule",
-        "balls in mode -1 and in thermal analyses: spin-rule (kAngVel gives the spin axis) or "
-        "balance (spin and orbit in balance of friction; starts of motion and the table of "
-        "stiffness over speed keep the spin rule)"},
+        "balls in mode -1, at the start of a motion and in thermal analyses: balance (spin and "
+        "orbit in balance of friction) or spin-rule (kAngVel gives the spin axis)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "spin-rule" && v != "balance") return false;
          o.rollers.ball_balance = v == "balance";

@@ -108,9 +108,23 @@ Direction<S> least_heat_direction(const BallSeat& seat, double guess,
   return {sine(beta), cosine(beta)};
 }
 
+/// A value of a ball in balance of friction at the present contacts, to first order.
+template <class S, class P>
+S traction_value(const GivenTractions& of, const GivenTractions::Value& which,
+                 const BallForces<S, P>& f, const S& rho) {
+  S out = which.value + which.slope[4] * (rho - of.at.rho);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto& alpha = f.contact[j].alpha;
+    const double s = of.at.sin[j], c = of.at.cos[j];
+    const S turn = c * (alpha.sin - s) - s * (alpha.cos - c);
+    out = out + which.slope[j] * (f.contact[j].load - of.at.load[j]) + which.slope[2 + j] * turn;
+  }
+  return out;
+}
+
 /// Fills speeds and moments; needs both contacts' angles.
 template <class S, class P>
-void add_inertia(const BallModel& m, const BallSite& site, BallForces<S, P>& f) {
+void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallForces<S, P>& f) {
   const BallSeat& seat = m.seat(site.own);
   f.orbital = m.base_orbital;
   const S& Q_o = f.contact[0].load;
@@ -145,8 +159,10 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S, P>& f) 
         weight * (seat.inertia * (f.orbital + m.frame_speed) * rolling.spin * f.beta.sin);
     const S per_race = f.gyroscopic / seat.diameter;
     if (site.tractions) {
-      f.orbital = site.tractions->orbital;
-      for (std::size_t j = 0; j < 2; ++j) f.contact[j].friction = site.tractions->along[j];
+      const GivenTractions& given = *site.tractions;
+      f.orbital = traction_value(given, given.orbital, f, rho);
+      for (std::size_t j = 0; j < 2; ++j)
+        f.contact[j].friction = traction_value(given, given.along[j], f, rho);
     } else
       switch (site.law.share) {
         case SpinLaw::Share::Outer:
@@ -179,7 +195,7 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
     f.contact[j] = contact_state(m, seat, j, f.position[j]);
   }
   if (m.moving) {
-    add_inertia(m, site, f);
+    add_inertia(m, site, rho, f);
     f.radial = f.centrifugal + seat.mass * (m.field.z() * site.cos - m.field.y() * site.sin);
   }
   for (std::size_t j = 0; j < 2; ++j) {

@@ -1,8 +1,10 @@
 #include "statics/ball_friction.hpp"
 
 #include "base/errors.hpp"
+#include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
 #include "statics/race_text.hpp"
+#include "statics/stiffness_difference.hpp"
 #include "tribology/bearing_drag.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -22,37 +25,62 @@ using bearing::Bearing;
 using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
-constexpr int kSteps = 100, kCuts = 4, kPasses = 20;
+constexpr int kSteps = 100, kCuts = 4, kPasses = 30;
 /// Residual over the larger contact load: where steps end, and what is taken when they are used up.
 constexpr double kBalanced = 1e-11, kAccepted = 1e-5;
-/// Change of the tractions over the largest contact load: likewise.
+/// Tractions minus those of the equilibrium over the largest contact load: likewise.
 constexpr double kSteady = 1e-10, kSteadyAccepted = 1e-5;
 constexpr double kLongestStep = 0.03;  ///< over the spin
 constexpr double kDifference = 1e-7;   ///< likewise
 
 bool is_loaded(const StaticBall& ball) { return ball.Q[0] > 0.0 && ball.Q[1] > 0.0; }
 
+/// Places of a ball's contacts on which its tractions depend: those of GivenTractions.
+using Places = Eigen::Matrix<double, static_cast<int>(GivenTractions::kPlaces), 1>;
+
+Places places_of(const StaticBall& ball) {
+  Places s;
+  s << ball.Q[0], ball.Q[1], ball.alpha[0], ball.alpha[1], ball.r;
+  return s;
+}
+
+/// The contacts of a ball at other places.
+StaticBall moved_to(const BallSeat& seat, const StaticBall& ball, const Places& s) {
+  StaticBall out = ball;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto k = static_cast<Eigen::Index>(j);
+    out.Q[j] = s[k];
+    out.alpha[j] = s[k + 2];
+    const contact::HertzConstants hertz = seat.hertz[j].at(out.alpha[j]);
+    const double root = std::cbrt(out.Q[j]);
+    out.a[j] = hertz.a_hat * root;
+    out.b[j] = hertz.b_hat * root;
+    out.p_max[j] = 1.5 * out.Q[j] / (std::numbers::pi * out.a[j] * out.b[j]);
+  }
+  out.r = s[4];
+  return out;
+}
+
+/// Tractions along both ellipses [N] and the orbit over the spin.
+using Result = Eigen::Vector3d;
+
 /// One ball at its place.
 class Ball {
  public:
   Ball(const Bearing& bearing, const ContactLaws& laws, const tribology::EllipseRule& rule,
        const tribology::BearingDrag* drag, double frame, const StaticBall& ball)
-      : bearing_(bearing), rule_(rule), drag_(drag), frame_(frame), r_(ball.r) {
+      : bearing_(bearing), laws_(laws), rule_(rule), drag_(drag), frame_(frame) {
     radius_ = 0.5 * bearing.balls().diameter;
     load_ = std::max(ball.Q[0], ball.Q[1]);
     spin_ = std::abs(ball.spin_speed);
-    for (std::size_t j = 0; j < 2; ++j) {
-      contact_[j] = ball_contact(bearing, laws, ball, j);
-      rolling_[j] = laws.rolling_force(j, contact_[j].film);
-    }
+    stand(ball);
   }
 
   /// False: no balance was found; the motion is then of no use.
   bool find(BallMotion& motion) {
     motion.balanced = false;
     if (!(spin_ > 0.0)) return false;
-    Vec4 v(motion.omega[0], motion.omega[1], motion.omega[2], motion.orbit);
-    v /= spin_;
+    Vec4 v = speeds(motion);
     Vec4 G = residual(v, motion);
     const double first = std::max(G.norm(), kBalanced);
     for (int n = 0; n < kSteps && G.norm() > kBalanced; ++n) {
@@ -92,7 +120,54 @@ class Ball {
     return motion.balanced;
   }
 
+  /// Of a balance G(v, s) = 0 that stays balanced while the contacts move: dv/ds = -G_v⁻¹ G_s.
+  [[nodiscard]] Eigen::Matrix<double, 3, 5> slopes(const BallSeat& seat, const StaticBall& ball,
+                                                   const BallMotion& motion) {
+    const Vec4 v = speeds(motion);
+    Mat4 G_v;
+    Eigen::Matrix<double, 3, 4> t_v;
+    Result t[2];
+    for (int k = 0; k < 4; ++k) {
+      Vec4 G[2];
+      for (const int side : {0, 1})
+        G[side] = at(v + (side == 1 ? kDifference : -kDifference) * Vec4::Unit(k), t[side]);
+      G_v.col(k) = (G[1] - G[0]) / (2.0 * kDifference);
+      t_v.col(k) = (t[1] - t[0]) / (2.0 * kDifference);
+    }
+    const Eigen::PartialPivLU<Mat4> lu(G_v);
+    const Places s = places_of(ball);
+    constexpr double kOfLoad = 1e-5, kOfAngle = 1e-6, kOfRadius = 1e-5;
+    const Places step{kOfLoad * s[0], kOfLoad * s[1], kOfAngle, kOfAngle, kOfRadius * radius_};
+    Eigen::Matrix<double, 3, 5> out;
+    for (int k = 0; k < 5; ++k) {
+      Vec4 G[2];
+      for (const int side : {0, 1}) {
+        stand(moved_to(seat, ball, s + (side == 1 ? step[k] : -step[k]) * Places::Unit(k)));
+        G[side] = at(v, t[side]);
+      }
+      out.col(k) = (t[1] - t[0] - t_v * lu.solve(G[1] - G[0])) / (2.0 * step[k]);
+    }
+    stand(ball);
+    out.row(2) *= spin_;
+    if (!out.allFinite()) out.setZero();
+    return out;
+  }
+
  private:
+  void stand(const StaticBall& ball) {
+    r_ = ball.r;
+    for (std::size_t j = 0; j < 2; ++j) contact_[j] = ball_contact(bearing_, laws_, ball, j);
+  }
+  [[nodiscard]] Vec4 speeds(const BallMotion& motion) const {
+    return Vec4(motion.omega[0], motion.omega[1], motion.omega[2], motion.orbit) / spin_;
+  }
+  Vec4 at(const Vec4& v, Result& result) const {
+    BallMotion motion;
+    const Vec4 G = residual(v, motion);
+    result << motion.along[0], motion.along[1], v[3];
+    return G;
+  }
+
   /// M_x, M_r, M_θ over load and radius; F_θ over the load, as what it does to the orbit.
   Vec4 residual(const Vec4& v, BallMotion& motion) const {
     BallMotion at;
@@ -102,12 +177,16 @@ class Ball {
     double force = 0.0;
     for (std::size_t j = 0; j < 2; ++j) {
       const BallContact& c = contact_[j];
-      const tribology::EllipseTraction on_ball = tribology::ellipse_traction(
-          c.law, c.ellipse, contact_motion(bearing_, c, at, r_, j), rule_);
-      const double about_c = on_ball.M_c + radius_ * rolling_[j];
+      const tribology::EllipseKinematics slip = contact_motion(bearing_, c, at, r_, j);
+      const tribology::EllipseTraction on_ball =
+          tribology::ellipse_traction(c.law, c.ellipse, slip, rule_);
+      tribology::FilmContact film = c.film;
+      film.speed = slip.entrainment;
+      const double rolling = laws_.rolling_force(j, film);
+      const double about_c = on_ball.M_c + radius_ * rolling;
       moment += Eigen::Vector3d(-about_c * c.n_r + on_ball.M_n * c.n_x,
                                 about_c * c.n_x + on_ball.M_n * c.n_r, on_ball.M_t);
-      force += on_ball.F_t + (2.0 * c.film.radius / radius_ - 1.0) * rolling_[j];
+      force += on_ball.F_t + (2.0 * c.film.radius / radius_ - 1.0) * rolling;
       motion.along[j] = on_ball.F_c;
     }
     if (drag_ != nullptr) {
@@ -126,52 +205,110 @@ class Ball {
   }
 
   const Bearing& bearing_;
+  const ContactLaws& laws_;
   const tribology::EllipseRule& rule_;
   const tribology::BearingDrag* drag_;
-  double frame_, r_, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
+  double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
   std::array<BallContact, 2> contact_;
-  std::array<double, 2> rolling_{};
 };
 
-/// The equilibrium with the tractions of the motion; false: none was found.
-bool solve_with(const Bearing& bearing, const StaticsOptions& options, const FrictionBalance& found,
-                StaticSolution& solution) {
-  const BallModel model = make_ball_model(bearing, options);
-  BallRace state;
-  state.q = Eigen::Map<const Vec5>(solution.displacement.data());
-  for (std::size_t k = 0; k < solution.balls.size(); ++k) {
-    const StaticBall& from = solution.balls[k];
-    BallState ball;
-    ball.site.sin = std::sin(from.azimuth);
-    ball.site.cos = std::cos(from.azimuth);
-    ball.site.own = model.own_number.empty() ? 0 : model.own_number[k];
-    ball.site.law = first_spin_law(bearing, options);
-    if (from.inner_race_control)
-      ball.site.law = {SpinLaw::Axis::InnerControl, SpinLaw::Share::Equal};
-    if (found.balls[k].balanced) ball.site.tractions = {found.balls[k].along, found.balls[k].orbit};
-    ball.x = from.x;
-    ball.rho = from.r - 0.5 * model.balls.pitch_diameter;
-    ball.known = true;
-    state.elements.push_back(ball);
+/// Balls of a solution with their tractions, and the race on them.
+class Balls {
+ public:
+  Balls(const Bearing& bearing, const StaticsOptions& options, const StaticSolution& solution)
+      : task_(race_task(bearing.constraints)), model_(make_ball_model(bearing, options)) {
+    state_.q = Eigen::Map<const Vec5>(solution.displacement.data());
+    for (std::size_t k = 0; k < solution.balls.size(); ++k) {
+      const StaticBall& from = solution.balls[k];
+      BallState ball;
+      ball.site.sin = std::sin(from.azimuth);
+      ball.site.cos = std::cos(from.azimuth);
+      ball.site.own = model_.own_number.empty() ? 0 : model_.own_number[k];
+      ball.site.law = first_spin_law(bearing, options);
+      if (from.inner_race_control)
+        ball.site.law = {SpinLaw::Axis::InnerControl, SpinLaw::Share::Equal};
+      ball.x = from.x;
+      ball.rho = from.r - 0.5 * model_.balls.pitch_diameter;
+      ball.known = true;
+      state_.elements.push_back(ball);
+    }
   }
-  const RaceSolve solve = solve_race(model, race_task(bearing.constraints), state);
-  if (!solve.converged) return false;
-  for (std::size_t k = 0; k < 5; ++k) {
-    solution.displacement[k] = state.q(static_cast<Eigen::Index>(k));
-    solution.load[k] = state.load(static_cast<Eigen::Index>(k));
+  [[nodiscard]] const BallSeat& seat(std::size_t k) const {
+    return model_.seat(state_.elements[k].site.own);
   }
-  solution.stiffness = state.stiffness;
-  solution.residual = solve.residual;
-  solution.iterations += solve.iterations;
-  for (std::size_t k = 0; k < state.elements.size(); ++k) {
-    StaticBall now = report_ball(model, solution.displacement, state.elements[k]);
-    now.azimuth = solution.balls[k].azimuth;
-    now.friction = solution.balls[k].friction;  // that the spin rule needs
-    solution.balls[k] = now;
+  /// Traction along the major axis that ball k has at its present place.
+  [[nodiscard]] std::array<double, 2> along(std::size_t k) const {
+    const BallState& ball = state_.elements[k];
+    if (!ball.site.tractions) return {};
+    const auto f = ball_forces<double>(model_, ball.site, ball.x, ball.rho,
+                                       inner_pose<double>(model_, displacement()));
+    return {f.contact[0].friction, f.contact[1].friction};
   }
-  fill_summary(model, solution);
-  return true;
-}
+  void hold(std::size_t k, const StaticBall& ball, const BallMotion& motion,
+            const Eigen::Matrix<double, 3, 5>& slopes) {
+    GivenTractions now;
+    const auto value = [&](double of, Eigen::Index row) {
+      GivenTractions::Value out{of, {}};
+      for (std::size_t p = 0; p < GivenTractions::kPlaces; ++p)
+        out.slope[p] = slopes(row, static_cast<Eigen::Index>(p));
+      return out;
+    };
+    now.along = {value(motion.along[0], 0), value(motion.along[1], 1)};
+    now.orbital = value(motion.orbit, 2);
+    now.at.load = ball.Q;
+    now.at.rho = ball.r - 0.5 * model_.balls.pitch_diameter;
+    for (std::size_t j = 0; j < 2; ++j) {
+      now.at.sin[j] = std::sin(ball.alpha[j]);
+      now.at.cos[j] = std::cos(ball.alpha[j]);
+    }
+    state_.elements[k].site.tractions = now;
+  }
+  void release(std::size_t k) { state_.elements[k].site.tractions.reset(); }
+
+  /// The equilibrium with these tractions; false: none was found, and nothing changes.
+  bool solve(StaticSolution& solution) {
+    BallRace trial = state_;
+    RaceSolve solve = solve_race(model_, task_, trial);
+    if (!solve.converged) {
+      // Slopes of tractions that saturate mislead long steps: without them.
+      trial = state_;
+      for (BallState& ball : trial.elements)
+        if (ball.site.tractions) {
+          for (GivenTractions::Value& value : ball.site.tractions->along) value.slope = {};
+          ball.site.tractions->orbital.slope = {};
+        }
+      solve = solve_race(model_, task_, trial);
+      if (!solve.converged) return false;
+    }
+    state_ = std::move(trial);
+    solution.displacement = displacement();
+    for (std::size_t k = 0; k < 5; ++k)
+      solution.load[k] = state_.load(static_cast<Eigen::Index>(k));
+    solution.stiffness = state_.stiffness;
+    solution.residual = solve.residual;
+    solution.iterations += solve.iterations;
+    for (std::size_t k = 0; k < state_.elements.size(); ++k) {
+      StaticBall now = report_ball(model_, solution.displacement, state_.elements[k]);
+      now.azimuth = solution.balls[k].azimuth;
+      now.friction = solution.balls[k].friction;  // that the spin rule needs
+      solution.balls[k] = now;
+    }
+    fill_summary(model_, solution);
+    return true;
+  }
+  void add_difference(double share, StaticSolution& solution) const {
+    if (share > 0.0) add_difference_stiffness(model_, state_, share, solution);
+  }
+
+ private:
+  [[nodiscard]] std::array<double, 5> displacement() const {
+    return {state_.q(0), state_.q(1), state_.q(2), state_.q(3), state_.q(4)};
+  }
+
+  RaceTask task_;
+  BallModel model_;
+  BallRace state_;
+};
 
 }  // namespace
 
@@ -183,7 +320,8 @@ tribology::EllipseKinematics contact_motion(const Bearing& bearing, const BallCo
   m.W_n = W_x * contact.n_x + W_r * contact.n_r;
   m.W_c = -W_x * contact.n_r + W_r * contact.n_x;
   m.W_t = -motion.omega[2];
-  m.entrainment = contact.film.speed;
+  m.entrainment =
+      (bearing.speed[race] - motion.orbit) * (r + 0.5 * bearing.element_diameter() * contact.n_r);
   return m;
 }
 
@@ -193,6 +331,17 @@ BallMotion FrictionBalance::motion_of(std::size_t k, const StaticBall& ball) con
   out.omega = {ball.omega_x, ball.omega_r, ball.omega_theta};
   out.orbit = ball.orbital_speed;
   return out;
+}
+
+void FrictionBalance::give_speeds(StaticSolution& solution) const {
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (!balls[k].balanced) continue;
+    StaticBall& ball = solution.balls[k];
+    ball.orbital_speed = balls[k].orbit;
+    ball.omega_x = balls[k].omega[0];
+    ball.omega_r = balls[k].omega[1];
+    ball.omega_theta = balls[k].omega[2];
+  }
 }
 
 std::string FrictionBalance::note() const {
@@ -218,20 +367,24 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
     return out;
   const StaticSolution before = solution;
   const ContactLaws laws(bearing);
-  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(30, 8);
+  // Nodes that tractions do not see pass: of 30, slopes would be 4e-4 apart from differences of
+  // whole equilibria, of 100 2e-6.
+  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(100, 12);
   std::optional<tribology::BearingDrag> drag;
   if (bearing.churning) drag.emplace(bearing);
   const double frame = options.frame ? options.frame->speed : 0.0;
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     out.balls.push_back(out.motion_of(k, solution.balls[k]));
+  Balls balls(bearing, options, solution);
   double change = 0.0;
   for (int pass = 0; pass < kPasses; ++pass) {
     change = pass == 0 ? std::numeric_limits<double>::infinity() : 0.0;
     out.left.clear();
     for (std::size_t k = 0; k < solution.balls.size(); ++k) {
       const StaticBall& ball = solution.balls[k];
-      const BallMotion last = out.balls[k];
+      const std::array<double, 2> last = balls.along(k);
       BallMotion& now = out.balls[k];
+      balls.release(k);
       if (!is_loaded(ball)) {
         now = FrictionBalance{}.motion_of(k, ball);
       } else {
@@ -243,22 +396,28 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
             out.left.push_back(k);
           }
         }
+        if (now.balanced) balls.hold(k, ball, now, at.slopes(balls.seat(k), ball, now));
       }
-      for (std::size_t j = 0; j < 2; ++j)
-        change = std::max(change, std::abs(now.along[j] - last.along[j]) / solution.max_load);
+      if (now.balanced)
+        for (std::size_t j = 0; j < 2; ++j)
+          change = std::max(change, std::abs(now.along[j] - last[j]) / solution.max_load);
     }
-    if (change <= kSteady) return out;
-    if (!solve_with(bearing, options, out, solution)) {
+    // Once more where they stay: the stiffness has the slopes of this place.
+    if (!balls.solve(solution)) {
       solution = before;
       out = {};
       out.failure = "no equilibrium of the bearing was found with its tractions";
       return out;
     }
+    if (change <= kSteady) break;
   }
-  if (change <= kSteadyAccepted) return out;
-  solution = before;
-  out = {};
-  out.failure = fmt::format("tractions and loads do not settle in {} passes", kPasses);
+  if (!(change <= kSteadyAccepted)) {
+    solution = before;
+    out = {};
+    out.failure = fmt::format("tractions and loads do not settle in {} passes", kPasses);
+    return out;
+  }
+  balls.add_difference(options.difference_share, solution);
   return out;
 }
 

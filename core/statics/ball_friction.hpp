@@ -11,17 +11,25 @@
 ///   Σ M_x = 0,  Σ M_r = -J (ω_m + Ω_f) ω_θ,  Σ M_θ = J (ω_m + Ω_f) ω_r,  Σ F_θ = 0.
 /// M and F: traction over both ellipses (tribology/ellipse_traction.hpp) at the slip of
 ///   u = (Ω_j - ω_m) r e_θ + (Ω_j e_x - ω) × p,
-/// rolling resistance of the oil (dynamics/effects/rolling_resistance.cpp) and drag of the medium
-/// (kChrn). Ω_f: speed of the base frame of record 9.5. Newton steps on the flow dω/dτ = M/J whose
-/// pseudo time grows as the residual falls.
-/// The tractions along the major axes replace the shares of the spin rule in the equilibrium, ω_m
-/// the kinematic one in the centrifugal force; both are repeated until the tractions stay.
+/// rolling resistance of the oil at the entrainment of that motion
+/// (dynamics/effects/rolling_resistance.cpp) and drag of the medium (kChrn). Ω_f: speed of the base
+/// frame of record 9.5. Newton steps on the flow dω/dτ = M/J whose pseudo time grows as the
+/// residual falls. The tractions along the major axes replace the shares of the spin rule in the
+/// equilibrium, ω_m the kinematic one in the centrifugal force. Both follow the contacts: with s =
+/// (Q_o, Q_i, α_o, α_i, r) and v the four speeds, G(v, s) = 0 stays balanced while the ball moves
+/// [derived]:
+///   t(s) = t(s0) + (t_s - t_v G_v⁻¹ G_s)(s - s0),   t = (f_o, f_i, ω_m).
+/// The equilibrium is solved with t(s), its slopes are in its stiffness, and s0 moves to the new
+/// contacts until the tractions stay: Newton's method on places and speeds together. Where no
+/// equilibrium is found so, without slopes.
 ///
-/// Speeds, angles and ratios of the solution remain those of the spin rule at the new contacts. A
-/// ball without a balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the
-/// spin rule; FrictionBalance reports the first. Limits: the cage, gravity and the change of the
-/// spin axis along the orbit are left out; races are not tilted here; stiffness has constant
-/// tractions.
+/// Starts of motion get places, loads and speeds of the balance (FrictionBalance::give_speeds);
+/// dynamics/friction_start.hpp then does the same with all effects of the run. Speeds, angles and
+/// ratios of a solution of mode -1 remain those of the spin rule at the new contacts. A ball
+/// without a balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the spin
+/// rule; FrictionBalance reports the first. Limits: the cage, gravity, the change of the spin axis
+/// along the orbit and the tractions along e_θ on the inner race are left out; races are not tilted
+/// here.
 namespace adore::statics {
 
 /// @param r radius of the ball's orbit

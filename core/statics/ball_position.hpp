@@ -12,10 +12,21 @@
 /// small-angle kinematics of the inner race. Vectors in the azimuth frame (e_x, e_r, e_θ).
 namespace adore::statics {
 
-/// Of a ball in balance of friction (ball_friction.hpp), instead of the spin rule's.
+/// Of a ball in balance of friction (ball_friction.hpp), instead of the spin rule's: values at the
+/// contacts `at` and their slopes there over s = (Q_o, Q_i, α_o, α_i, r).
 struct GivenTractions {
-  std::array<double, 2> along{};  ///< along the major axes, on the ball [N]
-  double orbital = 0.0;           ///< ω_m [rad/s]
+  static constexpr std::size_t kPlaces = 5;
+  struct Value {
+    double value = 0.0;
+    std::array<double, kPlaces> slope{};
+  };
+  std::array<Value, 2> along;  ///< along the major axes, on the ball [N]
+  Value orbital;               ///< ω_m [rad/s]
+  struct At {
+    std::array<double, 2> load{};                ///< Q [N]
+    std::array<double, 2> sin{}, cos{1.0, 1.0};  ///< of the contact angle
+    double rho = 0.0;                            ///< r - d_m/2 [m]
+  } at;
 };
 
 struct BallSite {

@@ -59,7 +59,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
     BallForces<double> own = f;
     BallModel per_ball = m;
     per_ball.per_ball_speeds = true;
-    add_inertia(per_ball, site, own);
+    add_inertia(per_ball, site, r - 0.5 * m.balls.pitch_diameter, own);
     s.pitch_angle = std::atan2(own.beta.sin, own.beta.cos);
     s.spin_speed = own.spin;
     s.omega_x = f.orbital - own.spin * own.beta.cos;

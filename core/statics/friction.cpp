@@ -153,8 +153,9 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     for (std::size_t j = 0; j < 2; ++j) {
       FrictionOfContact& one = out.race[j].emplace_back();
       if (!(ball.Q[j] > 0.0)) continue;
-      const BallContact at = ball_contact(bearing, oil, ball, j);
+      BallContact at = ball_contact(bearing, oil, ball, j);
       EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
+      at.film.speed = m.entrainment;
       const auto traction = [&](const EllipseGeometry& surface, bool balanced) {
         if (balanced) return tribology::ellipse_traction(at.law, surface, m, rule);
         EllipseKinematics free = m;

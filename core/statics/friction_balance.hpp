@@ -11,6 +11,7 @@
 namespace adore::statics {
 
 struct StaticBall;
+struct StaticSolution;
 
 struct BallMotion {
   Eigen::Vector3d omega =
@@ -27,6 +28,8 @@ struct FrictionBalance {
 
   /// Of ball k: in balance, or that of the solution.
   [[nodiscard]] BallMotion motion_of(std::size_t k, const StaticBall& ball) const;
+  /// Orbit and angular velocity of the balls in balance, which start a motion.
+  void give_speeds(StaticSolution& solution) const;
   /// What outputs report; empty: all loaded balls are in balance, or nothing was computed.
   [[nodiscard]] std::string note() const;
 };

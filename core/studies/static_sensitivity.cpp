@@ -54,32 +54,8 @@ void hold(facade::Prepared& prepared, const Vector5& q) {
     prepared.rollers = statics::solve_roller_statics(held, prepared.options.rollers);
   else
     prepared.statics = statics::solve_ball_statics(held, facade::ball_options(prepared));
-  if (!prepared.rollers && !prepared.control.dynamic)
+  if (!prepared.rollers)
     (void)statics::balance_balls(held, facade::ball_options(prepared), prepared.statics);
-}
-
-/// d load / d displacement of the race. The stiffness of a solution has constant tractions of its
-/// balls (statics/ball_friction.hpp); here they follow, by differences.
-Eigen::Matrix<double, 5, 5> stiffness_of(const facade::Prepared& base) {
-  if (base.rollers || base.control.dynamic) return base.race_result().stiffness;
-  constexpr double kShare = 0.01;  // of the largest deflection
-  const double step = kShare * base.statics.max_deflection;
-  const Vector5 q = vector_of(base.statics.displacement);
-  Eigen::Matrix<double, 5, 5> out = base.statics.stiffness;
-  for (Eigen::Index k = 0; k < 5; ++k) {
-    const double h = k < 3 ? step : step / (0.5 * base.bearing.pitch_diameter());
-    std::array<std::array<double, 4>, 5> load{};
-    facade::Prepared side = base;
-    for (std::size_t s = 0; s < kSides.size(); ++s) {
-      Vector5 at = q;
-      at(k) += kSides[s] * h;
-      hold(side, at);
-      for (std::size_t row = 0; row < 5; ++row) load[row][s] = side.statics.load[row];
-    }
-    for (std::size_t row = 0; row < 5; ++row)
-      out(static_cast<Eigen::Index>(row), k) = fourth_order(load[row], h);
-  }
-  return out;
 }
 
 std::map<std::string, double> derivatives(const Study& study, std::size_t deck,
@@ -138,7 +114,7 @@ StaticDerivatives static_derivatives(const Study& study, std::size_t deck) {
   const facade::Prepared base = prepare_at(study, deck, nullptr, 0.0);
   if (base.control.dynamic) return {};
   const std::vector<BaseValue> values = base_values(study, deck);
-  const Eigen::Matrix<double, 5, 5> K = stiffness_of(base);
+  const Eigen::Matrix<double, 5, 5> K = base.race_result().stiffness;
   StaticDerivatives out;
   for (std::size_t v = 0; v < values.size(); ++v)
     out.push_back(derivatives(study, deck, base, K, study.variables[v], values[v]));

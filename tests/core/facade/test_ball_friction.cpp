@@ -2,6 +2,7 @@
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
 #include "statics/ball_friction.hpp"
+#include "statics/stiffness_difference.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -121,6 +122,65 @@ TEST_CASE("ball friction in statics: tractions along both ellipses carry the gyr
     CHECK(std::abs(ball.omega[2]) > 1e-3 * std::abs(ball.omega[0]));  // it slips
     CHECK(ball.along[1] / ball.along[0] > 0.1);  // both races, not one in control
   }
+}
+
+TEST_CASE("ball friction in statics: stiffness is the slope of the load, tractions follow",
+          "[physics][statics]") {
+  for (const Sets& more : {Sets{}, Sets{{"appLoadZ", "300"}, {"appLoadX", "1500"}}}) {
+    const facade::Prepared at = prepared(thrust_deck(-1, more));
+    const statics::StaticsOptions options = facade::ball_options(at);
+    bearing::Bearing held = at.bearing;
+    held.constraints.displacement_given.fill(true);
+    const double step = 0.01 * at.statics.max_deflection;
+    for (const std::size_t along : {0UL, 2UL}) {
+      std::array<double, 2> load{};
+      for (const std::size_t side : {0UL, 1UL}) {
+        held.constraints.displacement = at.statics.displacement;
+        held.constraints.displacement[along] += side == 1 ? step : -step;
+        statics::StaticSolution moved = statics::solve_ball_statics(held, options);
+        REQUIRE(statics::balance_balls(held, options, moved).left.empty());
+        load[side] = moved.load[along];
+      }
+      const auto k = static_cast<Eigen::Index>(along);
+      const double slope = (load[1] - load[0]) / (2.0 * step);
+      INFO(along << " " << slope << " " << at.statics.stiffness(k, k));
+      CHECK(at.statics.stiffness(k, k) == Approx(slope).epsilon(1e-3));
+    }
+    // The table of stiffness over speed: the same by its own differences.
+    statics::StaticsOptions by_difference = options;
+    by_difference.difference_share = 0.01;
+    statics::StaticSolution solution = statics::solve_ball_statics(at.bearing, by_difference);
+    REQUIRE(statics::balance_balls(at.bearing, by_difference, solution).left.empty());
+    REQUIRE(solution.stiffness_by_difference);
+    CHECK(statics::stiffness_disagreement(solution.stiffness, *solution.stiffness_by_difference) <
+          1e-3);
+  }
+}
+
+TEST_CASE("ball friction in statics: motions start with the specified load and in their motion",
+          "[physics][statics][modes]") {
+  // By the spin rule the race held at its place carries 3.6 % less, and balls push their pockets.
+  const testing::TemporaryFolder folder;
+  std::array<double, 2> departure{}, pockets{};
+  for (const std::size_t balanced : {0UL, 1UL}) {
+    deck::Deck deck = deck::new_deck("ball");
+    deck.set_all(Sets{{"mode", "1"}, {"kPrtOpt", "0"}, {"kAGraf", "0"}, {"kLifeFreq", "0"}});
+    deck::write_deck(deck, folder / "DATA.txt");
+    facade::RunRequest request;
+    request.deck = folder / "DATA.txt";
+    request.until = "0.5rev";
+    request.options = {{"ballFriction", balanced == 1 ? "balance" : "spin-rule"}};
+    request.overwrite = true;
+    facade::run(request);
+    const json report = json::parse(testing::read_bytes(folder / "RUN.json"));
+    departure[balanced] =
+        report.at("load carried by the elements").at("departure from the asked load").get<double>();
+    pockets[balanced] =
+        report.at("conservation").at("energy").at("heat, cage pockets [J]").get<double>();
+  }
+  CHECK(departure[1] < 0.01);
+  CHECK(departure[1] < 0.3 * departure[0]);
+  CHECK(pockets[1] < 0.5 * pockets[0]);
 }
 
 TEST_CASE("ball friction in statics: a slow ball has the loads of the spin rule",
