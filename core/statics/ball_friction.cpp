@@ -146,6 +146,7 @@ bool solve_with(const Bearing& bearing, const StaticsOptions& options, const Fri
     ball.site.cos = std::cos(from.azimuth);
     ball.site.own = model.own_number.empty() ? 0 : model.own_number[k];
     ball.site.law = first_spin_law(bearing, options);
+    ball.site.axis_shift = from.axis_shift;
     if (from.inner_race_control)
       ball.site.law = {SpinLaw::Axis::InnerControl, SpinLaw::Share::Equal};
     if (found.balls[k].balanced) ball.site.tractions = {found.balls[k].along, found.balls[k].orbit};
