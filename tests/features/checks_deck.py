@@ -184,8 +184,12 @@ def _(b):
     c = b.channels(r)
     height, radius, flange, from_axis, end = wear_table(r)
     both = 1e-6 / 7.061e9 * c["flange.load_slip.1.2.1"][-1]  # K/H Q u, alike for both bodies
-    loads = [float(line.split()[1]) for line in r.listing.split("1a. Load and pressure along roller 1")[-1].splitlines()[4:54] if line.split()[:1] and
-             line.split()[0].isdigit()]
+    loads = []
+    for line in r.listing.split("1a. Load and pressure along roller 1")[-1].splitlines():
+        if line.split()[:1] == [str(len(loads) + 1)]:
+            loads.append(float(line.split()[1]))
+        elif line.strip().startswith("1b."):
+            break
     ring = [2 * math.pi * x * y for x, y in zip(radius, flange)]
     face = [2 * math.pi * x * y for x, y in zip(from_axis, end)]
     return r.command, [close("1a: loads of the slices of roller 1 together [N]", sum(loads), c["contact.load.1.1"][-1], 1e-3),
