@@ -239,7 +239,24 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
     account_.moment += e.element_centre(i).cross(force) - velocity.cross(carried);
     if (scene_.axial) ax = 0.0;
     ar = 0.0;
+    if (aligns(i)) align(e, i);
   }
+}
+
+void HeldElements::align(Evaluation& e, std::size_t i) noexcept {
+  using enum Quantity;
+  const auto rate = [&](Quantity q) -> double& { return e.dydt[slices_.at(q, i)]; };
+  const Vec3 axis = aligned_axis(), free(rate(OmegaX), rate(OmegaR), rate(OmegaTheta));
+  const double orbit = rate(ThetaDot);
+  const Vec3 held = orbit * Vec3::UnitX() + (axis.dot(free) - orbit * axis[0]) * axis;
+  const Mat3& to_base = e.attitude[i];
+  const Vec3 moment = to_base * (scene_.masses[i].inertia *
+                                 (to_base.transpose() * e.to_base(i, Vec3(held - free))));
+  rate(OmegaX) = held[0];
+  rate(OmegaR) = held[1];
+  rate(OmegaTheta) = held[2];
+  account_.power -= moment.dot(e.element_omega(i));
+  account_.moment -= moment;
 }
 
 /// What holds the reference point holds the other rates, too: all are found anew.
@@ -250,6 +267,8 @@ void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
   ElementHold hold = scene_.suppressed;
   hold.r = true;
   hold.x = hold.x || scene_.axial;
+  const bool aligned = aligns(i);
+  hold.tilt = hold.tilt || aligned;
   const ElementRates found = constrained_element(e, i, body, hold);
   const auto rate_of = [&](Quantity q) -> double& { return e.dydt[slices_.at(q, i)]; };
   rate_of(XDot) = found.x_ddot;
@@ -270,6 +289,10 @@ void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
   const Vec3 around(0.0, 0.0, turning);
   const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], turning);
   account_.force += force;
+  if (aligned) {
+    account_.power -= found.moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
+    account_.moment -= e.to_base(i, found.moment);
+  }
   account_.moment +=
       e.element_centre(i).cross(force) +
       e.to_base(i, Vec3(arm.cross(around) - Vec3(u[0], u[1], 0.0).cross(m * (velocity + swing))));

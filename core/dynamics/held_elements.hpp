@@ -5,6 +5,7 @@
 #include "dynamics/force_pass.hpp"
 #include "dynamics/held_contacts.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -35,7 +36,13 @@
 /// barrel turns about the centre of its groove: x and tilt are one motion, whose inertia is that of
 /// x (m R² against the 80 times smaller moment of inertia of the NU22208's); left without it,
 /// friction would be as much stiffer. Tilt, skew and spin of rollers stay dynamic: held or not,
-/// they turn by Euler's equations.
+/// they turn by Euler's equations, but with `aligned` (qFac, manual record 2.1: "no misalignment or
+/// skew"): a held roller has its axis at a = (cos γ, -sin γ, 0) on (e_x, e_r, e_θ), γ the axis
+/// angle of tapered rollers, and ω = θ̇ e_x + s a. What aligns it is a moment N without part along
+/// a:
+///   ω̇ = θ̈ e_x + ṡ a,  ṡ = a·ω̇_free - θ̈ cos γ,  N = I (ω̇ - ω̇_free)   [derived]
+/// N·ω and N go to the ledgers as taken, the turn into line when the roller becomes held to the
+/// switches. An unbalanced tapered roller is not aligned.
 ///
 /// w needs no friction; G(w) is formed by a first pass over the force blocks of the scene
 /// (force_pass.hpp), so that whatever acts takes part, and the second pass then forms every slip
@@ -69,6 +76,8 @@ class HeldElements {
     bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
     BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
     ElementHold suppressed = {};   ///< what kDOF suppresses besides, of off-centre elements
+    bool aligned = false;          ///< rollers are held in line with their nominal axis
+    double axis_angle = 0.0;       ///< γ of that axis [rad]
   };
   HeldElements(const Scene& scene, const ElementSlices& slices,
                std::unique_ptr<HeldContacts> contacts, ForcePass pass);
@@ -89,6 +98,13 @@ class HeldElements {
   /// that acts besides them at the state evaluated last (`force` on x and r, [N]). L is kept.
   [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
     return contacts_->balanced(e, i, force);
+  }
+  /// Axis a of an aligned roller on (e_x, e_r, e_θ).
+  [[nodiscard]] Vec3 aligned_axis() const noexcept {
+    return {std::cos(scene_.axis_angle), -std::sin(scene_.axis_angle), 0.0};
+  }
+  [[nodiscard]] bool aligns(std::size_t i) const noexcept {
+    return scene_.aligned && !(scene_.masses[i].off_centre && scene_.axis_angle != 0.0);
   }
   /// Normal forces of the races on (x, r) of element i [N].
   [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept {
@@ -135,6 +151,7 @@ class HeldElements {
   RaceForces form_forces(Evaluation& e) noexcept;
   void pull(const Evaluation& e, std::size_t k) noexcept;
   void take_off_centre(Evaluation& e, std::size_t i) noexcept;
+  void align(Evaluation& e, std::size_t i) noexcept;
 
   Scene scene_;
   ElementSlices slices_;

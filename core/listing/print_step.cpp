@@ -1,5 +1,6 @@
 #include "base/rotation.hpp"
 #include "listing/print_file.hpp"
+#include "listing/print_flange_wear.hpp"
 #include "results/motion.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +59,7 @@ std::string_view no_films(RaceFriction friction) {
 /// Load distribution along roller 1 (page 1a).
 void slices_of_first(Report& report, const scene::Snapshot& snapshot) {
   const auto& races = snapshot.elements.front().race;
-  report.heading("Load and pressure along roller 1, slice by slice from -x to +x");
+  report.heading("1a. Load and pressure along roller 1, slice by slice from -x to +x");
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < races[0].slice_load.size(); ++k)
     rows.push_back({std::to_string(k + 1),
@@ -104,7 +105,7 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
     for (std::size_t side = 0; side < 2; ++side) {
       if (!snapshot.elements.front().flange[race][side].present) continue;
       report.heading(
-          fmt::format("Roller ends at the {} race flange at {}x (gap: negative in contact)",
+          fmt::format("1b. Roller ends at the {} race flange at {}x (gap: negative in contact)",
                       race == 0 ? "outer" : "inner", side == 0 ? "-" : "+"));
       std::vector<Report::Row> rows;
       for (std::size_t j = 0; j < snapshot.elements.size();
@@ -203,6 +204,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   if (rollers) {
     slices_of_first(report, snapshot);
     flanges(report, snapshot, interval);
+    print_flange_wear(report, snapshot, bearing);
   }
   if (record.shape.pairs > 0) {
     report.heading("Elements and the next ones in the ring (gap: negative in contact)");

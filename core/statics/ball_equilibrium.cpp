@@ -230,7 +230,7 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
     }
   }
   if (ball.site.law.axis == SpinLaw::Axis::LeastHeat && f.spin.v != 0.0) {
-    ball.site.pitch_guess = std::atan2(f.beta.sin.v, f.beta.cos.v);
+    ball.site.pitch_guess = std::atan2(f.beta.sin.v, f.beta.cos.v) - ball.site.axis_shift;
   }
   share.largest_load = std::max(f.contact[0].load.v, f.contact[1].load.v);
   const double determinant = on_ball(0, 0) * on_ball(1, 1) - on_ball(0, 1) * on_ball(1, 0);

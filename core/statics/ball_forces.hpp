@@ -81,10 +81,10 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
   return c;
 }
 
-/// Spin axis of least heat, with its derivatives carried over from the angles and loads that it
-/// depends on.
+/// Spin axis of least heat, shifted by BallSite::axis_shift, with its derivatives carried over from
+/// the angles and loads that it depends on.
 template <class S>
-Direction<S> least_heat_direction(const BallSeat& seat, double guess,
+Direction<S> least_heat_direction(const BallSeat& seat, const BallSite& site,
                                   const std::array<ContactState<S>, 2>& contact) {
   std::array<HeatContact, 2> c;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -97,8 +97,8 @@ Direction<S> least_heat_direction(const BallSeat& seat, double guess,
     c[j].aspect = hertz.reference().kappa;
     c[j].surface_radius = seat.surface_radius[j];
   }
-  const LeastHeatAxis axis = least_heat_axis(c, seat.gamma, guess);
-  S beta = axis.beta;
+  const LeastHeatAxis axis = least_heat_axis(c, seat.gamma, site.pitch_guess);
+  S beta = axis.beta + site.axis_shift;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = contact[j].alpha;
     const auto& [s, k] = c[j].alpha;
@@ -142,7 +142,7 @@ void add_inertia(const BallModel& m, const BallSite& site, const S& rho, BallFor
         f.beta = {S(std::sin(m.spin_angle)), S(std::cos(m.spin_angle))};
         break;
       case SpinLaw::Axis::LeastHeat:
-        f.beta = least_heat_direction(seat, site.pitch_guess, f.contact);
+        f.beta = least_heat_direction(seat, site, f.contact);
         break;
     }
     const Rolling<S> rolling = roll_without_slip(alpha, f.beta, seat.gamma, m.race_speed);

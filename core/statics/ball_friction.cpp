@@ -225,6 +225,7 @@ class Balls {
       ball.site.cos = std::cos(from.azimuth);
       ball.site.own = model_.own_number.empty() ? 0 : model_.own_number[k];
       ball.site.law = first_spin_law(bearing, options);
+      ball.site.axis_shift = from.axis_shift;
       if (from.inner_race_control)
         ball.site.law = {SpinLaw::Axis::InnerControl, SpinLaw::Share::Equal};
       ball.x = from.x;

@@ -35,6 +35,8 @@ struct BallSite {
   SpinLaw law;
   double pitch_guess =
       std::numeric_limits<double>::quiet_NaN();  ///< where the least-heat search starts
+  double axis_shift = 0.0;  ///< least heat: β by the law of the deck minus β at a constant
+                            ///< coefficient (least_heat.hpp) [rad]
   std::optional<GivenTractions> tractions;
 };
 

@@ -234,6 +234,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
   s.r = 0.5 * m.balls.pitch_diameter + ball.rho;
   s.inner_contact = !ball.idle && f.contact[1].load > 0.0;
   s.inner_race_control = site.law.axis == SpinLaw::Axis::InnerControl;
+  s.axis_shift = site.axis_shift;
   s.race_control_ratio = kNone;
   std::array<double, 2> capacity{};
   for (std::size_t j = 0; j < 2; ++j) {

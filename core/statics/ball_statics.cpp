@@ -4,6 +4,7 @@
 #include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
 #include "statics/ball_springs.hpp"
+#include "statics/least_heat.hpp"
 #include "statics/race_text.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -253,6 +254,9 @@ StaticSolution solve_from(ColdStart start, const bearing::Bearing& bearing,
                             bearing.spin_rule == bearing::SpinRule::RaceControl;
   if (race_control && model.per_ball_speeds) {
     settle_race_control(model, task, state, solve, solution.notes);
+  }
+  if (law.axis == SpinLaw::Axis::LeastHeat) {
+    settle_least_heat(bearing, model, task, state, solve, solution.notes);
   }
   check_rolling(model, state);
   solution.displacement = to_array(state.q);

@@ -89,6 +89,7 @@ struct StaticBall {
   double spin_speed = 0.0;  ///< ω_R relative to the orbiting frame, sign of Ω_i - Ω_o [rad/s]
   double pitch_angle =
       0.0;  ///< β of the spin axis, positive for positive contact angles [rad]; NaN unloaded
+  double axis_shift = 0.0;  ///< BallSite::axis_shift [rad]
   double race_control_ratio =
       0.0;  ///< Q_o a_o E_o cos(α_i - α_o)/(Q_i a_i E_i); NaN without both loads
   bool inner_race_control = false;  ///< spin axis taken from the inner race (race-control rule)

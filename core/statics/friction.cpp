@@ -3,6 +3,7 @@
 #include "contact/roller_shape.hpp"
 #include "statics/ball_friction.hpp"
 #include "statics/contact_laws.hpp"
+#include "statics/free_traction.hpp"
 #include "statics/roller_statics.hpp"
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
@@ -26,49 +27,6 @@ using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
 constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
-
-/// The root of an increasing function between two bounds by regula falsi with halving (Illinois).
-template <class F>
-double root_between(const F& f, double low, double high) {
-  double at_low = f(low), at_high = f(high);
-  if (at_low >= 0.0) return low;
-  if (at_high <= 0.0) return high;
-  double x = 0.5 * (low + high);
-  for (int n = 0; n < 60; ++n) {
-    x = (low * at_high - high * at_low) / (at_high - at_low);
-    const double y = f(x);
-    if (y == 0.0) break;
-    if (y < 0.0) {
-      low = x;
-      at_low = y;
-      at_high *= 0.5;
-    } else {
-      high = x;
-      at_high = y;
-      at_low *= 0.5;
-    }
-    if (high - low <= 1e-12 * (std::abs(low) + std::abs(high))) break;
-  }
-  return x;
-}
-
-/// Traction of an ellipse that creeps freely.
-tribology::EllipseTraction free_traction(const tribology::TractionLaw& law,
-                                         const EllipseGeometry& g, EllipseKinematics m,
-                                         const tribology::EllipseRule& rule) {
-  // u_t of a surface point is u + range; no creep beyond it leaves force in one direction only.
-  const double middle = m.W_c * g.height(0.0), edge = m.W_c * g.height(g.a);
-  const double spin = std::abs(m.W_n) * g.a;
-  const double low = std::min(middle, edge) - spin, high = std::max(middle, edge) + spin;
-  if (!(high > low)) return {};
-  m.u_t = root_between(
-      [&](double u) {
-        m.u_t = u;
-        return tribology::ellipse_traction(law, g, m, rule).F_t;
-      },
-      low, high);
-  return tribology::ellipse_traction(law, g, m, rule);
-}
 
 /// Does the film alone carry the traction of a contact (no metal contact)?
 bool is_film(const tribology::TractionLaw& law, const tribology::FilmContact& film) {

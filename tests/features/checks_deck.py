@@ -167,15 +167,37 @@ def _(b):
     return r.command, [equal(f"load of ball 1 of RESULTS.h5 ({q} N) in section 1", q in part, True)]
 
 
+def wear_table(run):
+    """Page 1c of the last step: heights, radii, depths of the flange, distances from the roller axis, depths of the end."""
+    part = run.listing.split("1c. Wear over the end of roller 1 and the inner race flange at -x")[-1].splitlines()
+    rows = [[float(w) for w in line.split()[1:]] for line in part[4:13]]
+    return list(zip(*rows))
+
+
+def simpson(x, y):
+    return (x[-1] - x[0]) / (3 * (len(x) - 1)) * sum(w * v for w, v in zip([1, 4, 2, 4, 2, 4, 2, 4, 1], y))
+
+
 @feature("F236", G)
 def _(b):
-    r = b.run("tapered", until="0.1rev")
-    text = r.listing
-    q = b.channels(r)["contact.load.1.1"][-1]
-    low = text.lower()
-    return r.command, [more("tables of the load along roller 1", low.count("along roller 1") + low.count("slices of roller 1") + low.count("load distribution"), 0),
-                       more("tables of the flange interaction", low.count("flange"), 3), more("load of roller 1 [N]", q, 100.0),
-                       more("tables of the wear over roller end and flange", low.count("wear distribution") + low.count("wear over") + low.count("wear of the roller end"), 0)]
+    r, slow = b.run("tapered", until="0.02rev"), b.run("tapered", sets={"rpm2": 1500.0}, until="0.02rev")
+    c = b.channels(r)
+    height, radius, flange, from_axis, end = wear_table(r)
+    both = 1e-6 / 7.061e9 * c["flange.load_slip.1.2.1"][-1]  # K/H Q u, alike for both bodies
+    loads = []
+    for line in r.listing.split("1a. Load and pressure along roller 1")[-1].splitlines():
+        if line.split()[:1] == [str(len(loads) + 1)]:
+            loads.append(float(line.split()[1]))
+        elif line.strip().startswith("1b."):
+            break
+    ring = [2 * math.pi * x * y for x, y in zip(radius, flange)]
+    face = [2 * math.pi * x * y for x, y in zip(from_axis, end)]
+    return r.command, [close("1a: loads of the slices of roller 1 together [N]", sum(loads), c["contact.load.1.1"][-1], 1e-3),
+                       close("1b: height of the contact up the flange, middle of the distribution [m]", height[4], c["flange.height.1.2.1"][-1], 1e-3),
+                       close("1c: depths of the flange times 2 pi r, over its height: K/H Q u [m^3/s]", simpson(height, ring), both, 1e-3),
+                       close("1c: depths of the roller end likewise [m^3/s]", simpson(height, face), both, 1e-3),
+                       close("1c: at a quarter of the contact, 3/4 of the wear in its middle", ring[2] / ring[4], 0.75, 1e-3),
+                       close("1c: depth of the flange at half the speed, over that before", wear_table(slow)[2][4] / flange[4], 0.5, 0.2)]
 
 
 def in_section(b, head, value, digits=4):

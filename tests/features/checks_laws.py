@@ -325,15 +325,34 @@ def _(b):
     return r.command, [between("heat of half the curve over that before", half.ledger["heat, inner race contacts [J]"] / r.ledger["heat, inner race contacts [J]"], 0.42, 0.58)]
 
 
+def own_limited(b, **opts):
+    return b.run(sets={k: v for k, v in {**oil(9), **USER}.items() if k != "lubName"}, opts=opts, until="0.01rev")
+
+
+def friction_coefficient(b, run):
+    """Largest mean coefficient of the inner contacts: heat over load times slip."""
+    c = b.channels(run)
+    t = len(c["time"]) // 2
+    return max(c[f"contact.heat.{k}.2"][t] / c[f"contact.load_slip.{k}.2"][t] for k in range(1, 13))
+
+
 @feature("F192", "lubricants")
 def _(b):
     r = own(b)
     high = own(b, prVisCoeff=2.5e-8)
-    limit = [n for n in r.json["notes"] if "stress limit" in n or "limiting" in n]
-    peak = b.call("schema").stdout
-    return r.command, [more("film with a pressure coefficient of 25 over 15 1/GPa", film(b, high) / film(b, r), 1.1),
-                       equal("the deck has a variable for the limiting stress of a user lubricant", any(w in peak for w in ("limStress", "tracStrLim", "lubStrLim", "stressLimit")), True),
-                       equal("a note says where the law's stress is beyond what oils carry, or none is", isinstance(limit, list), True)]
+    low, middle, constant, off = [own_limited(b, **o) for o in ({"lubStressLimit": 0.02}, {"lubStressLimit": 0.05},
+                                                                 {"lubStressLimit": 0.02, "lubStressSoftening": 0.0}, {"filmStressLimit": "off"})]
+    limit = 0.02 * math.exp(-0.003 * (350.0 - 313.15))  # of the pressure, at walls of 350 K
+    mu = friction_coefficient(b, low)
+    return low.command, [more("film with a pressure coefficient of 25 over 15 1/GPa", film(b, high) / film(b, r), 1.1),
+                         between("lubStressLimit 0.02: largest coefficient over the limit at 350 K", mu / limit, 0.85, 1.0),
+                         between("without softening, over 0.02", friction_coefficient(b, constant) / 0.02, 0.85, 1.0),
+                         more("lubStressLimit 0.05: coefficient over that with 0.02", friction_coefficient(b, middle) / mu, 1.9),
+                         more("without a limit: coefficient", friction_coefficient(b, off), 0.2),
+                         equal("register of validity: coefficient outside, without a limit and with one",
+                               [any(v["range"] == "traction.coefficient" for v in x.json["outside_validity"]) for x in (off, low)], [True, False]),
+                         equal("a limit that is not given is noted as assumed", [f["code"] for f in r.json["findings"]].count("film.stress_limit_assumed"), 1),
+                         equal("a given one is not", [f["code"] for f in low.json["findings"]].count("film.stress_limit_assumed"), 0)]
 
 
 HYDRO = {"pocVis": 0.02, "gsVis": 0.02}

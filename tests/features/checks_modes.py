@@ -168,7 +168,9 @@ def _(b):
                                                                    for k in range(1, 13)), 0),
                              more("held rollers", len(tilt), 0),
                              less("largest skew angle of held rollers [rad]", max(tilt.values()), 1e-9),
-                             more("the same rollers without qFac [rad]", other, 1e-9)]
+                             more("the same rollers without qFac [rad]", other, 1e-9),
+                             differs("switches of held elements in the ledger of energy [J]", rollers.ledger["switches of held elements [J]"], 0.0, 1e-9),
+                             less("energy residual over energy moved", rollers.ledger["residual over energy moved"], 1e-4)]
 
 
 @feature("F012", G)

@@ -76,9 +76,12 @@ def _(b):
                         ("hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp")}})):
         light = {"appLoadX": 1000.0, "appLoadZ": 0.0, "rpm2": 3000.0, **extra}
         r = b.static(sets={**light, "kAngVel": 0})
-        scan = [power(b.static(sets={**light, "kAngVel": 2, "angVelOrient": float(a)})) for a in (20, 22, 24, 25, 26, 27, 28, 30)]
+        scan = {a: power(b.static(sets={**light, "kAngVel": 2, "angVelOrient": a})) for a in [15.0, 20.0, 40.0] + [24.0 + 0.5 * k for k in range(21)]}
         control = power(b.static(sets={**light, "kAngVel": 1}))
-        out += [less(f"{name}: power of the least heat [W] against the least of a scan of the angle", power(r), 1.005 * min(scan)),
+        best = min(scan, key=scan.get)
+        out += [between(f"{name}: angle of the least of the scan [deg]", best, 24.5, 33.5),
+                close(f"{name}: power of the least heat, the least of a scan of the angle in steps of 0.5 deg [W]", power(r), scan[best], 3e-4),
+                less(f"{name}: at 15 and 40 deg there is more heat [W]", power(r), 0.995 * min(scan[15.0], scan[40.0])),
                 less(f"{name}: against race control [W]", power(r), 1.0001 * control)]
     other = power(b.static(sets={"appLoadX": 1000.0, "appLoadZ": 0.0, "rpm2": 3000.0, "kAngVel": 0, "reRaceTC2": 0.03, "reRaceTC3": 0.02}))
     out.append(between("half of the traction: power over that before", other / power(b.static(sets={"appLoadX": 1000.0, "appLoadZ": 0.0, "rpm2": 3000.0,

@@ -8,6 +8,9 @@
 #include "dynamics/held_elements.hpp"
 #include "dynamics/held_rollers.hpp"
 #include "dynamics/roller_start.hpp"
+#include "dynamics/state_access.hpp"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <vector>
@@ -79,7 +82,12 @@ class LightLoadBalance final : public SceneEffect, public HoldsElements {
   [[nodiscard]] bool holds_x() const noexcept override { return axial_; }
 
  private:
+  /// Turns a roller that becomes held into line, about the shortest way; its spin about its axis
+  /// stays.
+  void align(const Evaluation& e, std::size_t i, std::span<double> y) const;
+
   std::optional<HeldElements> held_;
+  const RigidElements* rigid_ = nullptr;  ///< rollers
   ElementSlices element_;
   ElementMasses masses_;
   double load_ratio_ = 0.0;
@@ -98,8 +106,9 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   axial_ = !scene.plan.suppressed.element_axial;
   std::unique_ptr<HeldContacts> contacts;
   masses_ = ElementMasses(scene.bearing);
-  if (const RigidElements* rigid = scene.find<RigidElements>())
-    element_ = rigid->slices();
+  rigid_ = scene.find<RigidElements>();
+  if (rigid_ != nullptr)
+    element_ = rigid_->slices();
   else
     element_ = scene.find<Balls>()->slices();
   if (scene.rollers != nullptr) {
@@ -117,7 +126,9 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
       HeldElements::Scene{masses_,
                           axial_,
                           race != nullptr ? &race->race() : nullptr,
-                          {.x = suppressed.element_axial, .tilt = suppressed.element_tilt}},
+                          {.x = suppressed.element_axial, .tilt = suppressed.element_tilt},
+                          !all_ && scene.rollers != nullptr,
+                          scene.rollers != nullptr ? scene.bearing.rollers()->axis_angle : 0.0},
       element_, std::move(contacts), scene.force_pass(race == nullptr));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
@@ -146,6 +157,24 @@ void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
   }
   snapshot.energy.add(kLeftOut, left_out);
   snapshot.held_elements = static_cast<int>(held_->list().size());
+}
+
+void LightLoadBalance::align(const Evaluation& e, std::size_t i, std::span<double> y) const {
+  const Vec3 old = e.attitude[i].col(0), now = e.to_base(i, held_->aligned_axis());
+  const Slice& slice = rigid_->attitude(i);
+  const Quat q = normalise(quaternion_at(y.data(), slice));
+  const Eigen::Quaterniond turned =
+      Eigen::Quaterniond::FromTwoVectors(old, now) * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  store_at(y.data(), slice, Quat{turned.w(), turned.x(), turned.y(), turned.z()});
+  const double theta_dot = component(y, element_[Quantity::ThetaDot], i);
+  const Vec3 about(component(y, element_[Quantity::OmegaX], i) - theta_dot,
+                   component(y, element_[Quantity::OmegaR], i),
+                   component(y, element_[Quantity::OmegaTheta], i));
+  const Vec3 omega =
+      theta_dot * Vec3::UnitX() + about.dot(e.to_cylindrical(i, old)) * held_->aligned_axis();
+  component(y, element_[Quantity::OmegaX], i) = omega[0];
+  component(y, element_[Quantity::OmegaR], i) = omega[1];
+  component(y, element_[Quantity::OmegaTheta], i) = omega[2];
 }
 
 bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps& scene) {
@@ -210,6 +239,8 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     at(element_[Quantity::R], i) = places[k].r;
     at(element_[Quantity::ThetaDot], i) = places[k].speed;  // L is kept
   }
+  for (const Candidate& c : taken)
+    if (rigid_ != nullptr && held.aligns(c.element)) align(e, c.element, y);
   // A pocket wall in the way can make the new place worse than the old one: then the element stays
   // and its motion as a held element brings it to balance.
   const bool valid = scene.is_valid(t, y);
@@ -218,6 +249,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     at(element_[Quantity::X], c.element) = c.x;
     at(element_[Quantity::R], c.element) = c.r;
     at(element_[Quantity::ThetaDot], c.element) = c.theta_dot;
+    if (rigid_ != nullptr && held.aligns(c.element)) align(e, c.element, y);
   }
   scene.evaluate(t, y);
 

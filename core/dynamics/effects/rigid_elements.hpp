@@ -34,6 +34,10 @@ class RigidElements final : public SceneEffect {
   void report(const Evaluation& e, Snapshot& snapshot) const override;
 
   [[nodiscard]] const ElementSlices& slices() const noexcept { return s_; }
+  /// Quaternion of an element in the state.
+  [[nodiscard]] const Slice& attitude(std::size_t element) const noexcept {
+    return attitude_[element];
+  }
 
  private:
   class Kinematics;
