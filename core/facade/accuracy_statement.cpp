@@ -31,56 +31,64 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
 
 class Statement {
  public:
-  Statement(const RunOutcome& run, const results::KeyResults& tighter,
-            const std::optional<results::KeyResults>& twin)
-      : run_(run), tighter_(tighter), twin_(twin) {}
+  /// @param twin null: there is no run under changed loads
+  Statement(const RunOutcome& run, const Verification& tighter, const RunOutcome* twin)
+      : run_(run),
+        tighter_(tighter.results),
+        twin_(twin),
+        means_(twin != nullptr ? twin->means : tighter.means) {}
 
   std::vector<StatedQuantity> quantities() {
-    const results::MeanErrors& means = run_.mean_errors;
     const double cage = std::abs(of("mean_cage_ratio"));
     const double heat = std::abs(of("mean_power_loss_W"));
     const double contact = std::abs(of("mean_largest_load_N"));
-    add("mean_orbital_ratio", "element speed over shaft speed", means.orbital_ratio);
-    add("mean_cage_ratio", "cage speed over shaft speed", means.cage_ratio);
-    add("mean_swept_whirl_ratio", "whirl of the cage over shaft speed", means.swept_whirl_ratio,
+    using Means = results::MeanSeries;
+    add("mean_orbital_ratio", "element speed over shaft speed", &Means::orbital_ratio);
+    add("mean_cage_ratio", "cage speed over shaft speed", &Means::cage_ratio);
+    add("mean_swept_whirl_ratio", "whirl of the cage over shaft speed", &Means::swept_whirl_ratio,
         cage);
-    add_load(means.load, results::kLoadFloor * contact);
-    add("mean_largest_load_N", "largest contact load, mean", means.largest_load);
-    if (add("peak_load_N", "largest contact load of the span", results::MeanErrors::kNone))
-      out_.back().mean = false;
-    add("mean_heat_outer_race_W", "heat, outer race", means.heat_outer, heat);
-    add("mean_heat_inner_race_W", "heat, inner race", means.heat_inner, heat);
-    add("mean_heat_elsewhere_W", "heat, cage, lands and fluid", means.heat_elsewhere, heat);
-    add("mean_power_loss_W", "heat, whole bearing", means.power_loss);
-    const double life = of("run_life_hours");
-    // Two standard errors: the interval of the others.
-    add("run_life_hours", "life", 2.0 * life * of("run_life_spread"));
+    add_load(results::kLoadFloor * contact);
+    add("mean_largest_load_N", "largest contact load, mean", &Means::largest_load);
+    if (add("peak_load_N", "largest contact load of the span", nullptr)) out_.back().mean = false;
+    add("mean_heat_outer_race_W", "heat, outer race", &Means::heat_outer, heat);
+    add("mean_heat_inner_race_W", "heat, inner race", &Means::heat_inner, heat);
+    add("mean_heat_elsewhere_W", "heat, cage, lands and fluid", &Means::heat_elsewhere, heat);
+    add("mean_power_loss_W", "heat, whole bearing", &Means::power_loss);
+    add("run_life_hours", "life", nullptr);
     return std::move(out_);
   }
 
  private:
+  using Scatters = std::vector<results::PairedScatter>;
+
   [[nodiscard]] double of(std::string_view id) const { return value_of(run_.summary, id); }
 
-  /// @param half half-width of the mean's interval [SI], NaN: not computed
-  void judge(StatedQuantity& q, const Values& v, double half) const {
+  /// @param scatters of the components; empty: the quantity has no batches
+  void judge(StatedQuantity& q, const Values& v, const Scatters& scatters) const {
     if (!(q.scale > 0.0)) return;
-    const double changed = twin_ ? distance(v.run, v.twin) / q.scale : 0.0;
+    const double changed = twin_ != nullptr ? distance(v.run, v.twin) / q.scale : 0.0;
     const double off = distance(v.run, v.tighter) / q.scale;
-    q.irregular = !twin_ || changed > kRegular;
-    q.statistical = kTwin * changed;
-    if (q.irregular && std::isfinite(half)) {
-      const double scatter = std::sqrt(2.0) * half / q.scale;
-      const double seen = twin_ ? kSeen * std::max(changed, off) : scatter;
-      q.statistical = std::max(q.statistical, std::min(scatter, seen));
+    q.statistical = (scatters.empty() && changed > kRegular ? kFew : kTwin) * changed;
+    double squares = 0.0, largest = 0.0;
+    for (const results::PairedScatter& one : scatters) {
+      if (!std::isfinite(one.half_width)) continue;
+      squares += one.half_width * one.half_width;
+      if (!(one.half_width > largest)) continue;
+      largest = one.half_width;
+      q.fall = one.fall;
+      q.late = one.late;
     }
+    q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
+    q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
     q.numerical = std::max(kNumerical * beyond, kFloor);
   }
 
   /// @param least of the scale [SI] @return whether there is such a result
-  bool add(const char* id, const char* label, double half, double least = 0.0) {
+  bool add(const char* id, const char* label, results::RatioSeries results::MeanSeries::*series,
+           double least = 0.0) {
     const double here = of(id), there = value_of(tighter_, id);
-    const double beside = twin_ ? value_of(*twin_, id) : here;
+    const double beside = twin_ != nullptr ? value_of(twin_->summary, id) : here;
     if (!std::isfinite(here) || !std::isfinite(there) || !std::isfinite(beside)) return false;
     StatedQuantity q;
     q.id = id;
@@ -89,20 +97,25 @@ class Statement {
     const results::UnitPair* unit = results::find_key_result(id).unit;
     q.unit = unit == nullptr || std::string_view(unit->si) == "-" ? "" : unit->si;
     q.scale = std::max(std::abs(here), std::isfinite(least) ? least : 0.0);
-    judge(q, {{here, 0, 0}, {there, 0, 0}, {beside, 0, 0}}, half);
+    Scatters scatters;
+    if (series != nullptr)
+      scatters.push_back(results::paired_scatter(run_.means.*series, means_.*series));
+    judge(q, {{here, 0, 0}, {there, 0, 0}, {beside, 0, 0}}, scatters);
     out_.push_back(std::move(q));
     return true;
   }
 
-  void add_load(const std::array<double, 3>& half, double least) {
+  void add_load(double least) {
     Values v;
+    Scatters scatters;
     const std::array<const char*, 3> ids{"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"};
     for (std::size_t k = 0; k < 3; ++k) {
       v.run[k] = of(ids[k]);
       v.tighter[k] = value_of(tighter_, ids[k]);
-      v.twin[k] = twin_ ? value_of(*twin_, ids[k]) : v.run[k];
+      v.twin[k] = twin_ != nullptr ? value_of(twin_->summary, ids[k]) : v.run[k];
       if (!std::isfinite(v.run[k]) || !std::isfinite(v.tighter[k]) || !std::isfinite(v.twin[k]))
         return;
+      scatters.push_back(results::paired_scatter(run_.means.load[k], means_.load[k]));
     }
     StatedQuantity q;
     q.id = "mean_load";
@@ -110,13 +123,14 @@ class Statement {
     q.value = length(v.run);
     q.unit = "N";
     q.scale = std::max(q.value, least);
-    judge(q, v, length(half));
+    judge(q, v, scatters);
     out_.push_back(std::move(q));
   }
 
   const RunOutcome& run_;
   const results::KeyResults& tighter_;
-  const std::optional<results::KeyResults>& twin_;
+  const RunOutcome* twin_;
+  const results::MeanSeries& means_;  ///< of the second run
   std::vector<StatedQuantity> out_;
 };
 
@@ -140,10 +154,12 @@ double AccuracyStatement::numerical() const {
 }
 
 double AccuracyStatement::needed_turns(double asked) const {
-  double share = 0.0;
+  double longest = 0.0;
   for (const StatedQuantity& q : quantities)
-    if (q.mean && q.statistical > asked) share = std::max(share, q.statistical / asked);
-  return share > 0.0 && turns > 0.0 ? rounded_up(turns * share * share) : 0.0;
+    if (q.mean && q.statistical > asked)
+      longest =
+          std::max(longest, std::pow(std::sqrt(q.late) * q.statistical / asked, 1.0 / q.fall));
+  return longest > 0.0 && turns > 0.0 ? rounded_up(kSpare * turns * longest) : 0.0;
 }
 
 bool AccuracyStatement::keeps() const {
@@ -164,20 +180,20 @@ AccuracyStatement state_accuracy(const RunRequest& request, const RunOutcome& ou
   const Prepared prepared = prepare(request);
   RunRequest beside = repeated(request, prepared, outcome);
   beside.options.emplace_back("resultsH5", "0");
-  std::optional<results::KeyResults> twin;
+  std::optional<RunOutcome> twin;
   if (const auto loads = nearby_loads(prepared.input.deck, kNearby); loads.empty()) {
     out.twin_failure = "the deck has no external load";
   } else {
     for (const auto& load : loads) beside.changes.push_back(load);
-    const MeasuredRun run =
+    MeasuredRun run =
         measured_run(beside, std::numeric_limits<double>::infinity(), std::move(stop));
     out.twin_seconds = run.seconds;
     if (run.outcome.status == RunStatus::Done || run.outcome.status == RunStatus::Untrusted)
-      twin = run.outcome.summary;
+      twin = std::move(run.outcome);
     else
       out.twin_failure = run.outcome.message;
   }
-  out.quantities = Statement(outcome, out.tighter.results, twin).quantities();
+  out.quantities = Statement(outcome, out.tighter, twin ? &*twin : nullptr).quantities();
   return out;
 }
 
@@ -195,7 +211,7 @@ std::string statement_text(const AccuracyStatement& statement) {
   std::string out = fmt::format(
       "accuracy:  over the {} of this run, 95 % intervals\n"
       "  numerical part: against {} ({:.3g} s of processor time)\n"
-      "  statistical part: batch means, {}\n"
+      "  statistical part: batch means of the difference, {}\n"
       "  {:<36} {:>14} {:<5} {:>11} {:>12} {:>10}\n",
       counted(fmt::format("{:.4g}", statement.turns), "revolution"), tighter.tighter,
       tighter.seconds, second, "", "value", "", "numerical", "statistical", "interval");
@@ -213,10 +229,10 @@ std::string statement_text(const AccuracyStatement& statement) {
   out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
   if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
     out += fmt::format(
-        "  The means need about {} for {} (this run: {:.4g}). Run that "
+        "  The means need about {} for {} (this run: {:.4g}; within a factor of {:g}). Run that "
         "long, or let `adore run --accuracy ... --extend` do it.\n",
         counted(fmt::format("{:.3g}", turns), "revolution"), percent(statement.target),
-        statement.turns);
+        statement.turns, kNeededFactor);
   return out;
 }
 
@@ -242,18 +258,19 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
                                  {"numerical", q.numerical},
                                  {"statistical", q.statistical},
                                  {"half_width", q.half_width()},
+                                 {"fall_exponent", q.fall},
                                  {"irregular", q.irregular}});
   if (statement.target > 0.0) {
     out["keeps_target"] = statement.keeps();
     if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
-      out["needs_revolutions"] = turns;
+      out["needs_revolutions"] = turns, out["needs_revolutions_factor"] = kNeededFactor;
   }
   return out;
 }
 
 void store_statement(const AccuracyStatement& statement, const RunOutcome& outcome) {
   results::amend_run(WriteFolder(outcome.folder),
-                     {{"accuracy", statement_json(statement, outcome.mean_errors)},
+                     {{"accuracy", statement_json(statement, results::errors_of(outcome.means))},
                       {"verify", verification_json(statement.tighter, outcome)}},
                      "\f\n  ACCURACY OF THE RESULTS\n\n" + statement_text(statement));
 }

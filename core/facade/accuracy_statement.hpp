@@ -20,30 +20,37 @@
 /// (verify()), kFloor at least: both share start state, tables of films and single precision of
 /// films (3e-5), whose errors that difference does not show.
 ///
-/// Regular motion (a relative change of the loads by kNearby changes the quantity by less than
-/// kRegular): statistical part = kTwin times the change by these loads.
+/// Statistical part: two accurate runs over the same span from the same start differ only as far as
+/// their motions part. Transients and slow periods are the same in both and are no error of a mean
+/// over this span. It is measured by a second run under loads changed by kNearby, as the larger of
+/// kTwin times the difference of both means and the 95 % interval of that difference from its
+/// batches (paired_scatter() in results/batch_means.hpp). A deck without external loads has no such
+/// second run: the run with tighter settings takes its place, and all quantities count as
+/// irregular. Largest loads and the life have no batches: kTwin times the difference alone, kFew
+/// times where it exceeds kRegular.
 ///
-/// Irregular motion: two accurate runs over the same span differ, however small their numerical
-/// error is. The statistical part is the larger of kTwin times the change by these loads and
-/// sqrt(2) times the half-width of the mean's 95 % interval (results/batch_means.hpp; sqrt(2): both
-/// runs scatter). Two runs part exponentially from each other, and batches of a start that settles
-/// vary more than runs do: the half-width counts up to kSeen times the largest difference of the
-/// three runs. A difference to the tighter run within the statistical part is scatter; only the
-/// rest counts as numerical.
+/// A quantity is irregular when its statistical part exceeds kTwin kRegular. A difference to the
+/// tighter run within the statistical part of an irregular quantity is scatter; only the rest
+/// counts as numerical.
 ///
-/// Largest loads are no means: their statistical part is that of the changed loads alone. Without
-/// external loads there is no such second run, and all quantities count as irregular.
+/// Revolutions that a target needs: the statistical part e falls as measured (PairedScatter),
+///   e(N) = e(T) sqrt(late) (N / T)^-p,  N = kSpare T (sqrt(late) e(T) / target)^(1/p)
+/// kSpare: e from 8 blocks scatters by 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a
+/// factor of kNeededFactor. A motion that changes its kind later (a cage that begins to whirl) is
+/// not foreseen. Largest loads are no means: no span makes them certain.
 ///
-/// kNumerical, kTwin, kSeen, kFloor and kRegular are estimates, checked over decks of all types
-/// (resources/docs/accuracy-promises.md).
+/// kNumerical, kTwin, kFew, kFloor, kRegular, kSpare and kNeededFactor are estimates, checked over
+/// decks of all types (resources/docs/accuracy-promises.md).
 namespace adore::facade {
 
 constexpr double kNearby = 1e-6;
 constexpr double kRegular = 1e-4;
 constexpr double kNumerical = 1.5;
 constexpr double kTwin = 2.0;
-constexpr double kSeen = 10.0;
+constexpr double kFew = 3.0;
 constexpr double kFloor = 1e-4;
+constexpr double kSpare = 1.5;
+constexpr double kNeededFactor = 2.0;
 
 struct StatedQuantity {
   std::string id;      ///< key result; "mean_load" of the races
@@ -52,6 +59,7 @@ struct StatedQuantity {
   std::string unit;    ///< of the value
   double scale = 0.0;  ///< of the relative parts [SI]
   double numerical = 0.0, statistical = 0.0;
+  double fall = 0.5, late = 1.0;  ///< of the statistical part with the span (PairedScatter)
   bool irregular = false;
   bool mean = true;  ///< a longer run knows it better
   [[nodiscard]] double half_width() const { return numerical + statistical; }
@@ -67,8 +75,8 @@ struct AccuracyStatement {
 
   /// Largest numerical part.
   [[nodiscard]] double numerical() const;
-  /// Revolutions after which the statistical part of each mean is within `target`, by its fall with
-  /// the square root of the span; 0: this run is long enough. @param target relative
+  /// Revolutions after which the statistical part of each mean is within `target`; 0: this run is
+  /// long enough. @param target relative
   [[nodiscard]] double needed_turns(double target) const;
   [[nodiscard]] bool keeps() const;
 };

@@ -67,13 +67,13 @@ struct RunOutcome {
   long evaluations = 0;       ///< of the right-hand side
   double longest_step = 0.0;  ///< that the run was allowed [s]
   double time = 0.0, revolutions = 0.0, seconds = 0.0;
-  double missed_end = 0.0;          ///< fTime, when maxStps ended the run before it [s]; else 0
-  bool speeds_vary = false;         ///< of races: turns give no end time
-  double energy_residual = 0.0;     ///< [J]
-  results::KeyResults summary;      ///< a sweep's columns
-  results::MeanErrors mean_errors;  ///< of a motion
-  double processor_seconds = 0.0;   ///< of the whole run, set-up and files included
-  double energy_scale = 0.0;        ///< heat dissipated, or kinetic energy when there is none [J]
+  double missed_end = 0.0;         ///< fTime, when maxStps ended the run before it [s]; else 0
+  bool speeds_vary = false;        ///< of races: turns give no end time
+  double energy_residual = 0.0;    ///< [J]
+  results::KeyResults summary;     ///< a sweep's columns
+  results::MeanSeries means;       ///< of a motion
+  double processor_seconds = 0.0;  ///< of the whole run, set-up and files included
+  double energy_scale = 0.0;       ///< heat dissipated, or kinetic energy when there is none [J]
 };
 
 /// Runs the deck to its end, to an interruption, or to a diagnosed failure.

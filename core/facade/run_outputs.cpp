@@ -752,7 +752,7 @@ std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }
 
 KeyResults RunOutputs::summary() const { return impl_->key_results; }
 
-results::MeanErrors RunOutputs::mean_errors() const { return impl_->averages.errors(); }
+results::MeanSeries RunOutputs::means() const { return impl_->averages.series(); }
 
 results::EnergyJudgement RunOutputs::judge_energy() const {
   const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);

@@ -120,7 +120,7 @@ class RunOutputs {
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] results::KeyResults summary() const;
-  [[nodiscard]] results::MeanErrors mean_errors() const;
+  [[nodiscard]] results::MeanSeries means() const;
   /// Of the last stored instant and the worst before, against the elastic energy of the
   /// quasi-static solution.
   [[nodiscard]] results::EnergyJudgement judge_energy() const;

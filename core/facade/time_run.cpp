@@ -367,7 +367,7 @@ void TimeRun::tell(RunOutcome& out, const RunEnd& end) const {
   out.message = message_;
   out.files = parts_.outputs.files();
   out.summary = parts_.outputs.summary();
-  out.mean_errors = parts_.outputs.mean_errors();
+  out.means = parts_.outputs.means();
   out.steps = step_;
   out.taken = end.resume.counters.steps;
   out.evaluations = end.resume.counters.evaluations;

@@ -35,6 +35,7 @@ Verification verify(const RunRequest& request, const RunOutcome& outcome, std::s
       measured_run(tight, std::numeric_limits<double>::infinity(), std::move(stop));
   out.seconds = run.seconds;
   out.results = run.outcome.summary;
+  out.means = run.outcome.means;
   if (run.outcome.status == RunStatus::Failed || run.outcome.status == RunStatus::Interrupted)
     out.failure = run.outcome.message;
   else

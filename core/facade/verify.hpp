@@ -19,6 +19,7 @@ struct Verification {
   double seconds = 0.0;   ///< processor time of the tighter run
   std::string tighter;    ///< "tol 1e-07, steps at most half as long"
   results::KeyResults results;
+  results::MeanSeries means;
   std::string failure;  ///< why the tighter run gave no results; empty when it did
 };
 

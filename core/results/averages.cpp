@@ -109,25 +109,38 @@ void RunAverages::add_cage_position(double time, const scene::Vec3& position) {
   swept_z_ = z;
 }
 
-MeanErrors RunAverages::errors() const {
-  MeanErrors out;
+MeanSeries RunAverages::series() const {
+  MeanSeries out;
   if (now_.shaft != start_.shaft) {
-    out.orbital_ratio = stored_.half_width(1, 0);
-    out.cage_ratio = stored_.half_width(2, 0);
-    const double speed = std::abs(now_.shaft - start_.shaft) / (now_.time - start_.time);
-    out.swept_whirl_ratio = whirled_.half_width(0, 1) / speed;
+    out.orbital_ratio = stored_.ratio(1, 0);
+    out.cage_ratio = stored_.ratio(2, 0);
+    const double speed = (now_.shaft - start_.shaft) / (now_.time - start_.time);
+    out.swept_whirl_ratio = whirled_.ratio(0, 1);
+    for (double& square : out.swept_whirl_ratio.s) square *= speed;
   }
-  out.power_loss = stored_.half_width(3);
-  out.heat_outer = stored_.half_width(4);
-  out.heat_inner = stored_.half_width(5);
-  std::vector<double> elsewhere = stored_.series(3);
-  const std::vector<double> outer = stored_.series(4), inner = stored_.series(5);
-  for (std::size_t b = 0; b < elsewhere.size(); ++b) elsewhere[b] -= outer[b] + inner[b];
-  out.heat_elsewhere =
-      ratio_half_width(elsewhere, std::vector<double>(elsewhere.size(), stored_.batch_seconds()));
-  for (Eigen::Index k = 0; k < 3; ++k)
-    out.load[k] = stored_.half_width(6 + static_cast<std::size_t>(k));
-  out.largest_load = stepped_.half_width(0);
+  out.power_loss = stored_.rate(3);
+  out.heat_outer = stored_.rate(4);
+  out.heat_inner = stored_.rate(5);
+  out.heat_elsewhere = out.power_loss;
+  for (std::size_t b = 0; b < out.heat_elsewhere.a.size(); ++b)
+    out.heat_elsewhere.a[b] -= out.heat_outer.a[b] + out.heat_inner.a[b];
+  for (std::size_t k = 0; k < 3; ++k) out.load[k] = stored_.rate(6 + k);
+  out.largest_load = stepped_.rate(0);
+  return out;
+}
+
+MeanErrors errors_of(const MeanSeries& series) {
+  const auto half = [](const RatioSeries& one) { return ratio_half_width(one.a, one.s); };
+  MeanErrors out;
+  out.orbital_ratio = half(series.orbital_ratio);
+  out.cage_ratio = half(series.cage_ratio);
+  out.swept_whirl_ratio = half(series.swept_whirl_ratio);
+  out.power_loss = half(series.power_loss);
+  out.heat_outer = half(series.heat_outer);
+  out.heat_inner = half(series.heat_inner);
+  out.heat_elsewhere = half(series.heat_elsewhere);
+  out.largest_load = half(series.largest_load);
+  for (std::size_t k = 0; k < 3; ++k) out.load[k] = half(series.load[k]);
   return out;
 }
 

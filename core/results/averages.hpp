@@ -55,7 +55,8 @@ class RunAverages {
   /// the inner race [N].
   void add_loads(double time, std::span<const double> outer, std::span<const double> inner);
   [[nodiscard]] Averages averages() const;
-  [[nodiscard]] MeanErrors errors() const;
+  [[nodiscard]] MeanSeries series() const;
+  [[nodiscard]] MeanErrors errors() const { return errors_of(series()); }
 
   /// For MASTER, and back. restore() leaves the object as new when the map holds no averages.
   void save(std::map<std::string, double>& state) const;

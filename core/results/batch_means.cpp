@@ -48,7 +48,81 @@ double by_initial_sequence(std::span<const double> e) {
   return 2.0 * std::sqrt(std::max(variance, 0.0) / n);
 }
 
+double sum_of(std::span<const double> x) { return std::accumulate(x.begin(), x.end(), 0.0); }
+
+/// Neighbours joined until a batch is as long as `seconds`; false: not a multiple.
+bool join(RatioSeries& series, double seconds) {
+  const double ratio = seconds / series.seconds;
+  const double whole = std::round(ratio);
+  if (!(whole >= 1.0) || std::abs(ratio - whole) > 1e-9 * ratio) return false;
+  const auto join = static_cast<std::size_t>(whole);
+  const std::size_t count = series.a.size() / join;
+  for (std::vector<double>* x : {&series.a, &series.s}) {
+    for (std::size_t b = 0; b < count; ++b)
+      (*x)[b] = sum_of(std::span<const double>(*x).subspan(b * join, join));
+    x->resize(count);
+  }
+  series.seconds = seconds;
+  return true;
+}
+
+/// Sums of d over m blocks as equal as possible.
+std::vector<double> blocks_of(std::span<const double> d, std::size_t m) {
+  std::vector<double> out(m);
+  for (std::size_t b = 0; b < m; ++b) {
+    const std::size_t begin = b * d.size() / m, end = (b + 1) * d.size() / m;
+    out[b] = sum_of(d.subspan(begin, end - begin));
+  }
+  return out;
+}
+
+double squares_of(std::span<const double> x) {
+  return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
+}
+
+/// Slope of ln sqrt(mean D²) / L over -ln L, L = 1/m of the span, m = 2, 4, 8, 16.
+double fall_of(std::span<const double> d) {
+  double x1 = 0.0, y1 = 0.0, xx = 0.0, xy = 0.0, n = 0.0;
+  for (std::size_t m = 2; m <= 16 && m <= d.size(); m *= 2) {
+    const auto blocks = static_cast<double>(m);
+    const double mean = squares_of(blocks_of(d, m)) / blocks;
+    if (!(mean > 0.0)) return 0.5;
+    const double x = std::log(blocks), y = 0.5 * std::log(mean) + x;
+    x1 += x, y1 += y, xx += x * x, xy += x * y, n += 1.0;
+  }
+  return std::clamp((n * xy - x1 * y1) / (n * xx - x1 * x1), kLeastFall, 0.5);
+}
+
 }  // namespace
+
+PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other) {
+  PairedScatter out;
+  if (!(one.seconds > 0.0) || !(other.seconds > 0.0)) return out;
+  RatioSeries p = one, q = other;
+  const double seconds = std::max(p.seconds, q.seconds);
+  if (!join(p, seconds) || !join(q, seconds)) return out;
+  const std::size_t n = std::min(p.a.size(), q.a.size());
+  if (n < kLeast) return out;
+  for (RatioSeries* x : {&p, &q}) {
+    x->a.resize(n);
+    x->s.resize(n);
+  }
+  const double s1 = sum_of(p.s), s2 = sum_of(q.s);
+  if (!(std::abs(s1) > 0.0) || !(std::abs(s2) > 0.0)) return out;
+  const double ratio = 0.5 * (sum_of(p.a) / s1 + sum_of(q.a) / s2);
+  std::vector<double> d(n);
+  for (std::size_t b = 0; b < n; ++b)
+    d[b] = (p.a[b] - ratio * p.s[b]) / s1 - (q.a[b] - ratio * q.s[b]) / s2;
+  constexpr double kStudent8 = 2.306;
+  const std::vector<double> blocks = blocks_of(d, 8);
+  const double squares = squares_of(blocks);
+  out.half_width =
+      std::max(kStudent8 * std::sqrt(squares), static_cast<double>(n) * by_initial_sequence(d));
+  out.fall = fall_of(d);
+  if (squares > 0.0)
+    out.late = std::max(1.0, 2.0 * squares_of(std::span(blocks).last(4)) / squares);
+  return out;
+}
 
 double ratio_half_width(std::span<const double> a, std::span<const double> s) {
   if (a.size() < kLeast || a.size() != s.size()) return std::numeric_limits<double>::quiet_NaN();

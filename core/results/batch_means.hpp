@@ -25,15 +25,48 @@
 ///   autocovariances of the e_b, up to the first that is not positive and none larger than the one
 ///   before (C. J. Geyer: Practical Markov chain Monte Carlo, Statist. Sci. 7 (1992) 473-483;
 ///   recalled, high). Derived for reversible chains; here an estimate that does not depend on m.
-/// Limits: correlations longer than the span are not seen; a start that has not settled counts as
-/// scatter. Below 8 batches the error is not computed (NaN).
+/// Limits: correlations longer than the span are not seen; a start that has not settled and slow
+/// periods count as scatter. Below 8 batches the error is not computed (NaN).
+///
+/// Two runs from the same start (paired differences). The transient, the passage of the elements
+/// and each regular whirl of the cage are the same in both: in the difference of the runs, batch by
+/// batch, they cancel, and only scatter is left (common random numbers as a control variate:
+/// A. M. Law: Simulation Modeling and Analysis, ch. 11; recalled, medium). With R the mean of both
+/// ratios and S = Σ s of each run:
+///   d_b = (a_b - R s_b) / S of the one run - the same of the other,  Σ d_b = R_1 - R_2
+/// The runs are exchangeable, so that d has expectation 0, also while they still part: its squares
+/// count without subtraction of a mean, and blocks of different variance may be added. With D the
+/// sums of d over 8 blocks, the half-width of the interval of R_1 - R_2 is the larger of
+/// t(8) sqrt(Σ D²) and of that by the initial monotone sequence of d (derived).
+///
+/// Fall of the error with the span: ε(L) = sqrt(mean of D²) / L over blocks of 1/2 to 1/16 of the
+/// span, fitted as L^-p. Independent blocks: p = 1/2; correlations as long as the span: p -> 0. p
+/// is kept within kLeastFall and 1/2. `late`: rate of the variance in the second half of the span
+/// over its mean, from 1 (stationary) to 2 (the runs have parted only there).
 namespace adore::results {
+
+/// Batches of equal duration behind a mean Σ a / Σ s.
+struct RatioSeries {
+  double seconds = 0.0;  ///< of a batch; 0: none
+  std::vector<double> a, s;
+};
+
+/// Difference of two runs from the same start.
+struct PairedScatter {
+  double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of 95 %, in the unit of a / s
+  double fall = 0.5, late = 1.0;
+};
+constexpr double kLeastFall = 0.25;
+
+/// NaN: fewer than 8 batches, or of durations that are no multiples of each other.
+[[nodiscard]] PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other);
 
 /// Half of the 95 % interval of Σ a / Σ s, in its own unit. @param a, s of equal batches
 [[nodiscard]] double ratio_half_width(std::span<const double> a, std::span<const double> s);
 
 /// Sums of K quantities in at most kMost batches of equal duration. When there are more, neighbours
-/// are joined. The first batch is as long as the first interval.
+/// are joined. The first batch is the largest power of two [s] within the first interval, so that
+/// batches of different runs begin and end together.
 template <std::size_t K>
 class BatchSums {
  public:
@@ -44,7 +77,7 @@ class BatchSums {
   /// evenly over them. @param seconds > 0, others are ignored
   void add(double seconds, const Sums& sums) {
     if (!(seconds > 0.0)) return;
-    if (!(length_ > 0.0)) length_ = seconds;
+    if (!(length_ > 0.0)) length_ = std::exp2(std::floor(std::log2(seconds)));
     double left = seconds;
     while (left > 0.0) {
       const double room = length_ - open_seconds_;
@@ -63,13 +96,20 @@ class BatchSums {
     for (const Sums& batch : batches_) out.push_back(batch[k]);
     return out;
   }
-  /// Of quantity `a` over quantity `s`.
+  /// Quantity `a` over quantity `s`.
+  [[nodiscard]] RatioSeries ratio(std::size_t a, std::size_t s) const {
+    return {length_, series(a), series(s)};
+  }
+  /// Quantity `a` over time.
+  [[nodiscard]] RatioSeries rate(std::size_t a) const {
+    return {length_, series(a), std::vector<double>(batches_.size(), length_)};
+  }
   [[nodiscard]] double half_width(std::size_t a, std::size_t s) const {
     return ratio_half_width(series(a), series(s));
   }
-  /// Of quantity `a` over time.
   [[nodiscard]] double half_width(std::size_t a) const {
-    return ratio_half_width(series(a), std::vector<double>(batches_.size(), length_));
+    const RatioSeries of = rate(a);
+    return ratio_half_width(of.a, of.s);
   }
 
   /// For MASTER, and back.

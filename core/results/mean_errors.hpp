@@ -1,5 +1,7 @@
 #pragma once
 
+#include "results/batch_means.hpp"
+
 #include <array>
 #include <limits>
 
@@ -15,5 +17,15 @@ struct MeanErrors {
   double largest_load = kNone;
   std::array<double, 3> load{kNone, kNone, kNone};
 };
+
+/// Batch sums behind these means.
+struct MeanSeries {
+  RatioSeries orbital_ratio, cage_ratio, swept_whirl_ratio;
+  RatioSeries power_loss, heat_outer, heat_inner, heat_elsewhere;
+  RatioSeries largest_load;
+  std::array<RatioSeries, 3> load;
+};
+
+[[nodiscard]] MeanErrors errors_of(const MeanSeries& series);
 
 }  // namespace adore::results

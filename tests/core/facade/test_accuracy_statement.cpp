@@ -9,7 +9,7 @@
 using namespace adore;
 using namespace adore::facade;
 
-TEST_CASE("accuracy statement: part of a target, revolutions by the square of the scatter",
+TEST_CASE("accuracy statement: part of a target, revolutions by the measured fall of the scatter",
           "[unit][accuracy]") {
   AccuracyStatement statement;
   statement.target = 0.01;
@@ -26,9 +26,15 @@ TEST_CASE("accuracy statement: part of a target, revolutions by the square of th
   CHECK(statement.needed_turns(0.01) == 0.0);
   statement.quantities[0].statistical = 0.03;
   CHECK_FALSE(statement.keeps());
-  CHECK(statement.needed_turns(0.01) == Approx(18.0));  // 2 (0.03 / 0.01)²
+  CHECK(statement.needed_turns(0.01) == Approx(27.0));  // 1.5 · 2 (0.03 / 0.01)²
+  statement.quantities[0].late = 2.0;
+  CHECK(statement.needed_turns(0.01) == Approx(54.0));
+  statement.quantities[0].late = 1.0;
+  statement.quantities[0].fall = 0.25;
+  CHECK(statement.needed_turns(0.01) == Approx(250.0));  // 1.5 · 2 · 3⁴ = 243
+  statement.quantities[0].fall = 0.5;
   CHECK(statement.numerical() == 0.004);
-  CHECK(statement_text(statement).find("need about 18 revolutions for 1 % (this run: 2)") !=
+  CHECK(statement_text(statement).find("need about 27 revolutions for 1 % (this run: 2;") !=
         std::string::npos);
   // A largest load is no mean: no span makes it certain.
   statement.quantities[0].statistical = 0.0;

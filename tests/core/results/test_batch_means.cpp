@@ -69,6 +69,60 @@ TEST_CASE("ratio_half_width(): proportional sums → no error; too few batches �
   CHECK(ratio_half_width(a, s) == Approx(2.0 * one));
 }
 
+TEST_CASE(
+    "paired_scatter(): two AR(1) series on one trend and period → 95 % interval of the "
+    "difference, without either",
+    "[unit][accuracy]") {
+  constexpr int kPairs = 400, kValues = 4096;
+  constexpr double kPhi = 0.9;
+  const double exact = std::sqrt(2.0 / kValues) / (1.0 - kPhi);
+  int covered = 0;
+  double width = 0.0, fall = 0.0, own = 0.0;
+  for (unsigned s = 0; s < kPairs; ++s) {
+    Series first(kPhi, 100U + s), second(kPhi, 9000U + s);
+    BatchSums<1> one, other;
+    double sum = 0.0;
+    for (int i = 0; i < kValues; ++i) {
+      const double same = 50.0 * std::exp(-i / 700.0) + 30.0 * std::sin(i / 500.0);
+      const double x = first.next(), y = second.next();
+      sum += x - y;
+      one.add(0.5, {0.5 * (same + x)});
+      other.add(0.5, {0.5 * (same + y)});
+    }
+    const PairedScatter scatter = paired_scatter(one.rate(0), other.rate(0));
+    width += scatter.half_width / kPairs;
+    fall += scatter.fall / kPairs;
+    own += one.half_width(0) / kPairs;
+    if (std::abs(sum / kValues) <= scatter.half_width) ++covered;
+  }
+  CAPTURE(covered, width / (1.96 * exact), fall);
+  CHECK(covered >= 0.93 * kPairs);
+  CHECK(width > 1.0 * 1.96 * exact);
+  CHECK(width < 1.3 * 1.96 * exact);
+  CHECK(fall == Approx(0.45).margin(0.05));
+  CHECK(own > 5.0 * width);  // trend and period count as scatter of a single run
+}
+
+TEST_CASE(
+    "paired_scatter(): runs that part late → variance of the second half; correlation as "
+    "long as the span → slow fall; unmatched batches → none",
+    "[unit][accuracy]") {
+  RatioSeries one{1.0, std::vector<double>(32, 1.0), std::vector<double>(32, 1.0)};
+  CHECK(paired_scatter(one, one).half_width == 0.0);
+  RatioSeries late = one, drift = one;
+  for (std::size_t b = 16; b < 32; ++b) late.a[b] += b % 2 == 0 ? 0.1 : -0.08;
+  CHECK(paired_scatter(one, late).late == Approx(2.0));
+  for (double& a : drift.a) a += 0.1;
+  const PairedScatter constant = paired_scatter(one, drift);
+  CHECK(constant.fall == kLeastFall);
+  CHECK(constant.half_width >= 0.1);
+  RatioSeries twice{2.0, std::vector<double>(16, 2.0), std::vector<double>(16, 2.0)};
+  CHECK(paired_scatter(one, twice).half_width == 0.0);  // joined to batches of 2
+  twice.seconds = 1.5;
+  CHECK(std::isnan(paired_scatter(one, twice).half_width));
+  CHECK(std::isnan(paired_scatter(one, {}).half_width));
+}
+
 TEST_CASE("BatchSums: batches of equal duration, whatever the intervals", "[unit][accuracy]") {
   BatchSums<2> even, uneven;
   std::mt19937 random(7);
