@@ -392,7 +392,9 @@ def _(b):
     qc = max(corner.elements["inner load [N]"])
     crown = b.static("cylindrical", sets={"bReCrn": 0.5, "bReCenLen": 0.0, "rpm2": 0.0})
     land = b.static("cylindrical", sets={"bReCrn": 0.5, "bReCenLen": 0.006, "rpm2": 0.0})
-    return flat.command, [close("peak pressure without crown (line contact) [Pa]", max(flat.elements["inner pressure [Pa]"]), p, 0.01),
+    wide = b.static("cylindrical", sets={"bReCrn": 1.0, "bReCenLen": 0.0, "rpm2": 0.0})
+    return flat.command, [more("peak pressure with a crown of 0.5 m over that of 1 m, both without land", max(crown.elements["inner pressure [Pa]"]) / max(wide.elements["inner pressure [Pa]"]), 1.05),
+                          close("peak pressure without crown (line contact) [Pa]", max(flat.elements["inner pressure [Pa]"]), p, 0.01),
                           close("with corners of 1 mm: length 10 mm [Pa]", max(corner.elements["inner pressure [Pa]"]),
                                 hertz.line(qc / 0.010, 2 / 0.011 + 1 / ri)[1], 0.02),
                           more("peak pressure with a crown of 0.5 m over that without", max(crown.elements["inner pressure [Pa]"]) / p, 1.1),
@@ -443,14 +445,16 @@ def _(b):
     s = b.static("tapered", sets={"rpm2": 0.0})
     crown = b.static("tapered", sets={"rpm2": 0.0, "bReCrn": 0.5, "bReCenLen": 0.0})
     ends = b.static("tapered", sets={"bReEndRad1": 0.08, "rpm2": 0.0})
-    corner = b.static("tapered", sets={"rpm2": 0.0, "bReCorRad1": 0.0015, "bReCorRad2": 0.0015})
+    wide = b.static("tapered", sets={"rpm2": 0.0, "bReCrn": 1.0, "bReCenLen": 0.0})
+    corner = [b.static("tapered", sets={"rpm2": 0.0, f"bReCorRad{k}": 0.0015}) for k in (1, 2)]
     return r.command, [close("pitch diameter D sin bm / tan bh [m]", r.listed("Pitch diameter")[0], pitch, 1e-3),
                        close("outer contact angle [deg]", s.elements["outer contact angle [deg]"][0], 14.2, 1e-6),
                        close("inner contact angle [deg]", s.elements["inner contact angle [deg]"][0], 10.35, 1e-6),
                        more("peak pressure with a crown of 0.5 m over that of 5 m", max(crown.elements["inner pressure [Pa]"]) /
                             max(s.elements["inner pressure [Pa]"]), 1.05),
-                       more("peak pressure with corners of 1.5 mm over that before", max(corner.elements["inner pressure [Pa]"]) /
-                            max(s.elements["inner pressure [Pa]"]), 1.01),
+                       more("with a crown of 0.5 m over that of 1 m, both without land", max(crown.elements["inner pressure [Pa]"]) / max(wide.elements["inner pressure [Pa]"]), 1.05),
+                       *(differs(f"peak pressure with a corner of 1.5 mm at end {k} [Pa]", max(c.elements["inner pressure [Pa]"]), max(s.elements["inner pressure [Pa]"]), 2e-3) for k, c in
+                         enumerate(corner, 1)),
                        differs("friction power with an end radius of 80 mm [W]", b.static("tapered", sets={"bReEndRad1": 0.08}).summary["friction_power_W"],
                                b.static("tapered").summary["friction_power_W"], 1e-3), close("rib load hardly changes [N]",
                                ends.elements["inner flange -x load [N]"][0], s.elements["inner flange -x load [N]"][0], 0.2)]
@@ -481,10 +485,13 @@ def _(b):
 def _(b):
     s = b.run("cylindrical", until="0.05rev").sol("SOL1").values
     wide = b.run("cylindrical", sets={"flngCls1": 1.2e-4}, until="0.01rev").sol("SOL1").values
+    four = {"kFlngInd12": 1, "kFlngInd22": 1, "flngHt12": 0.0015, "flngHt22": 0.0015, "flngAng12": 0.5, "flngAng22": 0.5}
+    inner = [b.run("cylindrical", sets={**four, "flngCls2": v}, until="0.01rev").sol("SOL1").values[0] for v in (5e-5, 1.2e-4)]
     lay, base = b.static("tapered", sets={"flngAng12": 3.0}), b.static("tapered")
     low = b.static("tapered", sets={"flngHt12": 0.0004})
     return "adore run cylindrical.txt --until 0.05rev", [
         close("gap at both outer flanges together [m]", s[0][29] + s[0][30], 5e-5, 0.05), close("with flngCls1 = 0.12 mm [m]", wide[0][29] + wide[0][30], 1.2e-4, 0.05),
+        *(close(f"gap at both inner flanges together, flngCls2 = {v} [m]", x[35] + x[36], v, 0.05) for v, x in zip((5e-5, 1.2e-4), inner)),
         differs("rib friction power with a layback of 3 deg [W]", lay.summary["friction_power_W"], base.summary["friction_power_W"], 1e-3),
         less("friction power with a rib of 0.4 mm, within the corner of the roller, over that of 2 mm", low.summary["friction_power_W"] /
              base.summary["friction_power_W"], 0.9)]
