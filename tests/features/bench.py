@@ -202,16 +202,24 @@ class Bench:
         self.bin = os.path.dirname(self.program)
         self.root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
         self.kept = {}
+        self.ignored = {}  # variable -> value that it keeps, None: that of the deck; as if the program ignored it (run.py --ignore)
         self.environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", LC_ALL="C.UTF-8")
 
     def call(self, *words, program=None, given=None, check=True, where=None):
         """A command of `adore` or of one of the programs beside it."""
+        if self.ignored:
+            dropped = [k for k, w in enumerate(words) if (k and words[k - 1] == "--set" and self.drops(w.split("=")[0])) or
+                    (w == "--set" and k + 1 < len(words) and self.drops(words[k + 1].split("=")[0]))]
+            words = [w for k, w in enumerate(words) if k not in dropped]
         path = self.program if program is None else os.path.join(self.bin, program)
         done = subprocess.run([path, *words], capture_output=True, text=True, input=given, env=self.environment,
                               cwd=where or self.folder, timeout=300)
         if check and done.returncode != 0:
             raise Failed(f"{os.path.basename(path)} {' '.join(words)[:200]}: exit {done.returncode}: {done.stderr.strip()[-300:]}")
         return done
+
+    def drops(self, variable):
+        return variable.split("[")[0] in self.ignored
 
     def deck(self, name):
         path = os.path.join(self.folder, name + ".txt")
@@ -225,7 +233,8 @@ class Bench:
 
     def run(self, deck="ball", sets=None, until="0.05rev", opts=None, more=(), tail="", head=None, check=True, edit=None):
         """A run of an example deck with changed variables. tail: lines of records 12; edit: a change of the deck's text."""
-        sets, opts = dict(sets or {}), dict(opts or {})
+        sets, opts = {k: v if not self.drops(k) else self.ignored[k.split("[")[0]] for k, v in (sets or {}).items()}, dict(opts or {})
+        sets = {k: v for k, v in sets.items() if v is not None}
         key = json.dumps([deck, sets, until, opts, list(more), tail, edit.__name__ + str(edit.__defaults__) if edit else ""], sort_keys=True)
         if key in self.kept:
             return self.kept[key]

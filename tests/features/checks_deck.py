@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 
 from bench import Sol, close, differs, equal, feature, less, more
 
@@ -75,10 +76,16 @@ def _(b):
 
 @feature("F226", G)
 def _(b):
-    names = {"masName": "MINE.M", "finName": "MINE.F", **{f"pltNames{k}": f"MINE.{k}" for k in range(1, 9)}}
-    r = b.run(until=TINY, sets={"kFnOpt": 1, **names})
-    return r.command[:150] + " ...", [equal("files of these names", sum(r.has(n) for n in names.values()), 8), equal("of the usual names", sum(r.has(n) for n in
-                                      ("MASTER", "FINAL", "SOL1", "SOL7", "SOL8")), 0)]
+    names = {"masName": "mine.mas", "finName": "mine.fin", **{f"pltNames{k}": f"mine.{k}" for k in range(1, 9)}}
+    r, usual = b.run(until=TINY, sets={"kFnOpt": 1, **names}), b.run(until=TINY)
+    state, other = (text.split("\ndeck ", 1)[0] for text in (r.read("mine.fin"), usual.read("FINAL")))
+    same = [r.read(names[n]) == usual.read(o) for n, o in (("pltNames1", "SOL1"), ("pltNames4", "SOL4"), ("pltNames7", "SOL7"), ("pltNames8", "SOL8"))]
+    usual_names = ["MASTER", "FINAL"] + [f"SOL{k}" for k in range(1, 9)]
+    written = [n for n in names if r.has(names[n])]
+    return r.command[:150] + " ...", [equal("files of these names (4 elements are stored, so that names 5 and 6 are free)", written, [n for n in names if n not in ("pltNames5", "pltNames6")]),
+                                      equal("files of the usual names", [n for n in usual_names if r.has(n)], []),
+                                      equal("SOL1, SOL4, SOL7 and SOL8 are those of a run with the usual names", same, [True] * 4),
+                                      equal("the state in FINAL is that of FINAL (the deck that follows has the names)", state == other, True), more("its lines", len(state.splitlines()), 100)]
 
 
 @feature("F227", "user")
@@ -119,35 +126,71 @@ def _(b):
     return r.command, [equal("files SOL1 to SOL6", sum(r.has(f"SOL{k}") for k in range(1, 7)), 6), equal("a seventh file SOL7 of an element: title of SOL7", six_is_power(r), True)]
 
 
-def sections(run):
-    return {n: sum(n in line and line.startswith("Adore") for line in run.listing.splitlines()) for n in ("ROLLING ELEMENT", "RACE AND CAGE", "APPLIED PARAMETERS", "TIME STEP SUMMARY")}
+TITLES = {1: "1. Rolling element parameters", 2: "2. Race and cage parameters", 3: "3. Applied parameters", 4: "4. Time step summary"}
+
+
+def printed(run):
+    """The printed steps of PRINT.txt: number -> text without page headers."""
+    out, at = {}, None
+    for line in run.listing.splitlines():
+        if line.startswith("Adore "):
+            found = re.search(r" STEP (\d+)( \(continued\))?$", line.rstrip())
+            at = int(found.group(1)) if found else None
+            if at is not None:
+                out.setdefault(at, [])
+        elif at is not None:
+            out[at].append(line)
+    return {k: "\n".join(v) for k, v in out.items()}
+
+
+def sections(text):
+    return [k for k, title in TITLES.items() if f"  {title}" in text]
+
+
+def section(text, k):
+    return text.split(f"  {TITLES[k]}", 1)[1].split(f"  {TITLES.get(k + 1, 'none')}", 1)[0]
+
+
+def value_of(text, label):
+    """The number behind a label of section 3 or 4."""
+    line = next(x for x in text.splitlines() if x.strip().startswith(label))
+    return float(line.split(label, 1)[1].split()[0])
+
+
+def rows_of(text, label):
+    """Numbers of the rows that begin with `label`."""
+    return [words(x.split(label, 1)[1]) for x in text.splitlines() if x.strip().startswith(label)]
 
 
 @feature("F231", G)
 def _(b):
-    found = {k: sections(b.run(until=TINY, sets={"kPrtOpt": k, "kPrtFreq": 1})) for k in (-2, -1, 0, 1)}
-    have = {k: [n > 0 for n in v.values()] for k, v in found.items()}
-    return "adore run ball.txt --set kPrtOpt=-2 --set kPrtFreq=1 --until 0.005rev", [
-        equal("kPrtOpt -2: sections 1 to 4", have[-2], [False, False, False, True]), equal("-1", have[-1], [False, False, True, True]),
-        equal("0", have[0], [False, True, True, True]), equal("1", have[1], [True, True, True, True])]
+    out = []
+    for code, wanted in ((-2, [4]), (-1, [3, 4]), (0, [2, 3, 4]), (1, [1, 2, 3, 4]), (3, [1, 2, 3, 4])):
+        steps = printed(b.run(until=TINY, sets={"kPrtOpt": code, "kPrtFreq": 1}))
+        out.append(equal(f"kPrtOpt = {code}: sections of every step", sorted({tuple(sections(t)) for t in steps.values()}), [tuple(wanted)]))
+    return "adore run ball.txt --set kPrtOpt=-2 --set kPrtFreq=1 --until 0.005rev", out
 
 
 @feature("F232", G)
 def _(b):
-    def count(n):
-        return sum("TIME STEP SUMMARY" in line and "continued" not in line for line in b.run(until=None, sets={"maxStps": 12, "kPrtFreq": n, "kPrtOpt": -2}).listing.splitlines())
-
-    return "adore run ball.txt --set maxStps=12 --set kPrtFreq=3", [more("printed steps of 12, every third, over every sixth", count(3) - count(6), 1),
-                                                                     close("every step less every second", count(1) - count(2), 6, absolute=1)]
+    out = []
+    for n, wanted in ((1, list(range(13))), (3, [0, 3, 6, 9, 12]), (5, [0, 5, 10])):
+        steps = printed(b.run(until=None, sets={"maxStps": 12, "kPrtFreq": n, "kPrtOpt": -2}))
+        # the last step is printed whatever the interval
+        out.append(equal(f"kPrtFreq = {n}: printed steps of 12", [k for k in steps if k % n == 0], wanted))
+        out.append(equal("others than the last", [k for k in steps if k % n and k != 12], []))
+    return "adore run ball.txt --set maxStps=12 --set kPrtFreq=3 --set kPrtOpt=-2", out
 
 
 @feature("F233", G)
 def _(b):
     def balls(n):
-        text = b.run(until=TINY, sets={"kPrtOpt": n, "kPrtFreq": 0}).listing.split("ROLLING ELEMENT PARAMETERS", 1)[1].splitlines()
-        return len({line.split()[0] for line in text[:60] if line.split() and line.split()[0].isdigit() and len(line.split()) > 5})
+        first = section(printed(b.run(until=TINY, sets={"kPrtOpt": n, "kPrtFreq": 1}))[0], 1)
+        table = first.split("radial vel", 1)[1].split("Angular position", 1)[0]
+        return [int(x.split()[0]) for x in table.splitlines() if x.split() and x.split()[0].isdigit()]
 
-    return "adore run ball.txt --set kPrtOpt=4", [equal("elements printed with kPrtOpt = 1", balls(1), 12), equal("with 4", balls(4), 3)]
+    return "adore run ball.txt --set kPrtOpt=4 --set kPrtFreq=1 --until 0.005rev", [
+        equal("kPrtOpt = 1: printed balls", balls(1), list(range(1, 13))), equal("kPrtOpt = 4", balls(4), [1, 5, 9]), equal("kPrtOpt = 5", balls(5), [1, 6, 11])]
 
 
 @feature("F234", G)
@@ -226,20 +269,46 @@ def words(text):
 
 @feature("F238", G)
 def _(b):
-    r = b.run(until=BASE)
-    numbers = words(r.listing.split("APPLIED PARAMETERS")[-1][:6000])
-    v = [1500.0, 500.0, 10000.0, 293.15]
-    c = b.channels(r)["race.applied_force_x.2"][-1]
-    return r.command, [less("applied force x of RESULTS.h5, nearest number of section 3", min(abs(x / c - 1) for x in numbers), 1e-4),
-                       equal("speed and temperature in section 3", [any(abs(x / w - 1) < 1e-6 for x in numbers) for w in v[2:]], [True, True])]
+    r = b.run(until=TINY, sets={"kPrtOpt": -1, "kPrtFreq": 1, "appMis12": 2e-4, "raceTemp2": 313.15, "shftTemp": 313.15, "rpm1": -200.0, "cageTemp": 303.15})
+    steps = printed(r)
+    last = max(steps)
+    text, c = section(steps[last], 3), b.channels(r)
+    t = c["step"].index(last)
+    row = rows_of(text, "inner race")[0]
+    outer = rows_of(text, "outer race")[0]
+    return r.command, [close(f"{n} on the inner race of the last step, RESULTS.h5 [N, N.m]", row[k], c[f"race.applied_{n}.2"][t], 1e-4, 1e-6) for k, n in
+                       enumerate(("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"))] + [
+        close("speed of the inner race [rpm]", row[6], 10000.0, 1e-6), close("temperature of the inner race [K]", row[7], 313.15, 1e-6), close("speed of the outer race [rpm]", outer[6], -200.0, 1e-6),
+        close("displacement along x [m]", value_of(text, "Displacement of the inner race relative to the outer along x"), c["race.x.2"][t] - c["race.x.1"][t], 1e-5),
+        close("misalignment of the inner race about y, 0.2 mrad [deg]", value_of(text, "Misalignment of the inner race about y"), math.degrees(2e-4), 1e-4),
+        close("operating clearance [m]", value_of(text, "Internal clearance, diametral"), r.fits["operating"]["diametral clearance [m]"], 1e-5),
+        close("temperature of the cage [K]", value_of(text, "Cage temperature"), 303.15, 1e-6),
+        close("fit of the inner race [m]", value_of(text, "Operating fit of the inner race, diametral (above 0: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
+        close("play at guide land 1 [m]", value_of(text, "Cage play at guide land 1, diametral"), r.fits["cage play, diametral"]["guide land 1 on the outer race"]["operating [m]"], 0.02)]
 
 
 @feature("F239", G)
 def _(b):
-    r = b.run(until=BASE)
-    numbers = words(r.listing.split("TIME STEP SUMMARY")[1] + r.listing.split("TIME STEP SUMMARY")[-1] + "".join(r.listing.split("TIME STEP SUMMARY")[1:])[:20000])
-    return r.command, [less(f"{n}: nearest number of section 4", min(abs(x / r.summary[n] - 1) for x in numbers), 1e-4) for n in
-                       ("mean_orbital_ratio", "mean_cage_ratio", "power_loss_W")]
+    r = b.run(until=BASE, sets={"kPrtOpt": -2, "kPrtFreq": 40})
+    steps, c = printed(r), b.channels(r)
+    last = max(steps)
+    text, t = section(steps[last], 4), c["step"].index(last)
+    shaft = c["shaft_rotation"][t]
+    mean = sum(c[f"element.orbital_position.{k}"][t] - c[f"element.orbital_position.{k}"][0] for k in range(1, 13)) / 12 / shaft
+    cage = (c["cage.rotation.1"][t] - c["cage.rotation.1"][0]) / shaft
+    angle = turns = 0.0
+    for k in range(1, t + 1):  # the cage's centre around the bearing's
+        y, z, y0, z0 = c["cage.position.1.2"][k], c["cage.position.1.3"][k], c["cage.position.1.2"][k - 1], c["cage.position.1.3"][k - 1]
+        turns += math.remainder(math.atan2(-y, z) - math.atan2(-y0, z0), 2 * math.pi)
+    angle = turns / shaft
+    loss = sum(0.5 * (c["power.loss"][k] + c["power.loss"][k - 1]) * (c["time"][k] - c["time"][k - 1]) for k in range(1, t + 1)) / c["time"][t]
+    return r.command, [equal("step", value_of(text, "Step"), float(last)), close("time [s]", value_of(text, "Time"), c["time"][t], 1e-5), close("rotation [rev]", value_of(text, "Bearing rotation, inner minus outer race"), 0.3, 1e-5),
+                       close("orbital velocity ratio, turned angle of the balls over that of the shaft", value_of(text, "Orbital velocity ratio, average over elements and time"), mean, 1e-4),
+                       close("cage angular velocity ratio, turned angle of the cage", value_of(text, "Cage angular velocity ratio, average over time"), cage, 1e-4),
+                       close("cage whirl ratio, angle of its centre", value_of(text, "Cage whirl ratio, average over time"), angle, 0.01),
+                       close("power loss [W]", value_of(text, "Power loss"), c["power.loss"][t], 1e-5), close("its average over time [W]", value_of(text, "Power loss, average over time"), loss, 0.03),
+                       close("average wear rate of the inner race [m^3/s]", value_of(text, "Average wear rate, inner race"), c["race.wear_rate.2"][t], 1e-5),
+                       close("life [hr]", value_of(text, "Fatigue life at the present loads (sol7Life; page FATIGUE LIFE)"), c["power.life"][t], 1e-5)]
 
 
 @feature("F240", G)
@@ -263,9 +332,19 @@ def _(b):
 @feature("F242", G)
 def _(b):
     r = b.static(sets={"kStif": 4, "pctDisp": 1.0, "rpmRange12": 1000.0, "rpmRange22": 10000.0})
-    numbers = words(r.listing.split("STIFFNESS")[-1])
-    v = r.table("stiffness over speed")["Fx/x [N/m]"][0]
-    return r.command, [less("stiffness of the first speed, nearest number of the table", min(abs(x / v - 1) for x in numbers), 1e-4), equal("in a deck without kStif", "STIFFNESS OVER" in b.static().listing, False)]
+    part = r.listing.split("STIFFNESS OVER SPEED", 1)[1]
+    speeds = [words(x) for x in part.splitlines() if "Outer race" in x and "inner race" in x and "rpm" in x]
+    blocks = part.split("Outer race 0 rpm, inner race ")[1:5]
+    diagonal = [[words(x.split("exact", 1)[1])[k] for k, n in enumerate(("Fx [N]", "Fy [N]", "Fz [N]")) for x in block.splitlines() if x.strip().startswith(n)] for block in blocks]
+    middle = b.static(sets={"rpm2": 4000.0}).summary
+    # numerically: forces at displaced races, held by kFS
+    held = {"rpm2": 4000.0, "kFS1": 1, "kFS2": 1, "kFS3": 1, **{f"appDisp{a.upper()}": middle[f"displacement_{a}_m"] if a != "y" else 0.0 for a in "xyz"}}
+    own = [(b.static(sets={**held, f"appDisp{a.upper()}": held[f"appDisp{a.upper()}"] + 2e-8}).summary[f"load_{a}_N"] -
+            b.static(sets={**held, f"appDisp{a.upper()}": held[f"appDisp{a.upper()}"] - 2e-8}).summary[f"load_{a}_N"]) / 4e-8 for a in "xyz"]
+    return r.command, [equal("speeds of the table [rpm]", [w[0] if w else 0 for w in [words(x) for x in [blk.split(" rpm")[0] for blk in blocks]]], [1000.0, 4000.0, 7000.0, 10000.0])] + [
+        close(f"stiffness {a} at 4000 rpm, difference of the loads of two displaced races [N/m]", diagonal[1][k], own[k], 2e-3) for k, a in enumerate("xyz")] + [
+        close("stiffness x at 10000 rpm, that of the solution [N/m]", diagonal[3][0], b.static().summary["stiffness_x_N_per_m"], 1e-6), more("tables", len(speeds), 3),
+        equal("in a deck without kStif", "STIFFNESS OVER SPEED" in b.static().listing, False)]
 
 
 @feature("F243", G)
