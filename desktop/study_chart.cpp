@@ -23,9 +23,12 @@ using Json = nlohmann::json;
 
 std::vector<double> numbers(const Json& json) {
   std::vector<double> out;
-  for (const Json& value : json)
+  for (const Json& value : json) {
+    if (!value.is_number() && !value.is_null())
+      throw InputError(dump_json(value).substr(0, 80) + " is not a number");
     out.push_back(value.is_number() ? value.get<double>()
                                     : std::numeric_limits<double>::quiet_NaN());
+  }
   return out;
 }
 

@@ -376,7 +376,7 @@ struct CurvesPlace {
 std::vector<std::vector<std::size_t>> pieces_of(const BandCurves::Curve& curve) {
   std::vector<std::vector<std::size_t>> pieces(1);
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (is_drawable(curve.y[i]))
+    if (is_drawable(curve.x[i]) && is_drawable(curve.y[i]))
       pieces.back().push_back(i);
     else if (!pieces.back().empty())
       pieces.emplace_back();
@@ -392,9 +392,10 @@ void paint_curve(const BandCurves::Curve& curve, const CurvesPlace& place, QPain
     const bool band = !curve.low.empty() && !curve.high.empty();
     if (band) {
       QPolygonF area;
-      for (const std::size_t i : piece) area << place.at(curve.x[i], curve.high[i]);
+      for (const std::size_t i : piece)
+        if (is_drawable(curve.high[i])) area << place.at(curve.x[i], curve.high[i]);
       for (auto i = piece.rbegin(); i != piece.rend(); ++i)
-        area << place.at(curve.x[*i], curve.low[*i]);
+        if (is_drawable(curve.low[*i])) area << place.at(curve.x[*i], curve.low[*i]);
       QColor pale = colour;
       pale.setAlpha(60);
       painter.setPen(Qt::NoPen);

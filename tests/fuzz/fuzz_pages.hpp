@@ -14,8 +14,12 @@
 namespace adore::testing {
 
 /// Text on pictures needs an application, none of them a screen.
+/// A number without a value that reaches the painter is a fault.
 inline void start_qt() {
   static const bool started = [] {
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString& message) {
+      if (message.contains(QLatin1String("NaN"))) std::abort();
+    });
     ::setenv("QT_QPA_PLATFORM", "offscreen", 0);
     static int count = 1;
     static char name[] = "fuzz";
