@@ -321,8 +321,11 @@ tribology::EllipseKinematics contact_motion(const Bearing& bearing, const BallCo
   m.W_n = W_x * contact.n_x + W_r * contact.n_r;
   m.W_c = -W_x * contact.n_r + W_r * contact.n_x;
   m.W_t = -motion.omega[2];
-  m.entrainment =
-      (bearing.speed[race] - motion.orbit) * (r + 0.5 * bearing.element_diameter() * contact.n_r);
+  // Mean of both surfaces in the frame that orbits with the ball (dynamics/ball_race_motion.hpp).
+  const double R = 0.5 * bearing.element_diameter();
+  const double turn_c =
+      contact.n_x * motion.omega[1] - contact.n_r * (motion.omega[0] - motion.orbit);
+  m.entrainment = 0.5 * (m.u_t - m.W_c * R) - R * turn_c;
   return m;
 }
 

@@ -68,6 +68,8 @@ double heat_of_motion(const Sets& more, const std::array<double, 2>& ends) {
     facade::RunRequest request;
     request.deck = folder / "DATA.txt";
     request.until = fmt::format("{}s", ends[part] * turn);
+    // The default rule of motion has 2 % less heat of these films.
+    request.options = {{"ballFriction", "balance"}, {"ellipseMajor", "60"}, {"ellipseMinor", "12"}};
     request.go_on = part > 0;
     facade::run(request);
     const json report = json::parse(testing::read_bytes(folder / "RUN.json"));
@@ -91,7 +93,7 @@ TEST_CASE("ball friction in statics: race heat of light 40 degree balls is that 
        {"roomTemp", "hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp"})
     oil.emplace_back(name, "340");
   // Dry, the spin rule would need a coefficient of 0.075 of the 0.06 that there are. In oil the
-  // spin axis takes two revolutions to settle.
+  // spin axis takes two revolutions to settle, from pure rolling.
   for (const auto& [more, ends] : {std::pair<Sets, std::array<double, 2>>{{}, {0.5, 1.0}},
                                    std::pair<Sets, std::array<double, 2>>{oil, {2.0, 3.0}}}) {
     const facade::Prepared at = prepared(thrust_deck(-1, more));
@@ -100,7 +102,7 @@ TEST_CASE("ball friction in statics: race heat of light 40 degree balls is that 
     double still = 0.0;
     for (int j : {0, 1}) still += friction.of_race(j).total() - friction.of_race(j).rolling;
     INFO((more.empty() ? "dry" : "oil"));
-    CHECK(still == Approx(motion).epsilon(0.02));
+    CHECK(still == Approx(motion).epsilon(0.005));
     for (const std::string& note : friction.notes)
       CHECK(note.find("no balance") == std::string::npos);
   }
