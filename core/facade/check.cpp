@@ -122,10 +122,11 @@ ModelCheck examine_model(const deck::Deck& deck) {
       issues.push_back(std::move(issue));
     }
   }
-  for (Issue& issue : issues) {
-    issue.message = deck::message_in_units(issue.message, deck.units());
-    issue.remedy = deck::message_in_units(issue.remedy, deck.units());
-  }
+  for (std::vector<Issue>* list : {&issues, &out.refusals})
+    for (Issue& issue : *list) {
+      issue.message = deck::message_in_units(issue.message, deck.units());
+      issue.remedy = deck::message_in_units(issue.remedy, deck.units());
+    }
   return out;
 }
 
@@ -167,6 +168,10 @@ CheckReport check(const DeckRequest& request, std::stop_token stop) {
   if (begins && !request.routines && request.user.empty()) {
     ModelCheck model = examine_model(read.deck);
     begins = model.refusals.empty();
+    // What the run rejects, the check rejects.
+    for (Issue& issue : model.issues)
+      for (const Issue& refusal : model.refusals)
+        if (issue.text() == refusal.text()) issue.severity = Severity::Error;
     add_new(out.issues, findings_of(std::move(model.issues)));
   }
   try {

@@ -126,6 +126,20 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
     }
 }
 
+/// Friction of each element at each of its contacts, with the films of its pocket.
+void heat_of_elements(Report& report, const StepRecord& record, int interval) {
+  std::vector<ChannelColumn> columns{{"outer race", "contact.heat", 0},
+                                     {"inner race", "contact.heat", 1}};
+  if (record.shape.rollers)
+    columns.push_back({"flanges", "contact.heat", 0, [&record](std::size_t j) {
+                         const std::vector<double>& heat = record["flange.heat"];
+                         return heat[4 * j] + heat[4 * j + 1] + heat[4 * j + 2] + heat[4 * j + 3];
+                       }});
+  if (record.shape.cages > 0) columns.push_back({"pocket", "element.pocket_heat"});
+  report.heading("Heat of friction of the elements, by contact");
+  element_table(report, record, interval, columns);
+}
+
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               const bearing::Bearing& bearing, RaceFriction friction, int interval) {
   // Films that have collapsed or stand still are 0, and so is a rise without slip.
@@ -201,6 +215,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
       };
     element_table(report, record, interval, columns);
   }
+  heat_of_elements(report, record, interval);
   if (rollers) {
     slices_of_first(report, snapshot);
     flanges(report, snapshot, interval);
@@ -349,6 +364,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
         if (films)
           for (const double value : {land.film_force, land.attitude})
             lands.back().values.push_back(value);
+        lands.back().values.push_back(land.heat);
       }
     }
     std::vector<Report::Column> columns{
@@ -357,6 +373,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
       columns.push_back({"film force", &unit::kForce});
       columns.push_back({"attitude", &unit::kAngle});
     }
+    columns.push_back({"heat", &unit::kPower});
     report.table("", columns, lands, 12);
   }
   if (segments) {

@@ -215,6 +215,12 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
   }
   const auto forward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0; });
   const auto backward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0; });
+  if (!backward.empty() && forward.empty())
+    notes.push_back(fmt::format(
+        "{}: contact with the half of the split {} race that thrust along -x loads; the solution "
+        "takes one circular groove, whose axial play is larger by the shim: loads and angles are "
+        "right, displacements along x are {:.3g} m too far",
+        number_list(backward, "ball"), kRaceName[j], m.balls.shim[j]));
   if (!forward.empty() && !backward.empty()) {
     notes.push_back(fmt::format(
         "the balls touch both halves of the split {} race, {} the one and {} the other; the "

@@ -90,7 +90,9 @@ OperatingFits ring_report(const Bearing& b, const MountedState& state,
   return out;
 }
 
-/// Adds the three states of a ball bearing's clearance and the circles of curvature centres.
+/// Adds the three states of a ball bearing's clearance and the circles of curvature centres. Shims
+/// g of split races take their thickness from the play: 2 A sin α - g (assembly.hpp); below 0 no
+/// ball reaches that contact angle, since both halves touch it first.
 void add_ball_states(OperatingFits& out, const Bearing& b, const contact::GrooveGeometry& groove,
                      const MountedState& state, const MountedState& mounted,
                      double element_growth) {
@@ -107,6 +109,11 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
   out.free = {Pd, b.balls().contact_angle, end_play(free, b.balls().contact_angle), free};
   out.mounted = ball_state(operating_clearance(Pd, raceway_displacement(mounted), 0.0), free);
   out.operating = ball_state(operating_clearance(Pd, u, out.element_growth), operating);
+  const std::array<double, 2>& shim = b.balls().shim;
+  const double grown = shim[0] * (1.0 + g_outer) + shim[1] * (1.0 + g_inner);
+  out.free.end_play -= shim[0] + shim[1];
+  out.mounted.end_play -= shim[0] + shim[1];
+  out.operating.end_play -= grown;
   out.pitch_free = out.pitch = b.balls().pitch_diameter;
 }
 
