@@ -38,13 +38,13 @@ void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
     inverse += along / value;
     stiff_ += along;
   }
-  velocity_ = inverse * (drift + load_rate_);
+  velocity_ = inverse * (drift + load_rate_ + user_rate_);
   rate_ = 0.5 * std::sqrt(std::max(K.trace(), 0.0) / (3.0 * element_mass));
   resist(Mat3::Zero());
 }
 
 Vec3 BalancedRace::residual(const Vec3& of_elements) const noexcept {
-  Vec3 out = load_ + of_elements;
+  Vec3 out = load() + of_elements;
   for (int k = 0; k < 3; ++k)
     if (!free_[static_cast<std::size_t>(k)]) out[k] = 0.0;
   return out;

@@ -28,6 +28,11 @@ class BalancedRace {
     share_ = share;
     turn_speed_ = speed;
   }
+  /// Load of routine ADRX1 of the user and its rate at this time [N, N/s].
+  void add_load(const Vec3& load, const Vec3& rate) noexcept {
+    user_load_ = load;
+    user_rate_ = rate;
+  }
   /// Sets the load of this time.
   void set_time(double t) noexcept;
   /// Takes K and D at a steady load [N/m, N/s]; velocity() is then K⁻¹ D, the load's rate in D.
@@ -39,11 +44,12 @@ class BalancedRace {
   [[nodiscard]] Vec3 pull(const Vec3& of_elements) const noexcept;
   /// R in the free directions [N].
   [[nodiscard]] Vec3 residual(const Vec3& of_elements) const noexcept;
-  [[nodiscard]] const Vec3& load() const noexcept { return load_; }
+  [[nodiscard]] Vec3 load() const noexcept { return load_ + user_load_; }
   [[nodiscard]] const std::array<bool, 3>& free() const noexcept { return free_; }
 
  private:
   Vec3 load_, load_at_start_ = load_, load_rate_ = Vec3::Zero();
+  Vec3 user_load_ = Vec3::Zero(), user_rate_ = Vec3::Zero();
   double share_ = 0.0, turn_speed_ = 0.0;  ///< of the load that turns [rad/s]
   std::array<bool, 3> free_;
   Mat3 stiffness_ = Mat3::Zero();  ///< K in the free directions

@@ -1,6 +1,7 @@
 #include "dynamics/effect_catalogue.hpp"
 
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/user_motion.hpp"
 #include "scene/ledger_terms.hpp"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ constexpr CatalogueLine kCatalogue[] = {
     {"cage drag", "kChrn", "drag and churning of the cage", make_cage_drag, cage_drag_terms},
     {"cage", "nCseg", "body with six degrees of freedom, or one for each segment", make_cage,
      cage_terms},
+    {"user motion", "routine ADRX1", "loads on races, driven races, motion of the base frame",
+     make_user_motion, user_motion_terms},
     {"free races", "kDCR", "races that move under loads", make_free_races, free_race_terms},
     {"gravity", "gravityVec", "weight of elements, cage and free races", make_gravity,
      gravity_terms},

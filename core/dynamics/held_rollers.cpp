@@ -2,6 +2,7 @@
 
 #include "base/symmetric_eigen.hpp"
 #include "contact/slice_circle.hpp"
+#include "dynamics/effects/roller_races.hpp"
 #include "dynamics/race_contacts.hpp"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ struct HeldRollers::Contact {
 };
 
 HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-                         ElementMasses masses)
+                         ElementMasses masses,
+                         std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round)
     : model_(std::move(model)),
       kernel_(kernel_of(chosen_instruction_set())),
       masses_(std::move(masses)) {
@@ -69,6 +71,13 @@ HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfection
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
                                          model_.rollers.race_radius(static_cast<int>(j)),
                                          model_.rollers.crown_radius);
+    for (const auto& lobe : out_of_round) {
+      lobes_[j].emplace_back();
+      if (lobe)
+        lobes_[j].back() =
+            lobe_race(*lobe, j, model_.race[j], model_.rollers.race_radius(static_cast<int>(j)),
+                      model_.rollers.crown_radius);
+    }
   }
 }
 
@@ -87,6 +96,11 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
                       ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
                                                       std::sin(race.turn_beyond)))
                       .surface;
+  if (!lobes_[j].empty() && lobes_[j][i]) {
+    contact::WavyRace lobe = *lobes_[j][i];
+    lobe.ideal = slices.race;
+    slices.race = lobe.at(azimuth_in_roller(e.attitude[i], out.back(Vec3::UnitZ()), j)).surface;
+  }
   const statics::SliceTurns axes = statics::slice_turns(p(2), p(3));
   if (!contact::surely_open(slices, p(0), p(1), axes.a)) {
     RollerSprings springs;

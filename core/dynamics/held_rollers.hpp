@@ -8,7 +8,9 @@
 #include "statics/roller_model.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 /// Contacts of held rollers. Springs are exact: U(x', r', t, f) of each race with its flanges has a
@@ -23,7 +25,8 @@ namespace adore::dynamics {
 class HeldRollers final : public HeldContacts {
  public:
   HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-              ElementMasses masses);
+              ElementMasses masses,
+              std::span<const std::shared_ptr<const bearing::GivenRace>> out_of_round = {});
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
@@ -45,6 +48,7 @@ class HeldRollers final : public HeldContacts {
   std::array<std::vector<contact::RollerRaceSlices>, 2> slices_;
   RollerSpringsKernel kernel_;
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
+  std::array<std::vector<std::optional<contact::WavyRace>>, 2> lobes_;  ///< by roller, or none
   ElementMasses masses_;
 };
 

@@ -384,7 +384,10 @@ Prepared prepare_model(LoadedDeck input) {
   if (std::optional<Issue> note =
           setup::note_of(out.no_part, deck, {out.input.warnings.begin(), out.input.warnings.end()}))
     out.input.warnings.push_back(std::move(*note));
-  if (out.user && out.control.dynamic) start_session(out, hooks);
+  if (out.user && out.control.dynamic) {
+    start_session(out, hooks);
+    for (Issue& issue : held_loads(out)) out.input.warnings.push_back(std::move(issue));
+  }
   if (out.user)
     for (const std::string& text : idle_routines(out))
       add_remark(out, make_finding("user.idle", text));

@@ -116,6 +116,7 @@ struct RunOutputs::Impl {
   scene::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
+  std::optional<results::ChannelRecorder> user_recorder;  ///< of every counted step, for ADRX9
   results::RunAverages averages;
   results::StepBand band;  ///< since the step stored last
   scene::Look look;
@@ -178,6 +179,23 @@ struct RunOutputs::Impl {
   void write_restart(dynamics::System& system, const Snapshot& at, std::span<const double> y,
                      const Resume& resume);
   [[nodiscard]] Snapshot snapshot(dynamics::System& system, const RunPoint& point) const;
+  /// The channels of RESULTS.h5 at this instant; "_low", "_high" and "_mean" are of it alone.
+  [[nodiscard]] user::Session::Channels user_channels(scene::Snapshot snapshot) {
+    snapshot.power.life_hours = life.hours();
+    if (!user_recorder)
+      user_recorder.emplace(prepared.bearing, units,
+                            results::ChannelTable(dynamics::energy_terms()));
+    const results::StepRecord& record = user_recorder->record(snapshot);
+    user::Session::Channels out;
+    const auto channels = user_recorder->table().all();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      out.name.push_back(channels[c].id.data());
+      out.size.push_back(static_cast<std::int32_t>(record.values[c].size()));
+      out.first.push_back(static_cast<std::int64_t>(out.value.size()));
+      out.value.insert(out.value.end(), record.values[c].begin(), record.values[c].end());
+    }
+    return out;
+  }
   [[nodiscard]] results::MeanLoad mean_load() const {
     return results::mean_load(averages.averages(), prepared.bearing, plan);
   }
@@ -320,6 +338,7 @@ RunOutputs::~RunOutputs() = default;
 void RunOutputs::show_thermal(const ThermalRun& thermal) {
   impl_->thermal = &thermal;
   impl_->recorder.set_bearing(impl_->prepared.bearing);
+  if (impl_->user_recorder) impl_->user_recorder->set_bearing(impl_->prepared.bearing);
   impl_->life.follow_bearing();
   impl_->ranges.follow_bearing();
 }
@@ -327,6 +346,7 @@ void RunOutputs::show_thermal(const ThermalRun& thermal) {
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;
   s.recorder.set_bearing(s.prepared.bearing);
+  if (s.user_recorder) s.user_recorder->set_bearing(s.prepared.bearing);
   s.life.follow_bearing();
   s.ranges.follow_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
@@ -568,7 +588,10 @@ void RunOutputs::call_user(dynamics::System& system, const RunPoint& point) {
     session.step(point.step, point.time);
     return;
   }
-  const std::string text = session.step(s.snapshot(system, point));
+  const scene::Snapshot snapshot = s.snapshot(system, point);
+  const std::string text = session.wants_channels()
+                               ? session.step(snapshot, s.user_channels(snapshot))
+                               : session.step(snapshot);
   if (!text.empty()) s.files.user->append(text);
 }
 

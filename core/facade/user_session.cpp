@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace adore::facade {
 namespace {
@@ -18,6 +20,20 @@ std::array<bool, 5> own_traction(const deck::Deck& deck) {
   for (std::size_t k = 0; k < kCodes.size(); ++k)
     out[k] = deck.has(kCodes[k]) && deck.integer(kCodes[k]) == -1;
   return out;
+}
+
+/// Directions in which ADRX1 gives loads at times of two revolutions, at no even distance.
+std::array<std::array<bool, 6>, 2> loads_of_routine(const Prepared& prepared) {
+  constexpr int kTimes = 64;
+  const double speed =
+      std::max(std::abs(prepared.bearing.speed[0]), std::abs(prepared.bearing.speed[1]));
+  std::vector<double> times{0.0};
+  for (int k = 1; k <= kTimes; ++k)
+    times.push_back(4.0 * std::numbers::pi / std::max(speed, 1.0) *
+                    std::fmod(0.6180339887498949 * k, 1.0));
+  const auto loads = prepared.user->loads(times);
+  if (!prepared.user->failure().empty()) throw InputError(prepared.user->failure());
+  return loads;
 }
 
 }  // namespace
@@ -51,33 +67,23 @@ setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
   out.surface = [of](const bearing::Bearing& bearing, bearing::UserSurface& places) {
     of->surface(bearing, places);
   };
+  out.out_of_round = [of](std::size_t k, bearing::GivenRace form) {
+    of->keep_out_of_round(k, std::move(form));
+  };
   out.document = [of](int hook, const std::string& line) { of->document(hook, line); };
   return out;
 }
 
 void start_session(Prepared& prepared, setup::UserHooks& hooks) {
   user::Session& session = *prepared.user;
-  session.start(prepared.bearing, own_traction(prepared.input.deck));
+  std::array<bool, 3> balanced{};  // mode 2: directions in which the load places the inner race
+  if (prepared.input.deck.integer("mode") == 2)
+    for (std::size_t k = 0; k < 3; ++k)
+      balanced[k] = !prepared.bearing.constraints.displacement_given[k];
+  session.start(prepared.bearing, own_traction(prepared.input.deck), balanced);
   hooks.drives = session.drives();
   hooks.moves_frame = session.moves_frame();
   hooks.suppressed = session.suppressed();
-  const long long mode = prepared.input.deck.integer("mode");
-  if (mode > 0 && (hooks.drives[0] || hooks.drives[1]))
-    throw InputError(
-        {prepared.input.deck.issue(Severity::Error, "mode",
-                                   fmt::format("places races or elements by their balance, and "
-                                               "user routine ADRX1 of {} drives a race",
-                                               session.source()),
-                                   "set mode to 0")});
-  // Held rollers know springs of flanges of their own (held_rollers.hpp).
-  if (session.active(2) && prepared.bearing.rollers() != nullptr &&
-      (mode > 0 || prepared.control.light_load_ratio > 0.0))
-    throw InputError({prepared.input.deck.issue(
-        Severity::Error, mode > 0 ? "mode" : "qFac",
-        fmt::format("holds rollers in the balance of forces with the built-in law of flanges, and "
-                    "user routine ADRX2 of {} gives another",
-                    session.source()),
-        mode > 0 ? "set mode to 0" : "set qFac to 0")});
   if (session.active(4) && prepared.bearing.cage) {
     const auto& lands = prepared.bearing.cage->lands;
     if (std::any_of(lands.begin(), lands.end(),
@@ -127,9 +133,10 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
     for (const int axis : {1, 2, 3})
       free = free || setup::translation_free(deck, axis, race) ||
              setup::rotation_free(deck, axis, race);
-  if (!session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
-      !session.suppressed().any() && !free)
-    idle(1, "no race is free (kDCR = 1), and it drives none, nor moves the frame");
+  if (session.active(1) && !session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
+      !session.suppressed().any() && !free &&
+      loads_of_routine(prepared) == std::array<std::array<bool, 6>, 2>{})
+    idle(1, "it gives no load at the times looked at, drives no race and moves no frame");
   const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
   if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
     idle(2, "the bearing has no flanges");
@@ -142,6 +149,41 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   const std::array<bool, 5> traction = own_traction(prepared.input.deck);
   if (std::none_of(traction.begin(), traction.end(), [](bool asked) { return asked; }))
     idle(7, "the deck asks for no traction of the user (kTrac = -1, kCPTrac = -1 ...)");
+  return out;
+}
+
+std::vector<Issue> held_loads(const Prepared& prepared) {
+  user::Session& session = *prepared.user;
+  std::vector<Issue> out;
+  if (!session.active(1)) return out;
+  const deck::Deck& deck = prepared.input.deck;
+  const auto loads = loads_of_routine(prepared);
+  const long long mode = deck.integer("mode");
+  for (std::size_t j = 0; j < 2; ++j) {
+    std::string where;
+    bool force = false;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const int axis = static_cast<int>(k % 3) + 1, race = static_cast<int>(j) + 1;
+      const bool balanced =
+          mode == 2 && j == 1 && k < 3 && !prepared.bearing.constraints.displacement_given[k];
+      const bool free = k < 3 ? setup::translation_free(deck, axis, race)
+                              : setup::rotation_free(deck, axis, race);
+      if (!loads[j][k] || balanced || free) continue;
+      force = force || k < 3;
+      where += fmt::format("{}{} {}", where.empty() ? "" : ", ", k < 3 ? "along" : "about",
+                           "xyz"[k % 3]);
+    }
+    if (where.empty()) continue;
+    out.push_back(deck.issue(
+        Severity::Warning, mode == 2 ? "mode" : "kDCR",
+        fmt::format("holds the {} race {}, where user routine ADRX1 of {} gives a load: the load "
+                    "cannot move the race, its support carries it (reaction in PRINT and SOL, "
+                    "work in the ledger)",
+                    j == 0 ? "outer" : "inner", where, session.source()),
+        mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
+        : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
+                          : "set kDCR to 1 and free these directions"));
+  }
   return out;
 }
 

@@ -24,6 +24,10 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks);
 /// A sentence for each routine that is active and has nothing to do. @pre prepared.user
 [[nodiscard]] std::vector<std::string> idle_routines(const Prepared& prepared);
 
+/// Warnings of loads of ADRX1 on races that are held there. @pre prepared.user, of the motion
+/// @throws InputError of a routine that fails
+[[nodiscard]] std::vector<Issue> held_loads(const Prepared& prepared);
+
 /// The program's version, with that of the user's routines: "Adore 0.1.0+my laws 1". Null: none.
 [[nodiscard]] std::string program_version(const user::Session* session);
 /// The message of a run that failed, with what routines said.

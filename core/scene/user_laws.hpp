@@ -1,11 +1,13 @@
 #pragma once
 
+#include "bearing/imperfections.hpp"
 #include "tribology/laws/user_law.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 /// What routines of the user put in the place of physics: plain interfaces, behind which the solver
@@ -22,10 +24,11 @@ class UserMotion {
     double angle = 0.0;  ///< about its axis since the start [rad]
   };
   struct Actions {
-    std::array<Eigen::Vector3d, 2> force, moment;  ///< on free directions [N, N m]
+    std::array<Eigen::Vector3d, 2> force, moment;  ///< on both races [N, N m]
     std::array<Eigen::Vector3d, 2> acceleration,
-        angular_acceleration;  ///< of driven races, held directions
-    Eigen::Vector3d frame;     ///< acceleration of the base frame [m/s²]
+        angular_acceleration;                 ///< of driven races, held directions
+    Eigen::Vector3d frame;                    ///< acceleration of the base frame's origin [m/s²]
+    Eigen::Vector3d frame_omega, frame_turn;  ///< Ω of the base frame and dΩ/dt [rad/s, rad/s²]
   };
   /// Said once, before the start.
   struct Promise {
@@ -65,6 +68,10 @@ struct UserLaws {
   std::array<const tribology::UserTraction*, 5> traction{};  ///< by TractionKind
   UserMotion* motion = nullptr;
   UserForce *flange = nullptr, *pocket = nullptr, *land = nullptr;
+
+  /// ADRX5: what the radius of each roller has more over the azimuth ψ of its own frame (from its z
+  /// axis about +x), radius + s tan(taper) at s from its middle; empty: all round.
+  std::vector<std::shared_ptr<const bearing::GivenRace>> out_of_round;
 
   double time = 0.0;  ///< of the evaluation under way [s]
 

@@ -69,7 +69,7 @@ std::string free_text(const bearing::FreeRace& free) {
 }
 
 void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motions, std::size_t j,
-              scene::ScenePlan& plan) {
+              scene::ScenePlan& plan, bool driven) {
   if (motions.free[j]) {
     plan.bodies.push_back({kRaces[j], free_text(*motions.free[j]), 14});
     return;
@@ -77,10 +77,11 @@ void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motio
   if (j == 1 && plan.has(Effect::RaceBalance)) {
     std::array<bool, 3> free{};
     for (std::size_t k = 0; k < 3; ++k) free[k] = !bearing.constraints.displacement_given[k];
-    plan.bodies.push_back({kRaces[j],
-                           fmt::format("in force balance along {}, speed {:g} rpm", listed(free),
-                                       rpm(bearing.speed[j])),
-                           3});
+    plan.bodies.push_back(
+        {kRaces[j],
+         fmt::format("in force balance along {}, speed {:g} rpm{}", listed(free),
+                     rpm(bearing.speed[j]), driven ? ", turned and else moved by ADRX1" : ""),
+         driven ? 11 : 3});
     return;
   }
   const char* place = j == 0 ? "fixed" : "at the static position";
@@ -328,7 +329,7 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
                        const std::array<bool, 2>& driven) {
   plan.race_motions = build_race_motions(deck);
   for (std::size_t j = 0; j < 2; ++j)
-    if (driven[j] && !plan.race_motions.free[j]) {
+    if (driven[j] && !plan.race_motions.free[j] && !(j == 1 && plan.has(Effect::RaceBalance))) {
       bearing::FreeRace& held = plan.race_motions.free[j].emplace();
       held.translation_held = held.rotation_held = {true, true, true};
     }
@@ -361,7 +362,7 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
   effect(Effect::TurningFrame, "turning base frame", motions.frame.has_value(),
          fmt::format("kRotFrame = {}{}", deck.integer("kRotFrame"),
                      deck.integer("kRotFrame") == 1 && !motions.frame ? ", brgAngVel 0" : ""));
-  for (std::size_t j = 0; j < 2; ++j) add_body(bearing, motions, j, plan);
+  for (std::size_t j = 0; j < 2; ++j) add_body(bearing, motions, j, plan, driven[j]);
 }
 
 }  // namespace adore::setup

@@ -24,6 +24,8 @@ struct UserHooks {
   std::function<void(const bearing::Bearing&, bearing::UserSurface&)> surface;
   /// A line for the front part of PRINT.txt on what ADRX5 or ADRX6 gave.
   std::function<void(int hook, const std::string& line)> document;
+  /// ADRX5: roller k is out of round (scene/user_laws.hpp).
+  std::function<void(std::size_t k, bearing::GivenRace)> out_of_round;
   int slices = 0;       ///< of rollers
   bool points = false;  ///< barrels touch at points, not in slices
   // What ADRX1 has said of itself, known when the scene is planned.

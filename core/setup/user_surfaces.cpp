@@ -80,8 +80,8 @@ std::string about(const UserHooks& user, int hook, const std::string& body) {
 }
 
 /// @throws InputError where the series is far from what the routine says between its places
-bearing::TurnSeries taken(const UserHooks& user, const std::string& race, const char* what,
-                          const char* unit, const std::vector<double>& values) {
+bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& body,
+                          const char* what, const char* unit, const std::vector<double>& values) {
   Series series = series_of(values);
   if (series.series.pairs.empty()) return {};
   const double range =
@@ -90,29 +90,65 @@ bearing::TurnSeries taken(const UserHooks& user, const std::string& race, const 
     throw InputError(fmt::format(
         "{}{} jumps somewhere around the turn: 255 waves through 512 places miss it by {:.3g} {} "
         "between them, of a range of {:.3g} {}; give a surface that closes and has no steps",
-        about(user, 6, race), what, series.error, unit, range, unit));
-  user.document(6, fmt::format("{}: {} of up to {} waves per turn, {:.6g} to {:.6g} {}, within "
-                               "{:.2g} {} between the places asked for",
-                               race, what, series.waves, series.series.least, series.series.largest,
-                               unit, series.error, unit));
+        about(user, hook, body), what, series.error, unit, range, unit));
+  user.document(hook, fmt::format("{}: {} of up to {} waves per turn, {:.6g} to {:.6g} {}, within "
+                                  "{:.2g} {} between the places asked for",
+                                  body, what, series.waves, series.series.least,
+                                  series.series.largest, unit, series.error, unit));
   return std::move(series.series);
 }
 
-/// The radius of a ball, or of a roller over its places s, from places times azimuths.
+constexpr std::size_t kAround = 1024;  // half of them make the series
+
+/// What a roller's radius has more over its turn, without means: c(ψ) + s t(ψ).
+struct Roundness {
+  std::vector<double> radius, slope;  ///< c [m], t [-], at kAround azimuths
+  bool round = true;
+};
+Roundness roundness_of(const UserHooks& user, const bearing::Bearing& b, int element, double half) {
+  bearing::UserSurface t;
+  t.element = element;
+  for (const double s : {-half, 0.0, half})
+    for (std::size_t k = 0; k < kAround; ++k) t.place(s, kTurn * static_cast<double>(k) / kAround);
+  user.surface(b, t);
+  const double range = largest(t.radius);
+  Roundness out;
+  for (std::size_t k = 0; k < kAround; ++k) {
+    for (std::size_t i = 0; i < 3; ++i)
+      out.round = out.round && same(t.radius[i * kAround + k], t.radius[i * kAround], range);
+    out.radius.push_back(t.radius[kAround + k]);
+    out.slope.push_back((t.radius[2 * kAround + k] - t.radius[k]) / (2.0 * half));
+  }
+  for (std::vector<double>* values : {&out.radius, &out.slope}) {
+    double mean = 0.0;
+    for (const double v : *values) mean += v / kAround;
+    for (double& v : *values) v -= mean;
+  }
+  if (std::abs(largest(out.slope)) * half < 1e-9 * range + 1e-15) out.slope.assign(kAround, 0.0);
+  return out;
+}
+
+/// The mean radius over the places s, from places times azimuths, once c + s t is taken away.
 std::vector<double> unturned(const UserHooks& user, const bearing::UserSurface& t,
-                             std::size_t azimuths) {
+                             std::size_t azimuths, const Roundness& shape) {
   std::vector<double> out;
   const double range = largest(t.radius);
   for (std::size_t k = 0; k < t.radius.size(); k += azimuths) {
-    for (std::size_t i = 1; i < azimuths; ++i)
-      if (!same(t.radius[k], t.radius[k + i], range))
-        throw InputError(fmt::format(
-            "{}the radius varies around it by {:.3g} m at {:.6g} m from its middle; elements out "
-            "of round are not simulated, since contact forces would follow the turn of each; let "
-            "the radius depend on the axial place alone",
-            about(user, 5, fmt::format("element {}", t.element + 1)),
-            std::abs(t.radius[k] - t.radius[k + i]), t.axial[k]));
-    out.push_back(t.radius[k]);
+    std::vector<double> left;
+    for (std::size_t i = 0; i < azimuths; ++i) {
+      const std::size_t at = i * (kAround / azimuths);
+      left.push_back(t.radius[k + i] -
+                     (shape.round ? 0.0 : shape.radius[at] + t.axial[k] * shape.slope[at]));
+    }
+    const auto [low, high] = std::minmax_element(left.begin(), left.end());
+    if (*high - *low > (shape.round ? 0.0 : 0.01 * range) && !same(*low, *high, range))
+      throw InputError(fmt::format(
+          "{}at {:.6g} m from its middle the radius over the azimuth is {:.3g} m from a sum of "
+          "f(x) + c(psi) + x t(psi); out-of-roundness may grow evenly along the axis",
+          about(user, 5, fmt::format("element {}", t.element + 1)), t.axial[k], *high - *low));
+    double mean = 0.0;
+    for (const double v : left) mean += v / static_cast<double>(azimuths);
+    out.push_back(shape.round ? left.front() : mean);
   }
   return out;
 }
@@ -158,7 +194,34 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
       for (std::size_t i = 0; i < kAzimuths; ++i)
         t.place(s, kTurn * static_cast<double>(i) / kAzimuths);
     user.surface(b, t);
-    std::vector<double> radius = unturned(user, t, kAzimuths);
+    const Roundness shape = roundness_of(
+        user, b, t.element,
+        rollers != nullptr ? 0.5 * rollers->contact_length() : 0.4 * b.element_diameter());
+    if (!shape.round && rollers == nullptr)
+      throw InputError(fmt::format(
+          "{}the radius of a ball varies over its surface by up to {:.3g} m; balls stay round: "
+          "give "
+          "one number for each",
+          about(user, 5, fmt::format("element {}", k + 1)), 2.0 * largest(shape.radius)));
+    if (!shape.round && user.points)
+      throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
+                       "a barrel that touches at points is round; set the run option that cuts it "
+                       "into slices");
+    if (!shape.round && largest(shape.slope) > 0.0 &&
+        (rollers->groove_factor[0] > 0.0 || rollers->groove_factor[1] > 0.0))
+      throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
+                       "out-of-roundness of a barrel grows along its axis; let it depend on the "
+                       "azimuth alone");
+    if (!shape.round) {
+      const std::string name = fmt::format("roller {}", k + 1);
+      std::vector<double> angle;
+      for (const double slope : shape.slope) angle.push_back(std::atan(slope));
+      bearing::GivenRace form;
+      form.radius = taken(user, 5, name, "radius over the azimuth", "m", shape.radius);
+      form.taper = taken(user, 5, name, "taper over the azimuth", "rad", angle);
+      user.out_of_round(k, std::move(form));
+    }
+    std::vector<double> radius = unturned(user, t, kAzimuths, shape);
     const double size = largest(radius), top = *std::max_element(radius.begin(), radius.end());
     const double bottom = *std::min_element(radius.begin(), radius.end());
     const bool even = same(top, bottom, size);
@@ -203,7 +266,7 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
 }
 
 void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
-  constexpr std::size_t kPlaces = 1024;  // half of them make the series
+  constexpr std::size_t kPlaces = kAround;
   const bearing::RollerGeometry* const rollers = b.rollers();
   const bool groove = rollers == nullptr || rollers->groove_factor[race] > 0.0;
   const double half =
@@ -248,9 +311,9 @@ void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
                          "azimuth");
   }
   auto given = std::make_shared<bearing::GivenRace>();
-  given->radius = taken(user, body, "radius", "m", radius);
-  given->taper = taken(user, body, "taper", "rad", taper);
-  given->curvature_factor = taken(user, body, "curvature factor", "", factor);
+  given->radius = taken(user, 6, body, "radius", "m", radius);
+  given->taper = taken(user, 6, body, "taper", "rad", taper);
+  given->curvature_factor = taken(user, 6, body, "curvature factor", "", factor);
   b.imperfections.race_given[race] = true;
   b.imperfections.race[race].given = std::move(given);
 }

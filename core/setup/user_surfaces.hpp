@@ -9,8 +9,11 @@
 /// ADRX6: radius and groove factor over the turn become series of up to 255 waves through 512
 /// places around; as many between them tell the error. Over the axis a straight raceway may be
 /// turned by a taper, a groove has its factor: more is refused.
-/// ADRX5: the radius of a roller over its axis, at the middles of its slices and between; of a ball
-/// one radius. Elements out of round are refused: motion does not turn their shape with them.
+/// ADRX5: the radius of an element over its axis x and its azimuth ψ. Of a roller
+///   f(x) + c(ψ) + x t(ψ),   c and t without mean:
+/// f at the middles of its slices and between, c and t as series of up to 255 waves, which turn
+/// with the roller (dynamics/effects/roller_races.hpp). More than 1 % from such a sum is refused,
+/// and so are balls that are not round. The equilibrium has f alone.
 namespace adore::setup {
 
 /// @throws InputError

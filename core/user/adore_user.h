@@ -131,16 +131,22 @@ typedef struct adore_adrx1 {
   /* ADORE_COMPUTE, in */
   double position[6]; /* displacement of the race from its place in the unloaded bearing
                          [race][axis] [m] */
-  double velocity[6]; /* [m/s] */
+  double velocity[6]; /* [m/s]; 0 along directions in balance (mode 2), which have no inertia */
   double omega[6];    /* angular velocity [rad/s] */
   double angle[2];    /* turned about its axis since the start [rad] */
   /* ADORE_COMPUTE, out; zero when the call begins */
-  double force[6];  /* added to the load on a race that is free in that direction (kFD = 0) [N] */
+  double force[6];  /* on the race: moves it where it is free (kDCR = 1, kFD = 0) or in balance
+                       (mode 2); where it is held, its support carries the load [N] */
   double moment[6]; /* the same, about the race's centre (kMD = 0) [N m] */
   double acceleration[6]; /* of the centre of a race that is driven, held directions [m/s^2] */
-  double angular_acceleration[6]; /* the same, about the race's axes at the start [rad/s^2] */
-  double frame_acceleration[3];   /* of the base frame, without turning: bodies feel the opposite
-                                     [m/s^2] */
+  double angular_acceleration[6]; /* the same, about the race's axes at the start [rad/s^2]; of the
+                                     inner race in mode 2 about x only */
+  double frame_acceleration[3];   /* of the origin of the base frame, in its axes: bodies feel the
+                                     opposite [m/s^2] */
+  /* The frame turns (moves_frame): Omega about its own axes and dOmega/dt, which must belong
+     together. Positions, velocities and loads stay those of the moving frame; so does gravity. */
+  double frame_omega[3];                /* [rad/s] */
+  double frame_angular_acceleration[3]; /* [rad/s^2] */
 } adore_adrx1;
 
 /* ADRX2 flange, ADRX3 pocket, ADRX4 guide land: normal force over the gap. All contacts of the kind
@@ -254,6 +260,17 @@ typedef struct adore_adrx9 {
       source_place;          /* [3*sources] x, y, z of source i at [3*i]; 0 of a whole effect [m] */
   const double* source_size; /* [2*sources] half axes: across and along rolling [m] */
   const char* const* source_name; /* [sources] "outer race contacts" */
+  /* ADORE_START, out */
+  int32_t wants_channels; /* 1: the arrays below are filled in ADORE_STEP */
+  int32_t unused;
+  /* ADORE_STEP, in: the channels of RESULTS.h5, full precision, SI and rad */
+  int64_t channels;
+  const char* const* channel_name; /* [channels] "contact.load", as `adore show RESULTS.h5` lists */
+  const int32_t* channel_size;     /* [channels] values of one step */
+  const int64_t* channel_first;    /* [channels] of channel_value */
+  int64_t channel_values;          /* of all channels */
+  const double* channel_value;     /* [channel_values] element, then race, side or surface, then
+                                      component */
 } adore_adrx9;
 
 #ifdef __cplusplus

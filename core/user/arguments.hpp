@@ -39,6 +39,8 @@ void walk_arguments(adore_call& call, Visit&& visit) {
       visit.values(a.acceleration, 6);
       visit.values(a.angular_acceleration, 6);
       visit.values(a.frame_acceleration, 3);
+      visit.values(a.frame_omega, 3);
+      visit.values(a.frame_angular_acceleration, 3);
       return;
     }
     case 2:
@@ -101,6 +103,11 @@ void walk_arguments(adore_call& call, Visit&& visit) {
       in(a.source_place, 3 * a.sources);
       in(a.source_size, 2 * a.sources);
       in(a.source_name, a.sources);
+      visit.flags(&a.wants_channels, 1);
+      in(a.channel_name, a.channels);
+      in(a.channel_size, a.channels);
+      in(a.channel_first, a.channels);
+      in(a.channel_value, a.channel_values);
       return;
     }
     default:

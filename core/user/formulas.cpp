@@ -220,10 +220,13 @@ Call motion(Section& section) {
     race.driven = given->contains("acceleration") || given->contains("angular_acceleration");
   }
   using Three = std::array<std::optional<Formula>, 3>;
-  auto frame =
-      std::make_shared<Three>(vector_of(section, section.json, "frame_acceleration", "", -1));
-  section.used.insert("frame_acceleration");
-  const bool moves_frame = section.json.contains("frame_acceleration");
+  constexpr std::array kFrame{"frame_acceleration", "frame_omega", "frame_angular_acceleration"};
+  auto frame = std::make_shared<std::array<Three, 3>>();
+  bool moves_frame = false;
+  for (std::size_t k = 0; k < kFrame.size(); ++k) {
+    moves_frame = section.find(kFrame[k]) != nullptr || moves_frame;
+    (*frame)[k] = vector_of(section, section.json, kFrame[k], "", k == 0 ? -1 : 0);
+  }
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
     for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
@@ -283,7 +286,9 @@ Call motion(Section& section) {
       fill(race.acceleration, a.acceleration + 3 * j);
       fill(race.turn, a.angular_acceleration + 3 * j);
     }
-    fill(*frame, a.frame_acceleration);
+    fill((*frame)[0], a.frame_acceleration);
+    fill((*frame)[1], a.frame_omega);
+    fill((*frame)[2], a.frame_angular_acceleration);
     return 0;
   };
 }
@@ -499,22 +504,53 @@ Call imperfections(Section& section) {
   };
 }
 
-/// The heat map of the manual's third example.
-Call heat_map(Section& section) {
+/// A column of SOL9: a value of a channel of RESULTS.h5.
+struct ChannelColumn {
+  std::string channel;
+  std::int64_t at = 0;  ///< from 0
+};
+/// "contact.load[3]": value 3 of a channel, from 1; without a number the first.
+ChannelColumn column_of(const Json& text, const std::string& where) {
+  if (!text.is_string()) throw InputError(where + ": give names such as \"contact.load[3]\"");
+  ChannelColumn out{text.get<std::string>(), 0};
+  const std::size_t open = out.channel.find('[');
+  if (open == std::string::npos) return out;
+  char* end = nullptr;
+  out.at = std::strtoll(out.channel.c_str() + open + 1, &end, 10) - 1;
+  if (out.at < 0 || end == nullptr || std::string(end) != "]")
+    throw InputError(
+        fmt::format("{}: \"{}\" has no number from 1 on in its brackets", where, out.channel));
+  out.channel.resize(open);
+  return out;
+}
+
+/// The heat map of the manual's third example, or a table of channels of RESULTS.h5.
+Call step_output(Section& section) {
   const Preamble preamble(section);
-  const Json* wanted = section.find("heat_map");
+  const Json* map = section.find("heat_map");
+  const Json* list = section.find("channels");
   section.check_keys();
-  if (wanted == nullptr || !wanted->is_boolean() || !wanted->get<bool>())
-    throw InputError(section.where + R"(: give "heat_map": true)");
+  const bool heat = map != nullptr && map->is_boolean() && map->get<bool>();
+  auto columns = std::make_shared<std::vector<ChannelColumn>>();
+  if (list != nullptr && list->is_array())
+    for (const Json& one : *list) columns->push_back(column_of(one, section.where + ", channels"));
+  if (heat != columns->empty())
+    throw InputError(section.where +
+                     R"(: give either "heat_map": true, or "channels": ["contact.load[1]", ...])");
   return [=, keep = section.names](adore_call& call) {
     if (preamble(call)) return 0;
     auto& a = reinterpret_cast<adore_adrx9&>(call);
-    if (call.mode == ADORE_START)
-      call.services->write(call.host,
-                           "#       time kind element race          x          y          z"
-                           "          a          b         heat\n");
+    if (call.mode == ADORE_START) {
+      a.wants_channels = heat ? 0 : 1;
+      std::string head = heat ? "#       time kind element race          x          y          z"
+                                "          a          b         heat"
+                              : "# time [s]";
+      for (const ChannelColumn& one : *columns)
+        head += fmt::format(" {}[{}]", one.channel, one.at + 1);
+      call.services->write(call.host, (head + '\n').c_str());
+    }
     if (call.mode != ADORE_STEP) return 0;
-    for (std::int64_t i = 0; i < a.sources; ++i) {
+    for (std::int64_t i = 0; heat && i < a.sources; ++i) {
       char line[200];
       std::snprintf(line, sizeof line,
                     "%12.6e %4d %7d %4d %10.3e %10.3e %10.3e %10.3e %10.3e %12.5e\n", call.time,
@@ -523,6 +559,20 @@ Call heat_map(Section& section) {
                     a.source_size[2 * i], a.source_size[2 * i + 1], a.source_heat[i]);
       call.services->write(call.host, line);
     }
+    if (heat) return 0;
+    std::string line = fmt::format("{:.9e}", call.time);
+    for (const ChannelColumn& one : *columns) {
+      const char* const* const end = a.channel_name + a.channels;
+      const auto found = std::find(a.channel_name, end, one.channel);
+      if (found == end)
+        throw std::runtime_error(fmt::format("RESULTS.h5 has no channel \"{}\"", one.channel));
+      const auto k = found - a.channel_name;
+      if (one.at >= a.channel_size[k])
+        throw std::runtime_error(fmt::format("channel {} has {} values, not {}", one.channel,
+                                             a.channel_size[k], one.at + 1));
+      line += fmt::format(" {:.17g}", a.channel_value[a.channel_first[k] + one.at]);
+    }
+    call.services->write(call.host, (line + '\n').c_str());
     return 0;
   };
 }
@@ -539,10 +589,10 @@ PlugIn load_formulas(const fs::path& file) {
   out.source = file.string();
   out.pure = true;
   const std::map<std::string, std::pair<int, Call (*)(Section&)>> makers{
-      {"adrx0", {0, material}}, {"adrx1", {1, motion}},   {"adrx2", {2, force}},
-      {"adrx3", {3, force}},    {"adrx4", {4, force}},    {"adrx5", {5, elements}},
-      {"adrx6", {6, races}},    {"adrx7", {7, traction}}, {"adrx8", {8, imperfections}},
-      {"adrx9", {9, heat_map}}};
+      {"adrx0", {0, material}},   {"adrx1", {1, motion}},   {"adrx2", {2, force}},
+      {"adrx3", {3, force}},      {"adrx4", {4, force}},    {"adrx5", {5, elements}},
+      {"adrx6", {6, races}},      {"adrx7", {7, traction}}, {"adrx8", {8, imperfections}},
+      {"adrx9", {9, step_output}}};
   bool any = false;
   for (const auto& [key, value] : json.items()) {
     if (key == "version") {

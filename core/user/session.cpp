@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace adore::user {
@@ -41,10 +42,12 @@ struct Session::Impl {
   std::optional<CrashGuard> guard;
   std::array<std::optional<Routine>, kHooks> routines;
   adore_bearing bearing{};
+  HeatSources::Geometry geometry;
+  std::vector<std::shared_ptr<const bearing::GivenRace>> out_of_round;  ///< ADRX5, by roller
   std::vector<std::string> documentation;
   std::string written, failure, refusal;
   std::array<bool, 2> surface_started{};  ///< ADRX5, ADRX6
-  bool refused = false;
+  bool refused = false, wants_channels = false;
   std::uint64_t step = 0;
 
   // ADRX7 by kind.
@@ -60,6 +63,7 @@ struct Session::Impl {
   adore_adrx1 motion{};
   scene::UserMotion::Promise promise;
   scene::SuppressedMotions suppressed;
+  std::array<bool, 3> balanced{};  ///< directions in which the load places the inner race
 
   /// What the solver sees.
   struct Laws final : scene::UserLaws, scene::UserMotion {
@@ -166,6 +170,7 @@ struct Session::Impl {
 };
 
 void Session::Impl::describe(const bearing::Bearing& from) {
+  geometry = HeatSources::geometry_of(from);
   bearing.elements = from.element_count();
   bearing.rollers = from.rollers() != nullptr ? 1 : 0;
   bearing.element_diameter = from.element_diameter();
@@ -195,6 +200,26 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
     out.angular_acceleration[j] = get(a.angular_acceleration + 3 * j);
   }
   out.frame = get(a.frame_acceleration);
+  out.frame_omega = get(a.frame_omega);
+  out.frame_turn = get(a.frame_angular_acceleration);
+  const Vec3 turn = out.frame_omega.cwiseAbs() + out.frame_turn.cwiseAbs();
+  const auto wrong = [&](std::string text) {
+    if (failure.empty())
+      failure = fmt::format("user routine ADRX1 of {}, at t = {:.9g} s: {}", plug_in.source, t,
+                            std::move(text));
+    return false;
+  };
+  if (good && !promise.moves_frame && !(out.frame.isZero(0.0) && turn.isZero(0.0)))
+    return wrong("it moves the base frame without moves_frame; set moves_frame = 1 in ADORE_START");
+  if (!good || !promise.drives[1] || !(balanced[0] || balanced[1] || balanced[2])) return good;
+  for (int k = 0; k < 3; ++k)
+    if (balanced[static_cast<std::size_t>(k)] && out.acceleration[1][k] != 0.0)
+      return wrong(
+          fmt::format("it accelerates the inner race along {} by {:.6g} m/s^2, where mode "
+                      "2 places it by its load; give a force, or set mode to 0 or 1",
+                      "xyz"[k], out.acceleration[1][k]));
+  if (out.angular_acceleration[1][1] != 0.0 || out.angular_acceleration[1][2] != 0.0)
+    return wrong("it tilts the inner race, whose tilt mode 2 holds; set mode to 0 or 1");
   return good;
 }
 
@@ -269,7 +294,15 @@ void Session::Impl::start_motion() {
   std::fill_n(motion.moment, 6, 0.0);
   std::fill_n(motion.acceleration, 6, 0.0);
   std::fill_n(motion.angular_acceleration, 6, 0.0);
-  std::fill_n(motion.frame_acceleration, 3, 0.0);
+  for (double* three :
+       {motion.frame_acceleration, motion.frame_omega, motion.frame_angular_acceleration})
+    std::fill_n(three, 3, 0.0);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (balanced[k] && promise.drives[1] && promise.start_velocity[1][static_cast<int>(k)] != 0.0)
+      throw InputError(fmt::format(
+          "user routine ADRX1 of {} gives the inner race a start velocity along {}, where mode 2 "
+          "places it by its load; leave start_velocity at 0 there, or set mode to 0 or 1",
+          plug_in.source, "xyz"[k]));
 }
 
 Session::Session(PlugIn plug_in, const std::vector<std::string>& lines,
@@ -398,12 +431,38 @@ void Session::surface(const bearing::Bearing& bearing, bearing::UserSurface& pla
   s.ask_or_refuse(hook, a, ADORE_COMPUTE);
 }
 
+void Session::keep_out_of_round(std::size_t k, bearing::GivenRace form) {
+  auto& all = impl_->out_of_round;
+  if (all.size() <= k) all.resize(k + 1);
+  all[k] = std::make_shared<const bearing::GivenRace>(std::move(form));
+}
+
 void Session::document(int hook, const std::string& line) {
   impl_->documentation.push_back(fmt::format("{}: {}", hook_name(hook), line));
 }
 
-void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction) {
+std::array<std::array<bool, 6>, 2> Session::loads(const std::vector<double>& times) {
+  std::array<std::array<bool, 6>, 2> out{};
+  std::array<scene::UserMotion::Race, 2> races;
+  for (std::size_t j = 0; j < 2; ++j) races[j].omega[0] = impl_->bearing.race_speed[j];
+  for (const double t : times) {
+    for (std::size_t j = 0; j < 2; ++j) races[j].angle = impl_->bearing.race_speed[j] * t;
+    scene::UserMotion::Actions actions;
+    if (!impl_->evaluate_motion(t, races, actions)) break;
+    for (std::size_t j = 0; j < 2; ++j)
+      for (std::size_t k = 0; k < 3; ++k) {
+        out[j][k] = out[j][k] || actions.force[j][static_cast<int>(k)] != 0.0;
+        out[j][3 + k] = out[j][3 + k] || actions.moment[j][static_cast<int>(k)] != 0.0;
+      }
+  }
+  impl_->refused = false;  // the run meets it at its own times
+  return out;
+}
+
+void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction,
+                    const std::array<bool, 3>& balanced) {
   Impl& s = *impl_;
+  s.balanced = balanced;
   s.describe(bearing);
   for (int k = 1; k < static_cast<int>(kHooks); ++k) {
     if (!s.active(k) || k == 5 || k == 6 || k == 8) continue;
@@ -414,7 +473,11 @@ void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& 
       for (std::size_t kind = 0; kind < traction.size(); ++kind)
         if (traction[kind]) s.start_traction(kind);
     } else {
-      Impl::with_arguments(k, [&](auto& a) { s.ask_or_refuse(k, a, ADORE_START); });
+      Impl::with_arguments(k, [&](auto& a) {
+        s.ask_or_refuse(k, a, ADORE_START);
+        if constexpr (std::is_same_v<std::decay_t<decltype(a)>, adore_adrx9>)
+          s.wants_channels = a.wants_channels != 0;
+      });
       s.document(k);
     }
   }
@@ -433,6 +496,9 @@ std::shared_ptr<scene::UserLaws> Session::laws(std::shared_ptr<Session> self) {
   for (std::size_t kind = 0; kind < s.traction.size(); ++kind)
     if (s.active(7) && s.has_traction[kind]) out->traction[kind] = &s.traction[kind].shown;
   if (s.active(1)) out->motion = out.get();
+  out->out_of_round = s.out_of_round;
+  if (!out->out_of_round.empty())
+    out->out_of_round.resize(static_cast<std::size_t>(s.bearing.elements));
   scene::UserForce** const places[] = {&out->flange, &out->pocket, &out->land};
   for (int k = 0; k < 3; ++k) {
     if (!s.active(2 + k)) continue;
@@ -478,13 +544,22 @@ void Session::step(long step, double time) {
   }
 }
 
-std::string Session::step(const scene::Snapshot& snapshot) {
+bool Session::wants_channels() const noexcept { return impl_->wants_channels; }
+
+std::string Session::step(const scene::Snapshot& snapshot, const Channels& channels) {
   Impl& s = *impl_;
   step(snapshot.step, snapshot.time);
   if (!s.active(9)) return s.host.block().write.take();
-  const HeatSources sources(snapshot, 0.5 * s.bearing.element_diameter);
+  const HeatSources sources(snapshot, s.geometry);
   adore_adrx9 a = sources.arguments();
   a.call.time = snapshot.time;
+  a.wants_channels = s.wants_channels ? 1 : 0;
+  a.channels = static_cast<std::int64_t>(channels.name.size());
+  a.channel_name = channels.name.data();
+  a.channel_size = channels.size.data();
+  a.channel_first = channels.first.data();
+  a.channel_values = static_cast<std::int64_t>(channels.value.size());
+  a.channel_value = channels.value.data();
   (void)s.ask(9, a, ADORE_STEP);
   if (!s.failure.empty()) throw SolverError(s.failure);
   if (s.host.block().write.lost)

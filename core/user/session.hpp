@@ -8,6 +8,7 @@
 #include "user/plug_in.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,12 +51,19 @@ class Session {
   /// ADRX5 of an element, ADRX6 of a race; mode ADORE_START comes before the first.
   /// @throws InputError
   void surface(const bearing::Bearing& bearing, bearing::UserSurface& places);
+  /// ADRX5: roller k is out of round; the laws show it to the solver.
+  void keep_out_of_round(std::size_t k, bearing::GivenRace form);
   /// A line behind those of the routine's own documentation.
   void document(int hook, const std::string& line);
 
   /// Mode ADORE_START of the routines of the motion. @param traction kinds that the deck asks for
+  /// @param balanced directions in which mode 2 places the inner race by its load
   /// @throws InputError
-  void start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction);
+  void start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction,
+             const std::array<bool, 3>& balanced = {});
+  /// Directions x, y, z and about them in which ADRX1 gives a load on the race at one of these
+  /// times, with both races at their free places.
+  [[nodiscard]] std::array<std::array<bool, 6>, 2> loads(const std::vector<double>& times);
   /// kDOF = 6.
   [[nodiscard]] const scene::SuppressedMotions& suppressed() const noexcept;
   /// Races whose accelerations ADRX1 gives.
@@ -69,8 +77,17 @@ class Session {
   [[nodiscard]] const std::vector<std::string>& documentation() const noexcept;
   /// Mode ADORE_PRINT of all. @throws SolverError
   [[nodiscard]] std::vector<std::string> print(long step, double time);
+  /// ADRX9 reads the channels of RESULTS.h5.
+  [[nodiscard]] bool wants_channels() const noexcept;
+  /// The channels of one step: names, values of each, all values one after the other (SI, rad).
+  struct Channels {
+    std::vector<const char*> name;
+    std::vector<std::int32_t> size;
+    std::vector<std::int64_t> first;
+    std::vector<double> value;
+  };
   /// Mode ADORE_STEP of all; what goes to SOL9. @throws SolverError
-  [[nodiscard]] std::string step(const scene::Snapshot& snapshot);
+  [[nodiscard]] std::string step(const scene::Snapshot& snapshot, const Channels& channels = {});
   /// Mode ADORE_STEP of routines that need no snapshot. @throws SolverError
   void step(long step, double time);
   /// Text for SOL9 of the documentation call.

@@ -34,6 +34,7 @@ module adore_user
     integer(c_int32_t) :: kink_count, unused
     real(c_double) :: position(3, 2), velocity(3, 2), omega(3, 2), angle(2)
     real(c_double) :: force(3, 2), moment(3, 2), acceleration(3, 2), angular_acceleration(3, 2), frame_acceleration(3)
+    real(c_double) :: frame_omega(3), frame_angular_acceleration(3)
   end type
   type, bind(c) :: adore_force
     type(adore_call) :: call
@@ -69,6 +70,11 @@ module adore_user
     type(c_ptr) :: x, r, theta, load, contact_angle
     integer(c_int64_t) :: sources
     type(c_ptr) :: source_kind, source_element, source_race, source_heat, source_place, source_size, source_name
+    integer(c_int32_t) :: wants_channels, unused
+    integer(c_int64_t) :: channels
+    type(c_ptr) :: channel_name, channel_size, channel_first
+    integer(c_int64_t) :: channel_values
+    type(c_ptr) :: channel_value
   end type
 
   abstract interface

@@ -1,14 +1,12 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/free_body.hpp"
 #include "dynamics/effects/races.hpp"
-#include "dynamics/element_masses.hpp"
+#include "dynamics/effects/user_motion.hpp"
 #include "dynamics/excitations.hpp"
 #include "scene/ledger_terms.hpp"
-#include "scene/user_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 /// Races that move under what acts on them and under their loads: Newton and Euler about the mass
@@ -20,11 +18,9 @@
 /// axis are held turns about the axis that it has at the start. The contact kernel sees ω as spin
 /// about the race's axis and the rest across it. Limit: the groove stays one of revolution about
 /// the race's axis.
-/// Routine ADRX1 of the user may accelerate the base frame by A(t), without turning it: each body
-/// feels -m A at its mass centre, whose power is booked as work; races that are prescribed move as
-/// prescribed, relative to the frame.
-/// Routine ADRX1 of the user adds to loads, and gives the accelerations of the held directions of
-/// races that it drives, in the place of those laws; it is asked once an evaluation.
+/// Routine ADRX1 of the user (user_motion.hpp) adds to loads, and gives the accelerations of the
+/// held directions of races that it drives, in the place of those laws. Its load along held
+/// directions is carried by what holds the race.
 namespace adore::dynamics {
 namespace {
 
@@ -34,16 +30,7 @@ constexpr LedgerTerm kWork{
     "work of the loads on free races",
     {"work of the loads on the outer race", "work of the loads on the inner race"},
     "of applied and holding forces since the start"};
-constexpr LedgerTerm kFrameWork{LedgerKind::Work,
-                                "frame_work",
-                                "work of the base frame that user routine ADRX1 accelerates",
-                                {"work of the accelerated base frame"},
-                                "of -m A on every body since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kWork, &kFrameWork};
-constexpr LedgerTerm kFrameImpulse{
-    LedgerKind::Work, "", "", {"impulse of the accelerated base frame"}, ""};
-constexpr LedgerTerm kFrameAngularImpulse{
-    LedgerKind::Work, "", "", {"angular impulse of the accelerated base frame"}, ""};
+constexpr const LedgerTerm* kTerms[] = {&kWork};
 constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the loads on free races"}, ""};
 constexpr LedgerTerm kAngularImpulse{
     LedgerKind::Work, "", "", {"angular impulse of the loads on free races"}, ""};
@@ -100,52 +87,6 @@ class RaceLoad final : public EffectBlock {
   Loaded& loaded_;
 };
 
-/// The base frame that ADRX1 accelerates.
-struct AcceleratedFrame {
-  Vec3 acceleration = Vec3::Zero();  ///< A, now [m/s²]
-  ElementMasses masses;
-  // Now, of -m A on all bodies: power [W], about the base origin [N, N m].
-  double power = 0.0;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  int impulse = -1, angular_impulse = -1;  ///< in the state
-};
-
-class FrameForces final : public EffectBlock {
- public:
-  explicit FrameForces(AcceleratedFrame& frame) : frame_(frame) {}
-  void apply(Evaluation& e) noexcept override {
-    frame_.power = 0.0;
-    frame_.force.setZero();
-    frame_.moment.setZero();
-    const auto book = [this](const Vec3& force, const Vec3& centre, const Vec3& velocity) {
-      frame_.power += force.dot(velocity);
-      frame_.force += force;
-      frame_.moment += centre.cross(force);
-    };
-    for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const ElementMass& body = frame_.masses[i];
-      const Vec3 force = -body.mass * frame_.acceleration;
-      Vec3 centre = e.element_centre(i), velocity = e.element_velocity(i);
-      e.add_force(i, e.to_cylindrical(i, force));
-      if (body.off_centre) {
-        const Vec3 arm = e.attitude[i] * body.arm;
-        e.add_moment(i, e.to_cylindrical(i, Vec3(arm.cross(force))));
-        centre += arm;
-        velocity += e.element_omega(i).cross(arm);
-      }
-      book(force, centre, velocity);
-    }
-    e.for_integrated([&](BodyState& body) {
-      const Vec3 force = -body.mass * frame_.acceleration, centre = body.centre_of_mass();
-      body.add_force(force, centre);
-      book(force, centre, body.velocity_at(centre));
-    });
-  }
-
- private:
-  AcceleratedFrame& frame_;
-};
-
 class HeldDirections final : public EffectBlock {
  public:
   explicit HeldDirections(Loaded& loaded) : loaded_(loaded) {}
@@ -176,36 +117,25 @@ class LoadAccount final : public EffectBlock {
   RaceAccount& account_;
 };
 
-/// Asks ADRX1 once all races have their motion, before loads act.
-class AskUser final : public EffectBlock {
+/// Takes what ADRX1 says of races that are integrated.
+class TakeUser final : public EffectBlock {
  public:
-  AskUser(scene::UserMotion& routine, std::vector<Loaded>& loaded, Vec3& frame,
-          const std::array<Vec3, 2>& free_centre)
-      : routine_(routine), loaded_(loaded), frame_(frame), free_centre_(free_centre) {}
+  TakeUser(const UserMotion& user, std::vector<Loaded>& loaded) : user_(user), loaded_(loaded) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
-  void apply(Evaluation& e) noexcept override {
-    std::array<scene::UserMotion::Race, 2> races;
-    for (std::size_t j = 0; j < 2; ++j)
-      races[j] = {e.race[j].position - free_centre_[j], e.race[j].velocity, e.race[j].omega,
-                  e.race[j].angle};
-    scene::UserMotion::Actions actions;
-    e.valid = routine_.evaluate(e.t, races, actions) && e.valid;
-    frame_ = actions.frame;
-    const scene::UserMotion::Promise& promise = routine_.promise();
+  void apply(Evaluation&) noexcept override {
+    const scene::UserMotion::Actions& actions = user_.actions();
     for (Loaded& one : loaded_) {
       const auto j = static_cast<std::size_t>(one.race);
-      one.user_force = actions.force[j].cwiseProduct(one.free_along);
-      one.user_moment = actions.moment[j].cwiseProduct(one.free_about);
-      if (promise.drives[j])
+      one.user_force = actions.force[j];
+      one.user_moment = actions.moment[j];
+      if (user_.promise().drives[j])
         one.body.prescribe(actions.acceleration[j], actions.angular_acceleration[j]);
     }
   }
 
  private:
-  scene::UserMotion& routine_;
+  const UserMotion& user_;
   std::vector<Loaded>& loaded_;
-  Vec3& frame_;
-  std::array<Vec3, 2> free_centre_;
 };
 
 /// Held directions take the difference of what was and what is prescribed there.
@@ -241,25 +171,12 @@ void shift_held(const Loaded& one, const RaceBody& start, const PrescribedRace& 
 class FreeRaces final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    routine_ = scene.options.user ? scene.options.user->motion : nullptr;
+    user_ = scene.find<UserMotion>();
     Races& races = *scene.find<Races>();
     const auto& free = scene.plan.race_motions.free;
     loaded_.reserve(free.size());  // blocks and border know them by address
-    if (routine_ != nullptr)
-      scene.block<AskUser>(Phase::Force, "user routine ADRX1", {}, *routine_, loaded_,
-                           frame_.acceleration, races.free_centres());
-    if (routine_ != nullptr && routine_->promise().moves_frame) {
-      frame_.masses = ElementMasses(scene.bearing);
-      scene.block<FrameForces>(Phase::Force, "user routine ADRX1", {}, frame_);
-      scene.energy("frame.work", kFrameWork, &frame_.power);
-      if (scene.plan.has(Effect::MomentumLedger)) {
-        using Momentum = SceneBuilder::Momentum;
-        scene.momentum(frame_.impulse, "frame.impulse", Momentum::Linear, kFrameImpulse,
-                       frame_.force.data());
-        scene.momentum(frame_.angular_impulse, "frame.angular_impulse", Momentum::Angular,
-                       kFrameAngularImpulse, frame_.moment.data());
-      }
-    }
+    if (user_ != nullptr)
+      scene.block<TakeUser>(Phase::Force, "user routine ADRX1", {}, *user_, loaded_);
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (!free[j]) continue;
       Loaded& one = loaded_.emplace_back();
@@ -284,11 +201,11 @@ class FreeRaces final : public SceneEffect {
         one.free_along[k] = translation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
         one.free_about[k] = rotation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
       }
-      const bool driven = routine_ != nullptr && routine_->promise().drives[j];
+      const bool driven = user_ != nullptr && user_->promise().drives[j];
       if (driven) {
         one.body.constrain({translation, rotation}, start.to_base);
-        start.velocity += routine_->promise().start_velocity[j];
-        start.speed += routine_->promise().start_spin[j];
+        start.velocity += user_->promise().start_velocity[j];
+        start.speed += user_->promise().start_spin[j];
         start.settle();
       } else if (held(translation) || held(rotation)) {
         one.body.constrain({translation, rotation}, start.to_base);
@@ -329,7 +246,7 @@ class FreeRaces final : public SceneEffect {
              std::span<double> y) override {
     for (Loaded& one : loaded_) {
       const auto j = static_cast<std::size_t>(one.race);
-      if (routine_ == nullptr || !routine_->promise().drives[j])
+      if (user_ == nullptr || !user_->promise().drives[j])
         shift_held(one, start_[static_cast<std::size_t>(&one - loaded_.data())], before[j], now[j],
                    y);
     }
@@ -350,36 +267,26 @@ class FreeRaces final : public SceneEffect {
       const Vec3 displacement = race.position;  // from its free position, not from the base origin
       one.body.report(e, race);
       race.position = displacement;
-      race.applied_force = one.force + one.user_force + one.body.holding_force();
-      race.applied_moment = one.moment + one.user_moment + one.body.holding_moment();
+      race.applied_force =
+          one.force + one.user_force.cwiseProduct(one.free_along) + one.body.holding_force();
+      race.applied_moment =
+          one.moment + one.user_moment.cwiseProduct(one.free_about) + one.body.holding_moment();
       // The sum on the race has its load in it, too; its own weight stays out of what is carried.
       race.carried_force = one.force + one.user_force - one.body.state(e).force;
     }
   }
 
-  /// What ADRX1 says of its laws.
-  [[nodiscard]] double longest_step(double t) const override {
-    double longest = std::numeric_limits<double>::infinity();
-    if (routine_ == nullptr) return longest;
-    const scene::UserMotion::Promise& promise = routine_->promise();
-    if (promise.longest_step > 0.0) longest = promise.longest_step;
-    for (const double kink : promise.kinks)
-      if (kink > t) longest = std::min(longest, kink - t);
-    return longest;
-  }
-
  private:
-  scene::UserMotion* routine_ = nullptr;  ///< ADRX1; null: none
+  const UserMotion* user_ = nullptr;  ///< ADRX1; null: none
   std::vector<Loaded> loaded_;
   std::vector<RaceBody> start_;
-  AcceleratedFrame frame_;
 };
 
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_free_races(const ScenePlan& plan) {
   const auto& free = plan.race_motions.free;
-  if (!free[0] && !free[1] && !plan.user_frame) return nullptr;
+  if (!free[0] && !free[1]) return nullptr;
   return std::make_unique<FreeRaces>();
 }
 std::span<const LedgerTerm* const> free_race_terms() { return kTerms; }

@@ -9,10 +9,13 @@
 #include "dynamics/held_rollers.hpp"
 #include "dynamics/roller_start.hpp"
 #include "dynamics/state_access.hpp"
+#include "scene/user_laws.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <vector>
 
 /// Effects "light-load balance" (qFac) and "element balance" (modes 1 and 2, all): which
@@ -115,7 +118,9 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
     axial_ = axial_ && scene.bearing.type == bearing::Type::Tapered;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
-        scene.bearing.imperfections, masses_);
+        scene.bearing.imperfections, masses_,
+        scene.options.user ? std::span(scene.options.user->out_of_round)
+                           : std::span<const std::shared_ptr<const bearing::GivenRace>>());
   } else {
     contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(), masses_,
                                            static_cast<std::size_t>(scene.bearing.element_count()));

@@ -2,6 +2,7 @@
 
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/races.hpp"
+#include "dynamics/effects/user_motion.hpp"
 #include "dynamics/state_access.hpp"
 
 namespace adore::dynamics {
@@ -37,6 +38,23 @@ class RaceBalance::Motion final : public EffectBlock {
   const BalancedRace& race_;
 };
 
+/// The load of ADRX1 is part of the balance.
+class RaceBalance::UserLoad final : public EffectBlock {
+ public:
+  UserLoad(const UserMotion& user, BalancedRace& race) : user_(user), race_(race) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
+  void apply(Evaluation&) noexcept override {
+    Vec3 load = user_.actions().force[1], rate = user_.load_rate();
+    for (int k = 0; k < 3; ++k)
+      if (!race_.free()[static_cast<std::size_t>(k)]) load[k] = rate[k] = 0.0;
+    race_.add_load(load, rate);
+  }
+
+ private:
+  const UserMotion& user_;
+  BalancedRace& race_;
+};
+
 void RaceBalance::declare(SceneBuilder& scene) {
   const bearing::StaticConstraints& given = scene.bearing.constraints;
   Vec3 load = Vec3::Zero();
@@ -52,6 +70,8 @@ void RaceBalance::declare(SceneBuilder& scene) {
   centre_ = scene.state("inner race.centre", "m", 3, ScaleKind::Length, kBorder);
   scene.border_body({BodyId::Kind::Race, 1}, *this, centre_);
   scene.block<Place>(Phase::Races, kMotionCost, {}, centre_, *race_);
+  if (const UserMotion* user = scene.find<UserMotion>())
+    scene.block<UserLoad>(Phase::Kinematics, kMotionCost, {}, *user, *race_);
   scene.block<Motion>(Phase::Motion, kMotionCost, {}, centre_, *race_);
 }
 

@@ -7,9 +7,10 @@
 
 /// Mode 2: the inner race stands in force balance along the directions whose load is given
 /// (balanced_race.hpp), whose turning share (9.3A) turns as a load; the others follow their laws of
-/// the time (9.3B). Its centre is state, in the border of the arrow; its speed and tilt stay
-/// prescribed. What it does to the elements is the work of the inner race in the ledger: the load's
-/// work, less what goes with its way to balance. Who forms its velocity: held_elements.hpp.
+/// the time (9.3B). A load of routine ADRX1 of the user is added to it (user_motion.hpp). Its
+/// centre is state, in the border of the arrow; its speed and tilt stay prescribed. What it does to
+/// the elements is the work of the inner race in the ledger: the load's work, less what goes with
+/// its way to balance. Who forms its velocity: held_elements.hpp.
 namespace adore::dynamics {
 
 class RaceBalance final : public SceneEffect, public BorderBody {
@@ -25,6 +26,7 @@ class RaceBalance final : public SceneEffect, public BorderBody {
  private:
   class Place;
   class Motion;
+  class UserLoad;
 
   std::optional<BalancedRace> race_;
   Vec3 start_ = Vec3::Zero();  ///< static centre [m]

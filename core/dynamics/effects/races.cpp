@@ -6,6 +6,7 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
+#include "dynamics/effects/user_motion.hpp"
 #include "dynamics/hertz_limit.hpp"
 #include "dynamics/rigid_body.hpp"
 #include "dynamics/user_points.hpp"
@@ -330,7 +331,8 @@ void Races::declare(SceneBuilder& scene) {
   const bool work = traction || plan.has(Effect::RollingResistance) || has_uneven_lands(scene) ||
                     !errors[0].ideal() || !errors[1].ideal() || plan.has(Effect::LandTraction) ||
                     plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
-                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
+                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) ||
+                    has_user_motion(plan) || scene.races_move();
   if (in_contact_) declare_contacts(scene);
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace adore::dynamics {
 namespace {
@@ -109,6 +111,14 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
       of.wavy = contact::make_wavy_race(errors, model.race[j],
                                         model.rollers.race_radius(static_cast<int>(j)),
                                         model.rollers.crown_radius);
+    if (scene.options.user)
+      for (const auto& lobe : scene.options.user->out_of_round) {
+        of.lobes.emplace_back();
+        if (lobe)
+          of.lobes.back() =
+              lobe_race(*lobe, j, model.race[j], model.rollers.race_radius(static_cast<int>(j)),
+                        model.rollers.crown_radius);
+      }
     of.mass_offset = scene.bearing.roller_mass_offset;
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
@@ -132,6 +142,29 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
   return out;
 }
 
+contact::WavyRace lobe_race(const bearing::GivenRace& lobe, std::size_t j,
+                            const contact::RaceSurface& race, double race_radius,
+                            double crown_radius) {
+  const double sign =
+      j == 0 ? -1.0 : 1.0;  // a larger roller is a smaller outer, a larger inner race
+  auto as_race = std::make_shared<bearing::GivenRace>(lobe);
+  for (bearing::TurnSeries* series : {&as_race->radius, &as_race->taper}) {
+    for (double& one : series->pairs) one *= sign;
+    if (j == 0) series->least = -std::exchange(series->largest, -series->least);
+  }
+  bearing::RaceErrors errors;
+  errors.given = std::move(as_race);
+  return contact::make_wavy_race(errors, race, race_radius, crown_radius);
+}
+
+contact::AzimuthDirection<double> azimuth_in_roller(const Mat3& axes, const Vec3& up,
+                                                    std::size_t j) noexcept {
+  const double sign = j == 0 ? 1.0 : -1.0;
+  const double y = sign * up.dot(axes.col(1)), z = sign * up.dot(axes.col(2));
+  const double p = std::max(std::hypot(y, z), 1e-300);
+  return {z / p, -y / p};
+}
+
 double line_stiffness(const RollerRaceModel& model, double load) noexcept {
   const contact::RollerRaceSlices& slices = model.slices.front();
   double length = 0.0;
@@ -147,8 +180,12 @@ RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
       turns_(rollers) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
-  if (!model.wavy) return;
-  slopes_.resize(rollers);
+  if (!model.lobes.empty()) {
+    own_slopes_.resize(rollers);
+    axes_.resize(rollers, Vec3::UnitX());
+  }
+  if (model.wavy) slopes_.resize(rollers);
+  if (slopes_.empty() && own_slopes_.empty()) return;
   while (views_.size() < rollers) views_.push_back(views_.front());  // each with a race of its own
 }
 
@@ -158,6 +195,24 @@ void RollersOnRace::form_race(const RaceBody& race) noexcept {
     const auto here = model_.wavy->at(contact::azimuth_in_turned(turns_[i], cosine, sine));
     views_[i].race = here.surface;
     slopes_[i] = here.slope;
+  }
+}
+
+void RollersOnRace::form_lobes(const Evaluation& e) noexcept {
+  const auto j = static_cast<std::size_t>(model_.race);
+  for (std::size_t i = 0; i < own_slopes_.size(); ++i) {
+    if (!model_.wavy) views_[i].race = model_.of(i).race;
+    if (!model_.lobes[i]) continue;
+    const contact::Triple<double> of_race = turns_[i].back({0.0, 0.0, 1.0});
+    const Vec3 up = pose_.direction_back({of_race.x, of_race.y, of_race.z});
+    contact::WavyRace lobe = *model_.lobes[i];
+    lobe.ideal = views_[i].race;
+    const auto here = lobe.at(azimuth_in_roller(e.attitude[i], up, j));
+    views_[i].race = here.surface;
+    own_slopes_[i] = here.slope;
+    const Vec3 axis = pose_.direction(e.attitude[i].col(0));
+    const contact::Triple<double> a = turns_[i].into({axis[0], axis[1], axis[2]});
+    axes_[i] = {a.x, a.y, a.z};
   }
 }
 
@@ -174,6 +229,7 @@ void RollersOnRace::place(const Evaluation& e) noexcept {
     turns_[i] = in.turn;
   }
   if (!slopes_.empty()) form_race(race);
+  if (!own_slopes_.empty()) form_lobes(e);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     contact::RollerPose& at = poses_[i];
     at.open = contact::surely_open(views_[views_.size() == 1 ? 0 : i], at.x, at.r, at.axes.a);
@@ -214,6 +270,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& ro
       kernel_(kernel_of(chosen_instruction_set())),
       rollers_(rollers),
       actions_(rollers.count()),
+      of_lobes_(rollers.own_slopes() != nullptr ? rollers.count() : 0),
       rolled_(rolls ? rollers.count() : 0) {
   std::size_t slices = 0;
   for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
@@ -226,6 +283,20 @@ void RollerRaceBlock::lean() noexcept {
     actions_[i].force[1] += actions_[i].turning / rollers_.poses()[i].r;
 }
 
+void RollerRaceBlock::turn_lobes() noexcept {
+  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
+           rollers_.own_slopes(), of_lobes_.data(), false, model_.law.index(), model_.law.address(),
+           model_.law.slip_floor(), nullptr, nullptr, nullptr});
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    if (!model_.lobes[i] || !(actions_[i].energy > 0.0)) continue;
+    const Vec3& a = rollers_.axes()[i];
+    const double turning = of_lobes_[i].turning / (a[0] * a[0] + a[1] * a[1]);
+    actions_[i].force[1] += turning * a[0] / rollers_.poses()[i].r;
+    actions_[i].moment[0] += turning * a[0];
+    actions_[i].moment[1] += turning * a[1];
+  }
+}
+
 void RollerRaceBlock::apply(Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   rollers_.place(e);
@@ -234,6 +305,7 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
            model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr,
            rolled_.empty() ? nullptr : &model_.rolling, rolled_.data()});
   if (rollers_.slopes() != nullptr) lean();
+  if (rollers_.own_slopes() != nullptr) turn_lobes();
   sums_.heat = sums_.load_slip = sums_.rolling = sums_.damping = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];

@@ -23,16 +23,25 @@
 /// of C in the race, which turns: U = Σ 9/19 Q δ depends on ψ too, and -∂U/∂ψ/r acts on the roller
 /// at C along growing ψ, the opposite on the race. Its power is that of -dU/dt, so that the work of
 /// the drive balances. Left out is the curvature of a wave under one roller.
-/// Limit: a roller presses by less than its radius; whole numbers of waves per turn.
+/// A roller that is out of round by h(s, ψ) = c + s t (routine ADRX5) meets a race that is nearer
+/// by h: ψ is the azimuth in the roller's frame, about its axis a from its z axis, of the direction
+/// d from C to the race (d = e_r outer, -e_r inner), so that the contact follows the turn of the
+/// roller. With p² = a_x² + a_y² in the meridian frame (x, y, e_r), the gradient of U over position
+/// and attitude acts besides [derived]:
+///   on the roller  F_y = U_ψ a_x/(p² r),  M_C = U_ψ (a_x, a_y, 0)/p²,   U_ψ = -Σ Q_k ∂h_k/∂ψ,
+/// the opposite on the race, whose sum about its axis is zero: a smooth race of revolution feels no
+/// torque of a cam. Left out: the curvature of the lobes under the contact, h in pockets and at
+/// flanges. Limit: a roller presses by less than its radius; whole numbers of waves per turn.
 namespace adore::dynamics {
 
 /// Constants of the contacts of all rollers with one race.
 struct RollerRaceModel {
   bearing::Race race = bearing::kOuter;
-  std::vector<contact::RollerRaceSlices> slices;  ///< one for all, or one by roller
-  std::optional<contact::WavyRace> wavy;          ///< errors of the race
-  double mass_offset = 0.0;                       ///< s_G [m]
-  double load_limit = 0.0;                        ///< [N]
+  std::vector<contact::RollerRaceSlices> slices;        ///< one for all, or one by roller
+  std::optional<contact::WavyRace> wavy;                ///< errors of the race
+  std::vector<std::optional<contact::WavyRace>> lobes;  ///< by roller, out of round; empty: none
+  double mass_offset = 0.0;                             ///< s_G [m]
+  double load_limit = 0.0;                              ///< [N]
   bool traction = true;
   tribology::TractionLaw law;
   std::string stated;                    ///< SceneEffect::stated of its films
@@ -76,9 +85,16 @@ class RollersOnRace {
   [[nodiscard]] const contact::RaceSlope* slopes() const noexcept {
     return slopes_.empty() ? nullptr : slopes_.data();
   }
+  /// By roller where rollers are out of round, else null.
+  [[nodiscard]] const contact::RaceSlope* own_slopes() const noexcept {
+    return own_slopes_.empty() ? nullptr : own_slopes_.data();
+  }
+  /// Axis of each roller in its meridian frame, where rollers are out of round.
+  [[nodiscard]] const std::vector<Vec3>& axes() const noexcept { return axes_; }
 
  private:
   void form_race(const RaceBody& race) noexcept;
+  void form_lobes(const Evaluation& e) noexcept;
 
   const RollerRaceModel& model_;
   bool reads_spin_;  ///< a film does, and a routine of the user may
@@ -86,8 +102,18 @@ class RollersOnRace {
   std::vector<contact::RaceSlices> views_;
   std::vector<contact::RollerPose> poses_;
   std::vector<contact::MeridianTurn> turns_;
-  std::vector<contact::RaceSlope> slopes_;
+  std::vector<contact::RaceSlope> slopes_, own_slopes_;
+  std::vector<Vec3> axes_;
 };
+
+/// The lobe of one roller as an error of race j, by the roller's azimuth.
+[[nodiscard]] contact::WavyRace lobe_race(const bearing::GivenRace& lobe, std::size_t j,
+                                          const contact::RaceSurface& race, double race_radius,
+                                          double crown_radius);
+/// Azimuth in the roller's frame of the direction to race j. @param axes its body axes and `up` the
+/// unit vector from the race axis to it, both in one frame
+[[nodiscard]] contact::AzimuthDirection<double> azimuth_in_roller(const Mat3& axes, const Vec3& up,
+                                                                  std::size_t j) noexcept;
 
 /// Everything a report wants of the contacts with one race, of the state evaluated last
 /// (roller_race_report.cpp). Contact angle of the resultant as for balls (race_contacts.hpp);
@@ -106,6 +132,8 @@ class RollerRaceBlock final : public EffectBlock {
 
  private:
   void lean() noexcept;
+  /// What lobes of rollers add to the actions.
+  void turn_lobes() noexcept;
 
   const RollerRaceModel& model_;
   bool load_slip_;
@@ -113,7 +141,7 @@ class RollerRaceBlock final : public EffectBlock {
   RaceAccount& sums_;
   RollerKernel kernel_;
   RollersOnRace& rollers_;
-  std::vector<RollerKernelAction> actions_;
+  std::vector<RollerKernelAction> actions_, of_lobes_;
   std::vector<RollerRaceAddition> rolled_;  ///< with rolling resistance
   std::optional<SliceScratch> user_;        ///< of a law of the user
 };

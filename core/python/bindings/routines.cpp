@@ -116,6 +116,8 @@ void motion(const py::object& function, adore_adrx1& a, py::dict& given) {
   take(answer, "acceleration", a.acceleration, 6);
   take(answer, "angular_acceleration", a.angular_acceleration, 6);
   take(answer, "frame_acceleration", a.frame_acceleration, 3);
+  take(answer, "frame_omega", a.frame_omega, 3);
+  take(answer, "frame_angular_acceleration", a.frame_angular_acceleration, 3);
 }
 
 void force(const py::object& function, adore_force& a, py::dict& given) {
@@ -227,6 +229,13 @@ void results(const py::object& function, adore_adrx9& a, py::dict& given) {
     py::list names;
     for (py::ssize_t k = 0; k < sources; ++k) names.append(py::str(a.source_name[k]));
     given["source_name"] = names;
+    py::dict channels;
+    for (std::int64_t k = 0; k < a.channels; ++k)
+      channels[a.channel_name[k]] = copied(a.channel_value + a.channel_first[k],
+                                           {static_cast<py::ssize_t>(a.channel_size[k])});
+    given["channels"] = channels;
+  } else {
+    a.wants_channels = 1;
   }
   const py::object text = ask(function, given);
   if (!text.is_none()) a.call.services->write(a.call.host, text.cast<std::string>().c_str());

@@ -440,17 +440,12 @@ TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[
   CHECK_THAT(says(2, "ball", {}), Catch::Contains("ADRX2") && Catch::Contains("no flanges"));
   CHECK_THAT(says(3, "ball", {{"mode", "-1"}}), Catch::Contains("ADRX3 of the test is active and "
                                                                 "does nothing here"));
-  CHECK_THROWS_WITH(says(2, "tapered", {{"mode", "1"}}),
-                    Catch::Contains("ADRX2") && Catch::Contains("balance"));
   CHECK_THROWS_WITH(
       says(4, "ball", {{"kCageGsImp", "2"}, {"nGL", "1"}, {"cageGsRadVar1[1]", "1e-6"}}),
       Catch::Contains("ADRX4") && Catch::Contains("arc") && Catch::Contains("kCageGsImp = 2"));
   CHECK_THROWS_WITH(says(4, "ball", {{"kRaceGsImp", "1"}, {"raceGsRadVar1[1]", "1e-6"}}),
                     Catch::Contains("kRaceGsImp = 1") && Catch::Contains("arc"));
-  CHECK_THROWS_WITH(says(2, "tapered", {{"qFac", "0.5"}}),
-                    Catch::Contains("ADRX2") && Catch::Contains("set qFac to 0"));
-  const std::pair<const char*, const char*> holds[] = {
-      {"mode", "1"}, {"mode", "2"}, {"kVarLoad", "1"}, {"kVarSpeed", "1"}};
+  const std::pair<const char*, const char*> holds[] = {{"kVarLoad", "1"}, {"kVarSpeed", "1"}};
   for (const auto& [variable, code] : holds) {
     facade::DeckRequest request;
     request.text = deck_of("ball", {{variable, code}}, "");
