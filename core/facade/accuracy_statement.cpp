@@ -59,9 +59,17 @@ class Statement {
   }
 
  private:
-  using Scatters = std::vector<results::PairedScatter>;
+  struct Scatter {
+    results::PairedScatter paired;
+    double own;  ///< half-width from the batches of the run alone [SI], NaN: not computed
+  };
+  using Scatters = std::vector<Scatter>;
 
   [[nodiscard]] double of(std::string_view id) const { return value_of(run_.summary, id); }
+
+  static Scatter scatter(const results::RatioSeries& here, const results::RatioSeries& beside) {
+    return {results::paired_scatter(here, beside), results::ratio_half_width(here.a, here.s)};
+  }
 
   /// @param scatters of the components; empty: the quantity has no batches
   void judge(StatedQuantity& q, const Values& v, const Scatters& scatters) const {
@@ -69,16 +77,19 @@ class Statement {
     const double changed = twin_ != nullptr ? distance(v.run, v.twin) / q.scale : 0.0;
     const double off = distance(v.run, v.tighter) / q.scale;
     q.statistical = (scatters.empty() && changed > kRegular ? kFew : kTwin) * changed;
-    double squares = 0.0, largest = 0.0;
-    for (const results::PairedScatter& one : scatters) {
-      if (!std::isfinite(one.half_width)) continue;
-      squares += one.half_width * one.half_width;
-      if (!(one.half_width > largest)) continue;
-      largest = one.half_width;
-      q.fall = one.fall;
-      q.late = one.late;
+    double squares = 0.0, own = 0.0, largest = 0.0, late = 1.0;
+    for (const auto& [paired, alone] : scatters) {
+      if (!std::isfinite(paired.half_width)) continue;
+      squares += paired.half_width * paired.half_width;
+      if (std::isfinite(alone)) own += 2.0 * alone * alone;
+      if (!(paired.half_width > largest)) continue;
+      largest = paired.half_width;
+      q.fall = paired.fall;
+      late = paired.late;
     }
     q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
+    q.parted = std::sqrt(late) * q.statistical;
+    if (late > kParting) q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
     q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
     q.numerical = std::max(kNumerical * beyond, kFloor);
@@ -98,8 +109,7 @@ class Statement {
     q.unit = unit == nullptr || std::string_view(unit->si) == "-" ? "" : unit->si;
     q.scale = std::max(std::abs(here), std::isfinite(least) ? least : 0.0);
     Scatters scatters;
-    if (series != nullptr)
-      scatters.push_back(results::paired_scatter(run_.means.*series, means_.*series));
+    if (series != nullptr) scatters.push_back(scatter(run_.means.*series, means_.*series));
     judge(q, {{here, 0, 0}, {there, 0, 0}, {beside, 0, 0}}, scatters);
     out_.push_back(std::move(q));
     return true;
@@ -115,7 +125,7 @@ class Statement {
       v.twin[k] = twin_ != nullptr ? value_of(twin_->summary, ids[k]) : v.run[k];
       if (!std::isfinite(v.run[k]) || !std::isfinite(v.tighter[k]) || !std::isfinite(v.twin[k]))
         return;
-      scatters.push_back(results::paired_scatter(run_.means.load[k], means_.load[k]));
+      scatters.push_back(scatter(run_.means.load[k], means_.load[k]));
     }
     StatedQuantity q;
     q.id = "mean_load";
@@ -157,8 +167,7 @@ double AccuracyStatement::needed_turns(double asked) const {
   double longest = 0.0;
   for (const StatedQuantity& q : quantities)
     if (q.mean && q.statistical > asked)
-      longest =
-          std::max(longest, std::pow(std::sqrt(q.late) * q.statistical / asked, 1.0 / q.fall));
+      longest = std::max(longest, std::pow(q.parted / asked, 1.0 / q.fall));
   return longest > 0.0 && turns > 0.0 ? rounded_up(kSpare * turns * longest) : 0.0;
 }
 
