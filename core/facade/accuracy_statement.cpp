@@ -89,7 +89,8 @@ class Statement {
     }
     q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
     q.parted = std::sqrt(late) * q.statistical;
-    if (late > kParting) q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
+    q.parting = late > kParting;
+    if (q.parting) q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
     q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
     q.numerical = std::max(kNumerical * beyond, kFloor);
@@ -171,6 +172,12 @@ double AccuracyStatement::needed_turns(double asked) const {
   return longest > 0.0 && turns > 0.0 ? rounded_up(kSpare * turns * longest) : 0.0;
 }
 
+bool AccuracyStatement::needs_more(double asked) const {
+  return std::any_of(quantities.begin(), quantities.end(), [&](const StatedQuantity& q) {
+    return q.mean && q.parting && q.statistical > asked;
+  });
+}
+
 bool AccuracyStatement::keeps() const {
   return !quantities.empty() &&
          std::all_of(quantities.begin(), quantities.end(),
@@ -236,12 +243,17 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (worst.empty())
     return out + fmt::format("  All intervals are within {}.\n", percent(statement.target));
   out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
-  if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
-    out += fmt::format(
-        "  The means need about {} for {} (this run: {:.4g}; within a factor of {:g}). Run that "
-        "long, or let `adore run --accuracy ... --extend` do it.\n",
-        counted(fmt::format("{:.3g}", turns), "revolution"), percent(statement.target),
-        statement.turns, kNeededFactor);
+  const double turns = statement.needed_turns(statement.target);
+  if (!(turns > 0.0)) return out;
+  const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
+  out += fmt::format(
+      "  The means need {} for {} (this run: {:.4g}; {}). Run that long, or let "
+      "`adore run --accuracy ... --extend` do it.\n",
+      (statement.needs_more(statement.target) ? "at least " : "about ") + needed,
+      percent(statement.target), statement.turns,
+      statement.needs_more(statement.target)
+          ? "the two runs still part"
+          : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }
 
@@ -271,8 +283,13 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
                                  {"irregular", q.irregular}});
   if (statement.target > 0.0) {
     out["keeps_target"] = statement.keeps();
-    if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
-      out["needs_revolutions"] = turns, out["needs_revolutions_factor"] = kNeededFactor;
+    if (const double turns = statement.needed_turns(statement.target); turns > 0.0) {
+      out["needs_revolutions"] = turns;
+      if (statement.needs_more(statement.target))
+        out["needs_revolutions_at_least"] = true;
+      else
+        out["needs_revolutions_factor"] = kNeededFactor;
+    }
   }
   return out;
 }

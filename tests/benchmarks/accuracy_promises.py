@@ -158,7 +158,7 @@ def page(kept: dict) -> str:
         "tolerance 1e-8, steps at most a quarter of the time scale, twice the nodes or slices. The least numerical part "
         "(0.01 %) was set after a first campaign over the same decks, so that coverage is calibrated, not predicted.\n\n"
         f"Span: {kept['turns']:g} revolutions, {kept['slow']:g} of rollers and of the 6205. Decks done: "
-        f"{sum('targets' in deck for deck in kept['decks'].values())}.\n"
+        f"{sum('targets' in deck for deck in kept['decks'].values())} of {kept.get('planned', '?')}.\n"
     )
     for target in TARGETS:
         key = f"{target:g}"
@@ -260,6 +260,7 @@ def main() -> int:
 
     with tempfile.TemporaryDirectory() as folder:
         going = True
+        kept["planned"] = len(decks(args.adore, Path(folder)))
         # The cheap ones first: a campaign that is broken off has most of the decks.
         all_decks = sorted(decks(args.adore, Path(folder)), key=lambda deck: deck[0].startswith(SLOW))[: args.decks]
         for name, path, sets in all_decks:
