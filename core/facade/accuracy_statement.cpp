@@ -59,9 +59,17 @@ class Statement {
   }
 
  private:
-  using Scatters = std::vector<results::PairedScatter>;
+  struct Scatter {
+    results::PairedScatter paired;
+    double own;  ///< half-width from the batches of the run alone [SI], NaN: not computed
+  };
+  using Scatters = std::vector<Scatter>;
 
   [[nodiscard]] double of(std::string_view id) const { return value_of(run_.summary, id); }
+
+  static Scatter scatter(const results::RatioSeries& here, const results::RatioSeries& beside) {
+    return {results::paired_scatter(here, beside), results::ratio_half_width(here.a, here.s)};
+  }
 
   /// @param scatters of the components; empty: the quantity has no batches
   void judge(StatedQuantity& q, const Values& v, const Scatters& scatters) const {
@@ -69,16 +77,20 @@ class Statement {
     const double changed = twin_ != nullptr ? distance(v.run, v.twin) / q.scale : 0.0;
     const double off = distance(v.run, v.tighter) / q.scale;
     q.statistical = (scatters.empty() && changed > kRegular ? kFew : kTwin) * changed;
-    double squares = 0.0, largest = 0.0;
-    for (const results::PairedScatter& one : scatters) {
-      if (!std::isfinite(one.half_width)) continue;
-      squares += one.half_width * one.half_width;
-      if (!(one.half_width > largest)) continue;
-      largest = one.half_width;
-      q.fall = one.fall;
-      q.late = one.late;
+    double squares = 0.0, own = 0.0, largest = 0.0, late = 1.0;
+    for (const auto& [paired, alone] : scatters) {
+      if (!std::isfinite(paired.half_width)) continue;
+      squares += paired.half_width * paired.half_width;
+      if (std::isfinite(alone)) own += 2.0 * alone * alone;
+      if (!(paired.half_width > largest)) continue;
+      largest = paired.half_width;
+      q.fall = paired.fall;
+      late = paired.late;
     }
     q.statistical = std::max(q.statistical, std::sqrt(squares) / q.scale);
+    q.parted = std::sqrt(late) * q.statistical;
+    q.parting = late > kParting;
+    if (q.parting) q.parted = std::max(q.parted, std::sqrt(own) / q.scale);
     q.irregular = twin_ == nullptr || q.statistical > kTwin * kRegular;
     const double beyond = q.irregular ? std::max(off - q.statistical, 0.0) : off;
     q.numerical = std::max(kNumerical * beyond, kFloor);
@@ -98,8 +110,7 @@ class Statement {
     q.unit = unit == nullptr || std::string_view(unit->si) == "-" ? "" : unit->si;
     q.scale = std::max(std::abs(here), std::isfinite(least) ? least : 0.0);
     Scatters scatters;
-    if (series != nullptr)
-      scatters.push_back(results::paired_scatter(run_.means.*series, means_.*series));
+    if (series != nullptr) scatters.push_back(scatter(run_.means.*series, means_.*series));
     judge(q, {{here, 0, 0}, {there, 0, 0}, {beside, 0, 0}}, scatters);
     out_.push_back(std::move(q));
     return true;
@@ -115,7 +126,7 @@ class Statement {
       v.twin[k] = twin_ != nullptr ? value_of(twin_->summary, ids[k]) : v.run[k];
       if (!std::isfinite(v.run[k]) || !std::isfinite(v.tighter[k]) || !std::isfinite(v.twin[k]))
         return;
-      scatters.push_back(results::paired_scatter(run_.means.load[k], means_.load[k]));
+      scatters.push_back(scatter(run_.means.load[k], means_.load[k]));
     }
     StatedQuantity q;
     q.id = "mean_load";
@@ -157,9 +168,14 @@ double AccuracyStatement::needed_turns(double asked) const {
   double longest = 0.0;
   for (const StatedQuantity& q : quantities)
     if (q.mean && q.statistical > asked)
-      longest =
-          std::max(longest, std::pow(std::sqrt(q.late) * q.statistical / asked, 1.0 / q.fall));
+      longest = std::max(longest, std::pow(q.parted / asked, 1.0 / q.fall));
   return longest > 0.0 && turns > 0.0 ? rounded_up(kSpare * turns * longest) : 0.0;
+}
+
+bool AccuracyStatement::needs_more(double asked) const {
+  return std::any_of(quantities.begin(), quantities.end(), [&](const StatedQuantity& q) {
+    return q.mean && q.parting && q.statistical > asked;
+  });
 }
 
 bool AccuracyStatement::keeps() const {
@@ -227,12 +243,17 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (worst.empty())
     return out + fmt::format("  All intervals are within {}.\n", percent(statement.target));
   out += fmt::format("  Wider than {}: {}.\n", percent(statement.target), worst);
-  if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
-    out += fmt::format(
-        "  The means need about {} for {} (this run: {:.4g}; within a factor of {:g}). Run that "
-        "long, or let `adore run --accuracy ... --extend` do it.\n",
-        counted(fmt::format("{:.3g}", turns), "revolution"), percent(statement.target),
-        statement.turns, kNeededFactor);
+  const double turns = statement.needed_turns(statement.target);
+  if (!(turns > 0.0)) return out;
+  const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
+  out += fmt::format(
+      "  The means need {} for {} (this run: {:.4g}; {}). Run that long, or let "
+      "`adore run --accuracy ... --extend` do it.\n",
+      (statement.needs_more(statement.target) ? "at least " : "about ") + needed,
+      percent(statement.target), statement.turns,
+      statement.needs_more(statement.target)
+          ? "the two runs still part"
+          : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }
 
@@ -262,8 +283,13 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
                                  {"irregular", q.irregular}});
   if (statement.target > 0.0) {
     out["keeps_target"] = statement.keeps();
-    if (const double turns = statement.needed_turns(statement.target); turns > 0.0)
-      out["needs_revolutions"] = turns, out["needs_revolutions_factor"] = kNeededFactor;
+    if (const double turns = statement.needed_turns(statement.target); turns > 0.0) {
+      out["needs_revolutions"] = turns;
+      if (statement.needs_more(statement.target))
+        out["needs_revolutions_at_least"] = true;
+      else
+        out["needs_revolutions_factor"] = kNeededFactor;
+    }
   }
   return out;
 }

@@ -33,8 +33,13 @@
 /// tighter run within the statistical part of an irregular quantity is scatter; only the rest
 /// counts as numerical.
 ///
-/// Revolutions that a target needs: the statistical part e falls as measured (PairedScatter),
-///   e(N) = e(T) sqrt(late) (N / T)^-p,  N = kSpare T (sqrt(late) e(T) / target)^(1/p)
+/// Revolutions that a target needs: the statistical part falls as measured (PairedScatter), from
+/// the part e that this span would have if the runs had parted from its beginning on,
+///   e(N) = e(T) (N / T)^-p,  N = kSpare T (e(T) / target)^(1/p)
+///   e(T) = sqrt(late) × statistical part; where late > kParting, at least sqrt(2) times the 95 %
+///   interval of the mean from the batches of this run alone: runs that still part say little about
+///   their later distance, and these batches bound it (transients count in them, so that N may be
+///   too large). N is then stated as a lower bound.
 /// kSpare: e from 8 blocks scatters by 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a
 /// factor of kNeededFactor. A motion that changes its kind later (a cage that begins to whirl) is
 /// not foreseen. Largest loads are no means: no span makes them certain.
@@ -50,6 +55,7 @@ constexpr double kTwin = 2.0;
 constexpr double kFew = 3.0;
 constexpr double kFloor = 1e-4;
 constexpr double kSpare = 1.5;
+constexpr double kParting = 1.5;
 constexpr double kNeededFactor = 2.0;
 
 struct StatedQuantity {
@@ -59,7 +65,9 @@ struct StatedQuantity {
   std::string unit;    ///< of the value
   double scale = 0.0;  ///< of the relative parts [SI]
   double numerical = 0.0, statistical = 0.0;
-  double fall = 0.5, late = 1.0;  ///< of the statistical part with the span (PairedScatter)
+  double parted = 0.0;   ///< statistical part of runs that have parted from the beginning
+  double fall = 0.5;     ///< of it with the span (PairedScatter)
+  bool parting = false;  ///< the runs part mainly in the second half: the fall is not measured
   bool irregular = false;
   bool mean = true;  ///< a longer run knows it better
   [[nodiscard]] double half_width() const { return numerical + statistical; }
@@ -78,6 +86,8 @@ struct AccuracyStatement {
   /// Revolutions after which the statistical part of each mean is within `target`; 0: this run is
   /// long enough. @param target relative
   [[nodiscard]] double needed_turns(double target) const;
+  /// A quantity beyond `target` still parts: the needed revolutions are a lower bound.
+  [[nodiscard]] bool needs_more(double target) const;
   [[nodiscard]] bool keeps() const;
 };
 

@@ -24,18 +24,21 @@ TEST_CASE("accuracy statement: part of a target, revolutions by the measured fal
   statement.quantities = {heat, peak};
   CHECK(statement.keeps());
   CHECK(statement.needed_turns(0.01) == 0.0);
-  statement.quantities[0].statistical = 0.03;
+  statement.quantities[0].statistical = statement.quantities[0].parted = 0.03;
   CHECK_FALSE(statement.keeps());
   CHECK(statement.needed_turns(0.01) == Approx(27.0));  // 1.5 · 2 (0.03 / 0.01)²
-  statement.quantities[0].late = 2.0;
-  CHECK(statement.needed_turns(0.01) == Approx(54.0));
-  statement.quantities[0].late = 1.0;
+  statement.quantities[0].parted = 0.06;
+  CHECK(statement.needed_turns(0.01) == Approx(110.0));  // 1.5 · 2 (0.06 / 0.01)² = 108
+  statement.quantities[0].parted = 0.03;
   statement.quantities[0].fall = 0.25;
   CHECK(statement.needed_turns(0.01) == Approx(250.0));  // 1.5 · 2 · 3⁴ = 243
   statement.quantities[0].fall = 0.5;
   CHECK(statement.numerical() == 0.004);
   CHECK(statement_text(statement).find("need about 27 revolutions for 1 % (this run: 2;") !=
         std::string::npos);
+  statement.quantities[0].parting = true;
+  CHECK(statement_text(statement).find("need at least") != std::string::npos);
+  CHECK(statement_json(statement, {}).at("needs_revolutions_at_least") == true);
   // A largest load is no mean: no span makes it certain.
   statement.quantities[0].statistical = 0.0;
   statement.quantities[1].statistical = 0.5;
