@@ -207,10 +207,16 @@ class Bench:
 
     def call(self, *words, program=None, given=None, check=True, where=None):
         """A command of `adore` or of one of the programs beside it."""
-        if self.ignored:
-            dropped = [k for k, w in enumerate(words) if (k and words[k - 1] == "--set" and self.drops(w.split("=")[0])) or
-                    (w == "--set" and k + 1 < len(words) and self.drops(words[k + 1].split("=")[0]))]
-            words = [w for k, w in enumerate(words) if k not in dropped]
+        kept = []
+        for word in words:
+            name = word.split("=")[0]
+            if kept and kept[-1] == "--set" and self.drops(name):
+                value = self.ignored[name.split("[")[0]]
+                kept.pop()
+                kept += [] if value is None else ["--set", f"{name}={value!r}"]
+            else:
+                kept.append(word)
+        words = kept
         path = self.program if program is None else os.path.join(self.bin, program)
         done = subprocess.run([path, *words], capture_output=True, text=True, input=given, env=self.environment,
                               cwd=where or self.folder, timeout=300)

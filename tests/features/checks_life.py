@@ -548,6 +548,7 @@ def _(b):
         out.append(close(f"wbDis{k} = 1.5: sum of (L/Li)^ei at the bearing's life", sum((x / v)**s for v, s in zip(parts, e)), 1.0, 1e-6))
         for name in (f"shExIH{k}", f"depExIH{k}"):
             out.append(differs(f"{name}: life", ratio_of(b, {f"shExIH{k}": 12.0 if "sh" in name else 31 / 3, f"depExIH{k}": 7 / 3 if "sh" in name else 1.0}, IH, part), 1.0, 1e-3))
+        out.append(close(f"shExIH{k} and depExIH{k} of the built-in model (31/3, 7/3): life over that with 0", ratio_of(b, {f"shExIH{k}": 31 / 3, f"depExIH{k}": 7 / 3}, IH, part), 1.0, 1e-6))
         out.append(differs(f"depExLP{k} = 1 with the built-in shExLP{k} (0): acts", ratio_of(b, {f"depExLP{k}": 1.0}, LPU, part), 1.0, 1e-3))
     return "adore run ball.txt --set mode=-1 --set kLifeCons=1 --set fcLP1=1.1 ...", out
 
@@ -560,6 +561,7 @@ def _(b):
     out.append(close("wbDisRe = 1.5: sum of (L/Li)^ei at the bearing's life", sum((x / basic(slope, GZ, p))**s for p, s in ((OUTER, E), (INNER, E), (ELEMENT, 1.5))), 1.0, 1e-6))
     for name in ("shExIHre", "depExIHre"):
         out.append(differs(f"{name}: life", ratio_of(b, {"shExIHre": 12.0 if "sh" in name else 31 / 3, "depExIHre": 7 / 3 if "sh" in name else 1.0}, IH, ELEMENT), 1.0, 1e-3))
+    out.append(close("shExIHre and depExIHre of the built-in model (31/3, 7/3): life over that with 0", ratio_of(b, {"shExIHre": 31 / 3, "depExIHre": 7 / 3}, IH, ELEMENT), 1.0, 1e-6))
     out.append(differs("depExLPre = 1 with the built-in shExLPre (0): acts", ratio_of(b, {"depExLPre": 1.0}, LPU, ELEMENT), 1.0, 1e-3))
     return "adore run ball.txt --set mode=-1 --set kLifeCons=1 --set fcLPre=1.1 ...", out
 

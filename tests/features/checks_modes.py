@@ -468,6 +468,8 @@ def _(b):
     r = b.static(sets={**given, **at})
     return r.command, [close("reaction along x [N]", r.summary["load_x_N"], 1500.0, 1e-5), close("reaction along z [N]", r.summary["load_z_N"], 500.0, 1e-5),
                        close("reaction along y [N]", r.summary["load_y_N"], 0.0, absolute=1e-3),
+                       differs("reaction along z, 1 um more in z [N]", b.static(sets={**given, **at, "appDispZ": at["appDispZ"] + 1e-6}).summary["load_z_N"], 500.0, 1e-2),
+                       differs("reaction along y, 1 um more in y [N]", b.static(sets={**given, **at, "appDispY": 1e-6}).summary["load_y_N"], 0.0, 1e-2),
                        differs("reaction along x, 1 um more", b.static(sets={**given, **at, "appDispX": at["appDispX"] + 1e-6}).summary["load_x_N"], 1500.0,
                                1e-2)]
 
@@ -488,7 +490,8 @@ def _(b):
     x = room.summary["displacement_x_m"]
     hold = {"kFS1": 1, "appDispX": x, "appLoadZ": 0.0}
     still, fast = b.static(sets={**hold, "rpm2": 0.0}), b.static(sets={**hold, "rpm2": 10000.0})
-    hot = b.static(sets={**hold, "rpm2": 0.0, "raceTemp2": 333.15, "shftTemp": 333.15})
+    hot, shaft = (b.static(sets={**hold, "rpm2": 0.0, "shftTemp": 333.15, **x}) for x in ({"raceTemp2": 333.15}, {}))
     return fast.command, [close("preload at rest and room temperature [N]", still.summary["load_x_N"], 500.0, 1e-5),
                           more("preload at 10000 rpm [N]", fast.summary["load_x_N"], 505.0),
-                          more("preload with an inner race 40 K warmer [N]", hot.summary["load_x_N"], 600.0)]
+                          more("preload with an inner race and shaft 40 K warmer [N]", hot.summary["load_x_N"], 600.0),
+                          differs("that with the shaft alone [N]", hot.summary["load_x_N"], shaft.summary["load_x_N"], 0.01)]

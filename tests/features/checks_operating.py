@@ -121,7 +121,7 @@ def spin(c, race):
 def _(b):
     out, command = [], ""
     for outer, inner in ((0.0, 10000.0), (10000.0, 0.0), (-4000.0, 10000.0)):
-        r = b.run(sets={"rpm1": outer, "rpm2": inner}, until="0.0005rev")
+        r = b.run(sets={"rpm1": outer, "rpm2": inner}, until="3e-6s")
         command = r.command
         c = b.channels(r)
         ao, ai = c["contact.angle.1.1"][0], c["contact.angle.1.2"][0]
