@@ -113,7 +113,10 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       if (!(ball.Q[j] > 0.0)) continue;
       BallContact at = ball_contact(bearing, oil, ball, j);
       EllipseKinematics m = contact_motion(bearing, at, motion, ball.r, j);
-      at.film.speed = m.entrainment;
+      if (motion.balanced)
+        at.film.speed = m.entrainment;
+      else
+        m.entrainment = at.film.speed;  // no slip at the centre: that of the race
       const auto traction = [&](const EllipseGeometry& surface, bool balanced) {
         if (balanced) return tribology::ellipse_traction(at.law, surface, m, rule);
         EllipseKinematics free = m;

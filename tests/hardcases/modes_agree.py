@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Compares statics, modes 0, 1 and 2 and a free inner race on random decks that an engineer would run.
 
-    modes_agree.py PROGRAM [--decks N] [--seed S] [--first N] [--only N] [--jobs N] [--types A,B] [--keep FOLDER] [--report FILE]
+    modes_agree.py PROGRAM [--decks N] [--seed S] [--first N] [--only N] [--jobs N] [--types A,B] [--opt NAME=VALUE]... [--keep FOLDER] [--report FILE]
 
 PROGRAM is `adore`. Deck N of a seed is the same on every machine (catalogue_decks.py); nothing about a deck is listed here. Each motion runs
 until the means of two successive windows of revolutions differ by less than 2 % (settled_windows.py); rollers in modes 1 and 2 start from the
@@ -305,6 +305,7 @@ def table(results, args):
              "same means; the settled windows are compared with each other and with equilibria of mode -1 (`tests/hardcases/modes_agree.py`, whose "
              "head has the limits). The preset `modes-agree` runs 300 decks. This table was written by", "",
              f"    tests/hardcases/modes_agree.py build/release/bin/adore --seed {args.seed} --decks {args.decks} --seconds {args.seconds:g} --jobs 1 "
+             f"{''.join(f'--opt {one} ' for one in args.opt)}"
              "--report resources/docs/modes-agree.md", "",
              f"and has the {len(results)} decks that were done." if len(results) < args.decks else "and is complete.", "",
              "- agree: every difference is within its limit; in brackets the decks whose race heat scatters and agrees within the 95 % interval of its "
@@ -360,11 +361,13 @@ def main():
     parser.add_argument("--keep", help="folder of results by deck; a deck that is there is not run again")
     parser.add_argument("--damping", help="run option contactDamping of mode 0 and of the free race (default: the program's)")
     parser.add_argument("--types")
+    parser.add_argument("--opt", action="append", default=[], help="NAME=VALUE, run option of all equilibria and motions")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="processor time of one part of a run")
     parser.add_argument("--minutes", type=float, default=math.inf, help="no further deck is begun after so long")
     parser.add_argument("--allowed", type=int, default=0, help="decks that may fail")
     args = parser.parse_args()
     program = os.path.abspath(args.program)
+    OPTIONS.update(one.split("=", 1) for one in args.opt)
     settings = {"damping": {"contactDamping": args.damping} if args.damping else {}, "seconds": args.seconds, "keep": args.only is not None}
     base = tempfile.mkdtemp(prefix="modes_agree_")
     end = time.monotonic() + 60.0 * args.minutes

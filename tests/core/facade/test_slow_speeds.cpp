@@ -62,6 +62,21 @@ TEST_CASE("sixteen balls under thrust from rest to 100 rpm: done, in the steps o
   }
 }
 
+TEST_CASE("ball at rest: every step is the deck's longest, or the longest stable one",
+          "[validation][facade]") {
+  const testing::TemporaryFolder folder;
+  deck::Deck deck = deck::new_deck("ball");
+  deck.set("rpm2", "0.0");
+  const End by_deck = run_of(deck, folder / "deck", 0.002);
+  CHECK(by_deck.outcome.status == facade::RunStatus::Done);
+  CHECK(static_cast<double>(by_deck.outcome.taken) <= by_deck.longest + 3.0);  // 473 of 471.5
+  // Stored steps of four: the explicit method follows the contact resonance of 27.6 kHz.
+  deck.set("stpMax", "1000.0");
+  const End free = run_of(deck, folder / "free", 0.002);
+  CHECK(free.outcome.status == facade::RunStatus::Done);
+  CHECK(free.outcome.steps <= 100);  // 81
+}
+
 TEST_CASE("all types from rest to 10,000 rpm: done, without needless steps",
           "[validation][facade][slow]") {
   const testing::TemporaryFolder folder;
