@@ -205,10 +205,10 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
       count += line.substr(0, name.size()) == name ? 1 : 0;
     return count;
   };
-  CHECK(rows(print(1), "  2   ") == 6);  // position, orientation, two races, films, pocket
-  CHECK(rows(print(1), "  29  ") == 6);
+  CHECK(rows(print(1), "  2   ") == 7);  // position, orientation, two races, films, heat, pocket
+  CHECK(rows(print(1), "  29  ") == 7);
   CHECK(rows(print(7), "  2   ") == 0);
-  CHECK(rows(print(7), "  29  ") == 6);  // 1, 8, 15, 22, 29
+  CHECK(rows(print(7), "  29  ") == 7);  // 1, 8, 15, 22, 29
 
   const std::string text = print(1);
   CHECK_THAT(line_with(text, "Orbital velocity ratio"), Contains("0.4"));
