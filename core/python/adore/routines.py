@@ -99,7 +99,7 @@ class Routines:
     def elements(self, law: _Function) -> _Function:
         """ADRX5, the radius of rolling elements: ``law(places)`` gives what the radius is larger at each place [m].
         ``places`` has ``element`` (from 0), ``axial`` (from mid length) [m] and ``azimuth`` [rad], an entry for each place,
-        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers, and around none."""
+        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers and, evenly along them, around them; balls stay round."""
         return self._decorator(5, "elements")(law)
 
     def races(self, law: _Function) -> _Function:
