@@ -123,6 +123,11 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   };
   if (!asks("kRaceGeoImp1", 3) && !asks("kRaceGeoImp2", 3))
     idle(6, "the deck asks for no race of the user (kRaceGeoImp1, kRaceGeoImp2 = 3)");
+  if (session.has_out_of_round())
+    out.push_back(
+        fmt::format("user routine ADRX5 of {} gives rollers out of round: they turn in "
+                    "motion; the equilibrium has their mean radius over the azimuth",
+                    session.source()));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
       idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");

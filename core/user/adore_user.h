@@ -248,7 +248,7 @@ typedef struct adore_adrx9 {
   const double* x;             /* [n] centre [m] */
   const double* r;             /* [n] [m] */
   const double* theta;         /* [n] accumulates turns [rad] */
-  const double* load;          /* [2*n] element/race, outer race first [N] */
+  const double* load;          /* [2*n] all elements at the outer race, then at the inner one [N] */
   const double* contact_angle; /* [2*n] [rad] */
   int64_t sources;             /* places where heat arises */
   const int32_t*

@@ -568,8 +568,9 @@ Call step_output(Section& section) {
         throw std::runtime_error(fmt::format("RESULTS.h5 has no channel \"{}\"", one.channel));
       const auto k = found - a.channel_name;
       if (one.at >= a.channel_size[k])
-        throw std::runtime_error(fmt::format("channel {} has {} values, not {}", one.channel,
-                                             a.channel_size[k], one.at + 1));
+        throw std::runtime_error(
+            fmt::format("channel {} ends with number {}; number {} is beyond it", one.channel,
+                        a.channel_size[k], one.at + 1));
       line += fmt::format(" {:.17g}", a.channel_value[a.channel_first[k] + one.at]);
     }
     call.services->write(call.host, (line + '\n').c_str());

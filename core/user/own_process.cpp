@@ -14,6 +14,7 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <type_traits>
 #include <unistd.h>
 #include <vector>
 
@@ -79,6 +80,13 @@ class Parcel {
       if (pointer == nullptr) return;
       char* to = of.take(count * sizeof(T));
       std::memcpy(to, pointer, count * sizeof(T));
+      if constexpr (std::is_same_v<std::remove_const_t<T>, const char*>)  // texts, younger than it
+        for (std::size_t k = 0; k < count; ++k) {
+          const std::size_t bytes = std::strlen(pointer[k]) + 1;
+          char* const text = of.take(bytes);
+          std::memcpy(text, pointer[k], bytes);
+          reinterpret_cast<const char**>(to)[k] = text;
+        }
       pointer = reinterpret_cast<T*>(to);
       of.laid_.back() = to;
     }

@@ -437,6 +437,8 @@ void Session::keep_out_of_round(std::size_t k, bearing::GivenRace form) {
   all[k] = std::make_shared<const bearing::GivenRace>(std::move(form));
 }
 
+bool Session::has_out_of_round() const noexcept { return !impl_->out_of_round.empty(); }
+
 void Session::document(int hook, const std::string& line) {
   impl_->documentation.push_back(fmt::format("{}: {}", hook_name(hook), line));
 }

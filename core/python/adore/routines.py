@@ -88,7 +88,8 @@ class Routines:
         At the start it may give ``drives`` (two truths: this race moves by the accelerations given here), ``start_velocity``
         (2 x 3), ``start_spin`` (2), ``moves_frame``, ``longest_step`` and ``kinks`` (times). Later ``now`` has ``time``,
         ``position``, ``velocity``, ``omega`` (2 x 3: outer, inner race; x, y, z) and ``angle``, and it may give ``force``, ``moment``,
-        ``acceleration``, ``angular_acceleration`` (2 x 3) and ``frame_acceleration`` (3)."""
+        ``acceleration``, ``angular_acceleration`` (2 x 3) and, of the base frame, ``frame_acceleration``, ``frame_omega`` and
+        ``frame_angular_acceleration`` (3)."""
         return self._decorator(1, "motion")(law)
 
     def material(self, law: _Function) -> _Function:
@@ -99,7 +100,7 @@ class Routines:
     def elements(self, law: _Function) -> _Function:
         """ADRX5, the radius of rolling elements: ``law(places)`` gives what the radius is larger at each place [m].
         ``places`` has ``element`` (from 0), ``axial`` (from mid length) [m] and ``azimuth`` [rad], an entry for each place,
-        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers, and around none."""
+        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers and, evenly along them, around them; balls stay round."""
         return self._decorator(5, "elements")(law)
 
     def races(self, law: _Function) -> _Function:
@@ -128,7 +129,8 @@ class Routines:
         """ADRX9, after every counted step: ``law(step)`` gives the text that goes to SOL9, or None; it is called first with
         ``step.start`` true. ``step`` has ``time``, ``step``, ``x``, ``r``, ``theta``, ``load``, ``contact_angle`` of the elements and,
         of every place where heat arises, ``source_kind``, ``source_element`` and ``source_race`` (from 0; -1: none),
-        ``source_place``, ``source_size``, ``source_heat``, ``source_name``."""
+        ``source_place``, ``source_size``, ``source_heat``, ``source_name``; and ``channels``, a dictionary of the channels of
+        RESULTS.h5 by name (SI, rad)."""
         return self._decorator(9, "results")(law)
 
     def _decorator(self, hook: int, name: str) -> Callable[[_Function], _Function]:

@@ -218,8 +218,15 @@ void results(const py::object& function, adore_adrx9& a, py::dict& given) {
     given["x"] = copied(a.x, {n});
     given["r"] = copied(a.r, {n});
     given["theta"] = copied(a.theta, {n});
-    given["load"] = copied(a.load, {n, 2});
-    given["contact_angle"] = copied(a.contact_angle, {n, 2});
+    // By element, then race; the structure has all elements of the outer race first.
+    const auto by_element = [n](const double* from) {
+      py::array_t<double> out({n, py::ssize_t{2}});
+      for (py::ssize_t i = 0; i < n; ++i)
+        for (py::ssize_t j = 0; j < 2; ++j) out.mutable_at(i, j) = from[j * n + i];
+      return out;
+    };
+    given["load"] = by_element(a.load);
+    given["contact_angle"] = by_element(a.contact_angle);
     given["source_kind"] = py::array_t<std::int32_t>({sources}, a.source_kind);
     given["source_element"] = py::array_t<std::int32_t>({sources}, a.source_element);
     given["source_race"] = py::array_t<std::int32_t>({sources}, a.source_race);

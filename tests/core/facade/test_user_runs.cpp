@@ -580,8 +580,14 @@ TEST_CASE("surfaces that cannot be simulated are refused with their reason", "[u
     for (const Issue& issue : facade::prepare(request).input.warnings) out += issue.text() + "\n";
     return out;
   };
-  CHECK_THROWS_WITH(says("cylindrical", {}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
-                    Catch::Contains("ADRX5") && Catch::Contains("out of round"));
+  CHECK_THROWS_WITH(says("cylindrical", {}, R"~({"adrx5": {"radius": "1e-2*x^2*sin(psi)"}})~"),
+                    Catch::Contains("ADRX5") && Catch::Contains("f(x) + c(psi) + x t(psi)"));
+  CHECK_THROWS_WITH(says("spherical", {}, R"~({"adrx5": {"radius": "1e-3*x*sin(psi)"}})~"),
+                    Catch::Contains("ADRX5") && Catch::Contains("azimuth alone"));
+  CHECK_THAT(says("cylindrical", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
+             Catch::Contains("the equilibrium has their mean radius"));
+  CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
+                    Catch::Contains("balls stay round"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "1e-3*x"}})~"),
                     Catch::Contains("balls stay round"));
   CHECK_THROWS_WITH(says("ball", {{"kRaceGeoImp1", "3"}},

@@ -102,6 +102,27 @@ class Others(unittest.TestCase):
         self.assertGreater(len(seen), 10)
         np.testing.assert_allclose(own["pocket.force"], built_in["pocket.force"], rtol=1e-9, atol=1e-9)
 
+    def test_channels_and_a_load_in_mode_2_are_those_of_formulas(self):
+        routines, seen = adore.Routines(), []
+        routines.motion(lambda now: {} if now.start else {"force": [0, 0, 0, 0, 0, 300.0]})
+
+        @routines.results
+        def write(step):
+            if not step.start:
+                np.testing.assert_array_equal(step.channels["contact.load"], step.load.ravel())
+                seen.append(step.channels["race.z"][1])
+
+        deck = adore.new("ball").copy(mode=2)
+        deck.run(until="1e-4s", progress=False, user=routines)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "load.json"
+            file.write_text('{"adrx1": {"inner_race": {"force": ["0", "0", "300"]}}, "adrx9": {"channels": ["race.z[2]"]}}')
+            run = deck.run(until="1e-4s", progress=False, user=file)
+            rows = [line.split() for line in (run.folder / "SOL9").read_text().splitlines()]
+        column = [float(row[1]) for row in rows if len(row) == 2 and row[0][0].isdigit()]
+        self.assertGreater(len(seen), 3)
+        np.testing.assert_allclose(seen[-1], column[-1], rtol=1e-12)
+
     def test_results_go_to_sol9_and_the_heat_adds_up(self):
         routines, heat = adore.Routines(), []
 
