@@ -249,10 +249,10 @@ std::string statement_text(const AccuracyStatement& statement) {
   out += fmt::format(
       "  The means need {} for {} (this run: {:.4g}; {}). Run that long, or let "
       "`adore run --accuracy ... --extend` do it.\n",
-      (statement.needs_more(statement.target) ? "at least " : "about ") + needed,
+      (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
       percent(statement.target), statement.turns,
       statement.needs_more(statement.target)
-          ? "the two runs still part"
+          ? "order of magnitude: the two runs still part"
           : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }
@@ -286,7 +286,7 @@ nlohmann::ordered_json statement_json(const AccuracyStatement& statement,
     if (const double turns = statement.needed_turns(statement.target); turns > 0.0) {
       out["needs_revolutions"] = turns;
       if (statement.needs_more(statement.target))
-        out["needs_revolutions_at_least"] = true;
+        out["needs_revolutions_rough"] = true;
       else
         out["needs_revolutions_factor"] = kNeededFactor;
     }

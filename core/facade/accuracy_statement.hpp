@@ -39,7 +39,7 @@
 ///   e(T) = sqrt(late) × statistical part; where late > kParting, at least sqrt(2) times the 95 %
 ///   interval of the mean from the batches of this run alone: runs that still part say little about
 ///   their later distance, and these batches bound it (transients count in them, so that N may be
-///   too large). N is then stated as a lower bound.
+///   too large). N is then an order of magnitude only.
 /// kSpare: e from 8 blocks scatters by 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a
 /// factor of kNeededFactor. A motion that changes its kind later (a cage that begins to whirl) is
 /// not foreseen. Largest loads are no means: no span makes them certain.
@@ -86,7 +86,7 @@ struct AccuracyStatement {
   /// Revolutions after which the statistical part of each mean is within `target`; 0: this run is
   /// long enough. @param target relative
   [[nodiscard]] double needed_turns(double target) const;
-  /// A quantity beyond `target` still parts: the needed revolutions are a lower bound.
+  /// A quantity beyond `target` still parts: the needed revolutions are an order of magnitude.
   [[nodiscard]] bool needs_more(double target) const;
   [[nodiscard]] bool keeps() const;
 };

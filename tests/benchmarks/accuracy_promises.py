@@ -119,6 +119,7 @@ def promise(adore: str, path: Path, sets: list[str], until: str, target: float, 
     return {
         "rows": rows,
         "needs": stated.get("needs_revolutions", 0),
+        "rough": stated.get("needs_revolutions_rough", False),
         "revolutions": stated["revolutions"],
         "keeps": stated.get("keeps_target", False),
         "seconds": seconds,
@@ -200,7 +201,7 @@ def page(kept: dict) -> str:
             quantities = row["rows"]
             inside = sum(q["off"] <= q["half"] for q in quantities)
             wide = max(quantities, key=lambda q: q["half"])
-            needed = format(row["needs"], ".3g") if row["needs"] else "-"
+            needed = ("~ " if row.get("rough") else "") + format(row["needs"], ".3g") if row["needs"] else "-"
             far = max(quantities, key=lambda q: q["off"] / max(q["half"], 1e-12))
             text += (
                 f"| {name} | {inside}/{len(quantities)} | {percent(statistics.median(q['half'] for q in quantities))} "
@@ -211,18 +212,20 @@ def page(kept: dict) -> str:
     if checked:
         text += (
             "\n## Needed revolutions, run\n\nHeld: all means within the target at N, or N of the longer run within a "
-            "factor of 2 of N.\n\n| deck | target | span | N | widest mean at N | N as stated then | held |\n"
+            "factor of 2 of N; an order of magnitude (~) is not judged.\n\n| deck | target | span | N | widest mean at N | N as stated then | held |\n"
             "|---|---:|---:|---:|---|---:|---|\n"
         )
         for name, (key, c) in checked:
             before = kept["decks"][name]["targets"][key]
-            head = f"| {name} | {100 * float(key):g} % | {before['revolutions']:.3g} | {before['needs']:.3g} "
+            bound = before.get("rough", False)
+            head = f"| {name} | {100 * float(key):g} % | {before['revolutions']:.3g} | {'~ ' * bound}{before['needs']:.3g} "
             if "failure" in c:
                 text += head + f"| {c['failure'][:80]} | | |\n"
                 continue
             held = c["statistical"] <= float(key) or 0 < c["needs"] <= 2 * before["needs"]
+            verdict = "yes" if held else "no (order of magnitude)" if bound else "no"
             needed = format(c["needs"], ".3g") if c["needs"] else "-"
-            text += head + f"| {c['quantity']} {percent(c['statistical'])} | {needed} | {'yes' if held else 'no'} |\n"
+            text += head + f"| {c['quantity']} {percent(c['statistical'])} | {needed} | {verdict} |\n"
     left = [f"{name}: {deck['failure'].splitlines()[-1][:100]}" for name, deck in kept["decks"].items() if deck.get("failure")]
     if left:
         text += "\nNot compared: " + "; ".join(left) + ".\n"
