@@ -185,6 +185,8 @@ def _(b):
         r2, turned = roller_change(b, "cylindrical", roller_wave(race, 1, rndVar1=2e-6, rndVar2=-2e-6, rndVar3=90.0), "inner load [N]", rpm2=0.0)
         out += [more(f"race {race}: change of the load at the major axis, sign as expected [N]", sign * (change[0] - change[1]) * 1.0, 10.0),
                 less(f"race {race}: turned by 90 deg [N]", sign * (turned[0] - turned[1]), -10.0)]
+        _, half = roller_change(b, "cylindrical", roller_wave(race, 1, rndVar1=2e-6), "inner load [N]", rpm2=0.0)
+        out.append(between(f"race {race}: the major axis alone over both", (half[0] - half[1]) / (change[0] - change[1]), 0.2, 0.8))
     t, change = roller_change(b, "tapered", roller_wave(1, 1, rndVar1=2e-6, rndVar2=-2e-6), "outer load [N]", rpm2=0.0)
     out.append(less("tapered, outer race: change of roller 1 at the major axis [N]", change[0], -10.0))
     return command, out
@@ -347,7 +349,9 @@ def _(b):
 def _(b):
     base = land_gap(b)
     r = land_gap(b, kRaceGsImp=1, **{"raceGsRadVar1[1]": 2e-5, "raceGsRadVar2[1]": -3e-5})
+    other = land_gap(b, kRaceGsImp=1, **{"raceGsRadVar1[1]": -4e-5, "raceGsRadVar2[1]": 2e-5})
     return "adore run ball.txt --set kRaceGsImp=1 --set raceGsRadVar1[1]=2e-5 --set raceGsRadVar2[1]=-3e-5 --until 0.002rev", [
+        close("with the other axis the smaller one [m]", base[0] - other[0], 4e-5, 0.05),
         close("least gap at land 1 falls by the smaller half axis of the race [m]", base[0] - r[0], 3e-5, 0.05), close("land 2 as before [m]", r[1], base[1], 1e-6)]
 
 

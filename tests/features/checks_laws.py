@@ -59,8 +59,9 @@ def _(b):
     r = b.run(sets=two, until=SHORT)
     law = user_curve(b, "element_race", "(u < 0.2) ? 0.3*u : 0.06 + 0.0002*(u-0.2)", "two")
     same = b.run(sets={"kTrac": -1}, until=SHORT, more=["--user", law])
-    other = b.run(sets={**two, "reRaceTC4": 0.1}, until=SHORT)
-    return r.command, [close("heat at the inner races, that of the same curve by ADRX7 [J]", heat(b, r, "inner race contacts"), heat(b, same, "inner race contacts"), 0.02),
+    other, steep = (b.run(sets={**two, **x}, until=SHORT) for x in ({"reRaceTC4": 0.1}, {"reRaceTC3": 0.05}))
+    return r.command, [differs("heat with a second slope of 0.05 s/m [J]", heat(b, steep, "inner race contacts"), heat(b, r, "inner race contacts"), 1e-3),
+                       close("heat at the inner races, that of the same curve by ADRX7 [J]", heat(b, r, "inner race contacts"), heat(b, same, "inner race contacts"), 0.02),
                        differs("with the kink at 0.1 m/s [J]", heat(b, other, "inner race contacts"), heat(b, r, "inner race contacts"), 1e-2)]
 
 

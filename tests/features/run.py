@@ -81,7 +81,7 @@ def try_ignored(program, group, only):
             folder = tempfile.mkdtemp(prefix=f"adore-ignore-{group}-")
             place = bench.Bench(program, folder)
             name, _, value = variable.partition("=")
-            place.ignored = {name: float(value) if value else None}
+            place.ignored = {name: None if not value else int(value) if value.isdigit() else float(value)}
             try:
                 _, comparisons = check(place)
                 verdict = "not noticed" if all(c.holds for c in comparisons) else "fails"
