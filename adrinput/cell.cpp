@@ -50,7 +50,14 @@ const deck::VariableSpec* variable_of(const Cell& cell) {
              : &spec->variables[cell.variable];
 }
 
-std::optional<Issue> place_of_variable(const deck::Deck& deck, const std::string& name) {
+std::optional<Issue> place_of_finding(const deck::Deck& deck, const Finding& finding) {
+  if (!finding.variable.empty()) return finding;
+  const FindingKind* kind = find_finding_kind(finding.code);
+  if (kind == nullptr) return std::nullopt;
+  std::string name = kind->field;
+  // "shoulderDia1" is of the outer race.
+  if (name.ends_with('1') && finding.body.find("inner race") != std::string::npos)
+    name.back() = '2';
   for (const deck::VariableRef& one : deck::find_variable(name)) {
     if (deck::find_record_data(deck, std::string(one.record->id)) == nullptr) continue;
     Issue out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "deck/deck.hpp"
 
 #include <compare>
@@ -26,8 +27,7 @@ struct Cell {
 
 /// The value that an issue speaks of: its first element when it names the whole variable.
 [[nodiscard]] std::optional<Cell> cell_of(const Issue& issue);
-/// Record and variable of a name, where the deck has its record.
-[[nodiscard]] std::optional<Issue> place_of_variable(const deck::Deck& deck,
-                                                     const std::string& name);
+/// Record and variable that a finding names, or that its kind has where the deck has the record.
+[[nodiscard]] std::optional<Issue> place_of_finding(const deck::Deck& deck, const Finding& finding);
 
 }  // namespace adore::adrinput

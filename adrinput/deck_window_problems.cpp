@@ -73,10 +73,7 @@ void DeckWindow::goToProblem(int row) {
 }
 
 void DeckWindow::goToFinding(const Finding& finding) {
-  Issue place = finding;
-  if (place.variable.empty())
-    if (const FindingKind* kind = find_finding_kind(finding.code); kind != nullptr)
-      if (const auto field = place_of_variable(document_.deck(), kind->field)) place = *field;
+  const Issue place = place_of_finding(document_.deck(), finding).value_or(finding);
   const std::optional<Cell> cell = cell_of(place);
   if (place.record.empty()) return;
   const std::vector<std::string> pages = document_.pages();

@@ -463,9 +463,8 @@ void Document::add_remarks() {
     });
     if (said) continue;
     add_problem(one);
-    const FindingKind* kind = find_finding_kind(one.code);
-    if (!one.variable.empty() || kind == nullptr || kind->field.empty()) continue;
-    if (const std::optional<Issue> place = place_of_variable(state_.deck, kind->field)) {
+    if (!one.variable.empty()) continue;
+    if (const std::optional<Issue> place = place_of_finding(state_.deck, one)) {
       problems_.back().page = place->record;
       problems_.back().cell = cell_of(*place);
     }

@@ -7,7 +7,8 @@
 
 namespace adore::adrplot {
 
-std::string topic_of_page(std::string_view title) {
+std::string topic_of_page(std::string_view title, std::string_view subject) {
+  if (subject.starts_with("cage")) return "cage";  // all pages of its file
   constexpr std::array<std::pair<const char*, const char*>, 18> kWords{{{"cage", "cage"},
                                                                         {"whirl", "cage"},
                                                                         {"orbit", "cage"},
@@ -39,8 +40,9 @@ std::string topic_of(const Finding& finding) {
   return kind == nullptr ? std::string() : kind->topic;
 }
 
-std::function<bool(const Finding&)> page_concerns(std::string_view title) {
-  return [topic = topic_of_page(title)](const Finding& one) {
+std::function<bool(const Finding&)> page_concerns(std::string_view title,
+                                                  std::string_view subject) {
+  return [topic = topic_of_page(title, subject)](const Finding& one) {
     return !topic.empty() && topic_of(one) == topic;
   };
 }

@@ -251,8 +251,9 @@ void PlotWindow::showFindings() {
     findings_->setFindings(results::run_findings(doc->path));
     markPages();
   }
-  findings_->setPlace(page_concerns(doc->pages[static_cast<std::size_t>(page_ - 1)].title),
-                      tr("This page"));
+  findings_->setPlace(
+      page_concerns(doc->pages[static_cast<std::size_t>(page_ - 1)].title, doc->subject),
+      tr("This page"));
 }
 
 /// A sign at the pages that warnings concern.
@@ -268,7 +269,8 @@ void PlotWindow::markPages() {
     QTreeWidgetItem* root = tree_->topLevelItem(k);
     for (int p = 0; p < root->childCount() && p < static_cast<int>(doc.pages.size()); ++p) {
       const bool marked =
-          of_run && topics.count(topic_of_page(doc.pages[static_cast<std::size_t>(p)].title)) > 0;
+          of_run && topics.count(topic_of_page(doc.pages[static_cast<std::size_t>(p)].title,
+                                               doc.subject)) > 0;
       root->child(p)->setIcon(0, marked ? desktop::warning_icon() : QIcon());
       root->child(p)->setToolTip(0, marked ? tr("A warning concerns this page") : QString());
     }
@@ -287,7 +289,7 @@ void PlotWindow::goToFinding(const Finding& finding) {
     const Document& one = *documents_[static_cast<std::size_t>(k)];
     if (run_folder(one.path) != folder) continue;
     for (std::size_t p = 0; p < one.pages.size(); ++p) {
-      if (topic.empty() || topic_of_page(one.pages[p].title) != topic) continue;
+      if (topic.empty() || topic_of_page(one.pages[p].title, one.subject) != topic) continue;
       const bool of_element = element > 0 && one.subject.ends_with(" " + std::to_string(element));
       const bool over_time = one.pages[p].kind == PageKind::History;
       const int score =

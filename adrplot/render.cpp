@@ -61,7 +61,8 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
               scene.setPageSize(QSizeF(size));
               return scene.image(size);
             },
-            page_concerns(document.pages[static_cast<std::size_t>(number - 1)].title)),
+            page_concerns(document.pages[static_cast<std::size_t>(number - 1)].title,
+                          document.subject)),
         path);
     written.push_back(path);
   }

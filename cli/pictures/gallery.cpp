@@ -130,16 +130,17 @@ class Gallery {
     scene_.setPage(document.build(number, options));
     const WritePath path(folder_, fmt::format("{}-page-{:02}{}.png",
                                               document.path.filename().string(), number, ending));
-    desktop::save_image(desktop::in_few_colours(desktop::with_findings(
-                                                    {size_.width, size_.height},
-                                                    results::run_findings(document.path), dark_,
-                                                    [&](QSize size) {
-                                                      scene_.setPageSize(QSizeF(size));
-                                                      return scene_.image(size);
-                                                    },
-                                                    adrplot::page_concerns(title)),
-                                                kColoursOfPages),
-                        path);
+    desktop::save_image(
+        desktop::in_few_colours(
+            desktop::with_findings(
+                {size_.width, size_.height}, results::run_findings(document.path), dark_,
+                [&](QSize size) {
+                  scene_.setPageSize(QSizeF(size));
+                  return scene_.image(size);
+                },
+                adrplot::page_concerns(title, document.subject)),
+            kColoursOfPages),
+        path);
     for (const std::string& fault : desktop::text_faults(scene_))
       print(stderr, "adore: note: {}: {}\n", path.path().string(), fault);
     list_.emplace_back(path.name(),

@@ -468,9 +468,9 @@ Prepared prepare_model(LoadedDeck input) {
                      ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
                  .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
-  for (const std::string& text : listing::ball_warnings(
-           out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
-    add_remark(out, warning(text));
+  for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
+                                             available_friction(deck, out.bearing), deck.units()))
+    add_remark(out, std::move(one));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
     statics::StaticsOptions as_in_motion = ball_options(out);

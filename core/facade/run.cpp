@@ -130,6 +130,7 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
   if (!remark.empty()) add_remark(prepared, make_finding("run.settings", remark));
+  for (Issue& note : unused_request(request, prepared)) add_remark(prepared, std::move(note));
   const ResultsFolder made(output_folder(request, prepared.input.path), request.below);
   const FolderLock lock(made.folder());
   RunOutcome out = prepared.control.dynamic
@@ -138,7 +139,6 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   out.folder = made.path();
   std::vector<Finding> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
-  for (Issue& note : unused_request(request, prepared)) out.warnings.push_back(std::move(note));
   for (Finding& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
   for (Finding& issue : remarks) out.warnings.push_back(std::move(issue));
   if (out.status == RunStatus::Untrusted || out.status == RunStatus::Failed)

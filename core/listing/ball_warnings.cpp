@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace adore::listing {
 namespace {
@@ -59,23 +60,34 @@ std::string rule_text(bearing::SpinRule rule) {
 
 }  // namespace
 
-std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
-                                       const statics::StaticSolution& solution,
-                                       std::optional<double> available, UnitSystem units) {
-  std::vector<std::string> out;
+std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
+                                   const statics::StaticSolution& solution,
+                                   std::optional<double> available, UnitSystem units) {
+  std::vector<Finding> out;
+  const auto add = [&](const char* code, const Offenders& of, std::size_t race,
+                       std::string sentence) -> Finding& {
+    out.push_back(make_finding(code, std::move(sentence)));
+    return out.back().of(fmt::format("ball {}, {} race", of.worst + 1, kRace[race]));
+  };
   const std::vector<StaticBall>& balls = solution.balls;
   for (std::size_t j = 0; j < 2; ++j) {
     const Offenders slip = offenders(balls, available.value_or(kLubricated),
                                      [j](const StaticBall& b) { return b.friction[j]; });
     if (!slip.numbers.empty())
-      out.push_back(fmt::format(
-          "{}: {} needs a coefficient of friction of {:.3g} at the {} race to stand against its "
-          "gyroscopic moment, and {}: such balls slip about the gyroscopic axis, and their spin, "
-          "heat and contact angles are not those shown. Raise the load, lower the speed, or let a "
-          "dynamic run (mode 0) find the motion",
-          rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
-          available ? fmt::format("the traction law of the deck has at most {:.3g}", *available)
-                    : "lubricated contacts have some 0.06 at most (the deck has no traction law)"));
+      add("statics.gyroscopic", slip, j,
+          fmt::format(
+              "{}: {} needs a coefficient of friction of {:.3g} at the {} race to stand against "
+              "its "
+              "gyroscopic moment, and {}: such balls slip about the gyroscopic axis, and their "
+              "spin, "
+              "heat and contact angles are not those shown. Raise the load, lower the speed, or "
+              "let a "
+              "dynamic run (mode 0) find the motion",
+              rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
+              available
+                  ? fmt::format("the traction law of the deck has at most {:.3g}", *available)
+                  : "lubricated contacts have some 0.06 at most (the deck has no traction law)"))
+          .measure(balls[slip.worst].friction[j], available.value_or(kLubricated));
     const Offenders over = offenders(balls, 0.0, [j](const StaticBall& b) { return b.beyond[j]; });
     if (!over.numbers.empty()) {
       const StaticBall& worst = balls[over.worst];
@@ -84,29 +96,38 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
         lost += balls[number - 1].beyond[j];
         carried += balls[number - 1].Q[j];
       }
-      out.push_back(fmt::format(
-          "{}: the contact ellipse reaches over the shoulder of the {} race by {}; the part beyond "
-          "carries {} of the contact's {} ({:.3g} %), which a real race does not have ({:.3g} % of "
-          "the load of all contacts that reach over it). The solution keeps the whole ellipse: "
-          "displacement, loads and life are better than real, and the pressure at the edge of the "
-          "shoulder is not in them",
-          over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
-          quantity(worst.beyond[j], unit::kForce, units), quantity(worst.Q[j], unit::kForce, units),
-          100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried));
+      add("statics.shoulder", over, j,
+          fmt::format(
+              "{}: the contact ellipse reaches over the shoulder of the {} race by {}; the part "
+              "beyond "
+              "carries {} of the contact's {} ({:.3g} %), which a real race does not have ({:.3g} "
+              "% of "
+              "the load of all contacts that reach over it). The solution keeps the whole ellipse: "
+              "displacement, loads and life are better than real, and the pressure at the edge of "
+              "the "
+              "shoulder is not in them",
+              over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
+              quantity(worst.beyond[j], unit::kForce, units),
+              quantity(worst.Q[j], unit::kForce, units), 100.0 * worst.beyond[j] / worst.Q[j],
+              100.0 * lost / carried));
     }
     const double radius = 0.5 * bearing.balls().diameter;
     const Offenders wide = offenders(balls, validity::range("hertz.ellipse").bounds.most * radius,
                                      [j](const StaticBall& b) { return b.a[j]; });
     if (!wide.numbers.empty()) {
       const StaticBall& worst = balls[wide.worst];
-      out.push_back(fmt::format(
-          "{}: half the length of the contact ellipse at the {} race, {}, is more than half the "
-          "ball radius of {}; Hertz's theory takes both bodies for flat there, so that deflection "
-          "and pressure are approximate (groove factor {:.5g}). It grows with the cube root of the "
-          "load and reaches the radius at {}: a motion ends where a contact comes to that",
-          wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
-          quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
-          quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));
+      add("statics.ellipse", wide, j,
+          fmt::format(
+              "{}: half the length of the contact ellipse at the {} race, {}, is more than half "
+              "the "
+              "ball radius of {}; Hertz's theory takes both bodies for flat there, so that "
+              "deflection "
+              "and pressure are approximate (groove factor {:.5g}). It grows with the cube root of "
+              "the "
+              "load and reaches the radius at {}: a motion ends where a contact comes to that",
+              wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
+              quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
+              quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));
     }
   }
   return out;

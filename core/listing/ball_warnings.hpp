@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/finding.hpp"
 #include "bearing/bearing.hpp"
 #include "listing/report.hpp"
 #include "statics/ball_statics.hpp"
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What a quasi-static ball solution assumes and cannot hold, as sentences in the deck's units.
+/// What a quasi-static ball solution assumes and cannot hold, in the deck's units.
 namespace adore::listing {
 
 /// - The spin rule lets the races hold each ball against its gyroscopic moment by friction
@@ -17,9 +18,9 @@ namespace adore::listing {
 /// - Contacts over the shoulder keep their whole Hertz ellipse: StaticBall::beyond.
 /// - Hertz's theory takes bodies for half-spaces: half major axis above half the ball radius.
 /// @param available largest coefficient of the deck's traction law; empty: it has none
-[[nodiscard]] std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
-                                                     const statics::StaticSolution& solution,
-                                                     std::optional<double> available,
-                                                     UnitSystem units);
+/// @return statics.gyroscopic, statics.shoulder, statics.ellipse with the body
+[[nodiscard]] std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
+                                                 const statics::StaticSolution& solution,
+                                                 std::optional<double> available, UnitSystem units);
 
 }  // namespace adore::listing

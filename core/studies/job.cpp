@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -408,6 +409,7 @@ std::optional<Record> read_record(const fs::path& folder, const std::string& key
         static_cast<int>(FolderFile(file.string()).whole("exit", json.at("exit"), 0, kMaxExit));
     for (const Json& value : json.at("values")) out.values.push_back(number_of(value));
     out.message = json.at("message").get<std::string>();
+    out.codes = json.value("findings", std::vector<std::string>());  // earlier releases: none
     const Json& measured = json.at("measured");
     out.processor = measured.at("processor").get<double>();
     out.wall = measured.at("wall").get<double>();
@@ -431,6 +433,7 @@ void write_record(const fs::path& folder, const Record& record) {
   json["values"] = Json::array();
   for (const double value : record.values) json["values"].push_back(number(value));
   json["message"] = record.message;
+  json["findings"] = record.codes;
   json["measured"] = {{"processor", record.processor},
                       {"wall", record.wall},
                       {"memory_megabytes", record.memory_megabytes},
@@ -495,6 +498,9 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
       return {};
     }
   }
+  std::set<std::string> codes;
+  for (const Finding& one : ending.outcome.warnings) codes.insert(one.code);
+  out.codes.assign(codes.begin(), codes.end());
   // The same sentence wherever the study's folder is: tables are compared.
   leave_out(out.message, files.string() + "/");
   leave_out(out.message, folder.string() + "/");

@@ -42,9 +42,10 @@ struct Task {
 /// How a run ended, and what it says.
 struct Record {
   std::string key;
-  int exit_code = 0;           ///< 0 done, 2 refused, 3 failed or not to be trusted, 1 crashed
-  std::vector<double> values;  ///< one per quantity; NaN: none
-  std::string message;         ///< diagnosis, or what is missing
+  int exit_code = 0;               ///< 0 done, 2 refused, 3 failed or not to be trusted, 1 crashed
+  std::vector<double> values;      ///< one per quantity; NaN: none
+  std::string message;             ///< diagnosis, or what is missing
+  std::vector<std::string> codes;  ///< of its findings, each once, sorted
   // Measured.
   double processor = 0.0, wall = 0.0;  ///< [s]
   double memory_megabytes = 0.0, disk_megabytes = 0.0;

@@ -1,6 +1,7 @@
 #include "studies/report.hpp"
 
 #include "base/counted.hpp"
+#include "base/finding.hpp"
 #include "base/json_text.hpp"
 #include "facade/prepare.hpp"
 #include "studies/reporter.hpp"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 
 /// The frame of a report, and what its parts share.
@@ -66,6 +69,7 @@ Report Reporter::make() {
   }
   no_part();
   failures();
+  findings();
   return {text_, dump_json(charts_, 1) + "\n"};
 }
 
@@ -106,6 +110,32 @@ void Reporter::failures() {
   }
   if (shown > kShownFailures)
     text_ += fmt::format("and {} more failed; RUNS.csv says why\n", shown - kShownFailures);
+}
+
+/// The most severe first, then by number. Quiet notes are left out.
+void Reporter::findings() {
+  std::map<std::string, long> runs;
+  for (const std::optional<Record>& record : results_.records)
+    if (record)
+      for (const std::string& code : record->codes) ++runs[code];
+  struct Line {
+    const FindingKind* kind;
+    long runs;
+  };
+  std::vector<Line> lines;
+  for (const auto& [code, count] : runs)
+    if (const FindingKind* kind = find_finding_kind(code);
+        kind != nullptr && !(kind->quiet && kind->severity == Severity::Note))
+      lines.push_back({kind, count});
+  if (lines.empty()) return;
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+    return a.kind->severity != b.kind->severity ? a.kind->severity > b.kind->severity
+                                                : a.runs > b.runs;
+  });
+  text_ += fmt::format("\n{:<8} {:<9} {:<28} {}\n", "runs", "severity", "finding", "meaning");
+  for (const Line& line : lines)
+    text_ += fmt::format("{:<8} {:<9} {:<28} {}\n", line.runs, severity_word(line.kind->severity),
+                         line.kind->code, line.kind->meaning);
 }
 
 std::vector<std::size_t> Reporter::rows_at(

@@ -31,6 +31,8 @@ class Reporter {
   /// What varies and acts on nothing.
   void no_part();
   void failures();
+  /// Number of runs with each code.
+  void findings();
   /// Rows where `variable` has that value, for every given pair.
   [[nodiscard]] std::vector<std::size_t> rows_at(
       const std::vector<std::pair<const TableColumn*, double>>& where) const;

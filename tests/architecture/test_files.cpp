@@ -102,6 +102,25 @@ TEST_CASE("sources: only base/input_file.cpp opens files for reading", "[unit][a
                       "cli/streams.cpp"});  // these three: /dev/null
 }
 
+TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules below the register",
+          "[unit][architecture]") {
+  static const Pattern list(
+      R"(std::vector<(std::string|Issue)> *&? *(notes|remarks|warnings|hints)_?\b *(=|;|\)|,|\{))");
+  check_none(
+      list,
+      {"core/statics/friction.hpp", "core/statics/ball_statics.cpp", "core/statics/ball_report.cpp",
+       "core/statics/race_text.cpp", "core/statics/roller_report.cpp", "core/bearing/fits.hpp",
+       "core/thermal/bearing_heat.hpp", "core/life/parameters.hpp", "core/life/parameters.cpp",
+       "core/life/iso_report.cpp", "core/life/bearing_life.hpp",
+       // texts of findings for a listing
+       "core/listing/static_summary.hpp", "core/listing/static_summary.cpp",
+       "core/listing/print_file.hpp", "core/listing/print_file.cpp", "core/facade/run_outputs.cpp",
+       // about a drawing, a change of the deck, a page of experiments
+       "core/drawing/outline.hpp", "core/drawing/outline_model.hpp",
+       "core/deck/monitored_bodies.cpp", "core/python/bindings/deck.cpp",
+       "core/facade/experiments.hpp"});
+}
+
 TEST_CASE("sources: all text for the terminal goes through base/terminal_text.hpp",
           "[unit][architecture]") {
   static const Pattern printer(

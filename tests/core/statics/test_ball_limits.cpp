@@ -69,7 +69,7 @@ TEST_CASE("contacts over the shoulder are warned of in the deck's units", "[unit
   const auto said = [&](UnitSystem units) {
     std::string all;
     for (const auto& text : ball_warnings(bearing, solve_ball_statics(bearing), 1.0, units))
-      all += text + "\n";
+      all += text.message + "\n";
     return all;
   };
   CHECK(said(UnitSystem::SI).empty());
@@ -111,9 +111,10 @@ TEST_CASE("race control says which friction it needs, and warns when the law has
     CHECK(warns(1.001 * most).empty());
     const auto texts = warns(0.999 * most);
     REQUIRE(texts.size() == 1);
-    CHECK_THAT(texts[0], Contains("race control") && Contains("balls 1-16") &&
-                             Contains(fmt::format("friction of {:.3g} at the {} race", most,
-                                                  most == b.friction[0] ? "outer" : "inner")));
+    CHECK_THAT(texts[0].message,
+               Contains("race control") && Contains("balls 1-16") &&
+                   Contains(fmt::format("friction of {:.3g} at the {} race", most,
+                                        most == b.friction[0] ? "outer" : "inner")));
     CHECK(warns(std::nullopt).size() == (most > 0.06 ? 1 : 0));
   }
   CHECK(before == Approx(0.084).epsilon(0.05));  // the textbooks' bearing at 15,000 rpm
@@ -140,8 +141,9 @@ TEST_CASE("a contact as long as the ball is refused by its cause, and nothing is
       }
       const bool wide = s.balls[0].a[0] > 0.25 * bearing.balls().diameter;
       const auto texts = ball_warnings(bearing, s, 1e9, UnitSystem::SI);
-      CHECK(wide == std::any_of(texts.begin(), texts.end(), [](const std::string& t) {
-              return t.find("Hertz") != std::string::npos && t.find("outer") != std::string::npos;
+      CHECK(wide == std::any_of(texts.begin(), texts.end(), [](const Finding& t) {
+              return t.message.find("Hertz") != std::string::npos &&
+                     t.message.find("outer") != std::string::npos;
             }));
     } catch (const SolverError& error) {
       ++refused;

@@ -163,6 +163,7 @@ TEST_CASE("a record comes back to the last bit, and a damaged one is none", "[un
   record.exit_code = 3;
   record.values = {1.0 / 3.0, kNone, std::numeric_limits<double>::infinity(), -2e-308};
   record.message = "no equilibrium: \"x\", \xff";
+  record.codes = {"cage.whirling", "statics.shoulder"};
   write_record(folder, record);
   const auto back = read_record(folder, record.key);
   REQUIRE(back);
@@ -171,6 +172,7 @@ TEST_CASE("a record comes back to the last bit, and a damaged one is none", "[un
   CHECK(back->values[2] == record.values[2]);
   CHECK(back->values[3] == record.values[3]);
   CHECK(back->exit_code == 3);
+  CHECK(back->codes == record.codes);
   const auto file = record_file(folder, record.key);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   CHECK_FALSE(read_record(folder, record.key));

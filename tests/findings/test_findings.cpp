@@ -1,0 +1,186 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/run_panel.hpp"
+#include "adrplot/plot_window.hpp"
+#include "agore/agore_window.hpp"
+#include "base/write_folder.hpp"
+#include "desktop/findings_bar.hpp"
+#include "results/run_findings.hpp"
+#include "results/run_json.hpp"
+#include "support/bytes.hpp"
+#include "support/paths.hpp"
+#include "support/qt_app.hpp"
+
+#include <QListWidget>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+/// Each code of the register in command line, RUN.json and all windows (issue 44 C): decks.json.
+namespace fs = std::filesystem;
+namespace {
+
+using adore::Finding;
+using Json = nlohmann::json;
+using Codes = std::set<std::string>;
+
+const Json& table() {
+  static const Json kTable =
+      Json::parse(adore::test::bytes_of(adore::test::source_dir() / "tests/findings/decks.json"));
+  return kTable;
+}
+
+/// Standard output of the program.
+std::string adore_says(const QStringList& arguments) {
+  adore::test::use_qt();
+  QProcess program;
+  program.start(QString::fromStdString(adore::test::program("adore").string()), arguments);
+  REQUIRE(program.waitForFinished(240000));
+  INFO(arguments.join(' ').toStdString() << "\n" << program.readAllStandardError().toStdString());
+  CHECK(program.exitStatus() == QProcess::NormalExit);
+  return program.readAllStandardOutput().toStdString();
+}
+
+void add_codes(const Json& findings, Codes& codes) {
+  for (const Json& one : findings) codes.insert(one.at("code").get<std::string>());
+}
+
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// Makes and runs, or checks, a deck of the table in a folder. @return codes in the JSON output
+Codes codes_in_cli(const Json& deck, const QString& folder) {
+  const QString file = folder + "/DATA.txt";
+  const std::string from = deck.at("template");
+  QStringList make{"new"};
+  if (from.starts_with("catalogue:"))
+    make << "--catalogue" << QString::fromStdString(from.substr(10));
+  else
+    make << QString::fromStdString(from);
+  const Json sets = deck.value("set", Json::object());
+  for (const auto& [name, value] : sets.items())
+    make << "--set" << QString::fromStdString(name + "=" + text_of(value));
+  adore_says(make << "--out" << file);
+  Codes out;
+  if (deck.contains("opt"))
+    std::ofstream(folder.toStdString() + "/ADORE.json") << deck.at("opt").dump();
+  if (!deck.contains("runs"))
+    add_codes(Json::parse(adore_says({"check", file, "--json"})).at("findings"), out);
+  for (const Json& arguments : deck.value("runs", Json::array())) {
+    QStringList run{"run", file, "--json", "--progress", "none"};
+    for (const std::string argument : arguments) run << QString::fromStdString(argument);
+    add_codes(Json::parse(adore_says(run)).at("findings"), out);
+  }
+  return out;
+}
+
+/// Codes that a list of a window shows.
+Codes shown_in(QWidget& window) {
+  Codes out;
+  auto* bar = window.findChild<adore::desktop::FindingsBar*>("findings");
+  REQUIRE(bar != nullptr);
+  for (int row = 0; row < bar->list().count(); ++row)
+    out.insert(bar->list().item(row)->toolTip().toStdString());
+  CHECK(bar->isVisibleTo(&window) == !out.empty());
+  return out;
+}
+
+/// All codes of RUN.json are in the three windows; AGORE has no run without an animation.
+void check_windows(const fs::path& folder, const Codes& codes) {
+  adore::test::use_qt();
+  {
+    adore::adrplot::PlotWindow window;
+    REQUIRE(window.openFile(folder / (fs::exists(folder / "SOL7") ? "SOL7" : "RUN.json")));
+    CHECK(shown_in(window) == codes);
+  }
+  if (fs::exists(folder / "SOL8")) {
+    adore::agore::AgoreWindow window;
+    REQUIRE(window.openFile(folder / "SOL8"));
+    CHECK(shown_in(window) == codes);
+  }
+  adore::adrinput::DeckWindow window;
+  window.openFile(folder / "DATA.txt");
+  CHECK(shown_in(window.runPanel()) == codes);
+}
+
+Codes codes_of_run(const fs::path& folder) {
+  Codes out;
+  for (const Finding& one : adore::results::run_findings(folder)) out.insert(one.code);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("findings: each code of the register has a deck or a reason", "[findings]") {
+  Codes made, left;
+  for (const Json& deck : table().at("decks"))
+    for (const std::string code : deck.at("codes")) made.insert(code);
+  for (const auto& [code, reason] : table().at("without_deck").items()) {
+    CHECK_FALSE(reason.get<std::string>().empty());
+    left.insert(code);
+  }
+  for (const adore::FindingKind& kind : adore::finding_kinds()) {
+    INFO(kind.code);
+    CHECK(made.count(kind.code) + left.count(kind.code) == 1);
+  }
+  CHECK(made.size() + left.size() == adore::finding_kinds().size());
+}
+
+TEST_CASE("findings: decks of the table lead to their codes in the command line and in RUN.json",
+          "[findings][gui][slow]") {
+  for (const Json& deck : table().at("decks")) {
+    INFO(deck.at("name").get<std::string>());
+    const QTemporaryDir folder;
+    const Codes said = codes_in_cli(deck, folder.path());
+    for (const std::string code : deck.at("codes")) {
+      INFO(code);
+      CHECK(said.count(code) == 1);
+    }
+    if (!deck.contains("runs")) continue;
+    const fs::path run = folder.path().toStdString();
+    const Codes stored = codes_of_run(run);
+    for (const std::string code : deck.at("codes"))
+      if (deck.at("runs").size() == 1) CHECK(stored.count(code) == 1);
+    check_windows(run, stored);
+  }
+}
+
+TEST_CASE("findings: a run with all codes of the register → each is listed in the three windows",
+          "[findings][gui]") {
+  const QTemporaryDir folder;
+  const Json deck{{"template", "ball"},
+                  {"set", {{"kAGraf", 1}, {"kPltFreq", 1}}},
+                  {"runs", Json::array({Json::array({"--until", "0.01rev"})})}};
+  codes_in_cli(deck, folder.path());
+  const fs::path run = folder.path().toStdString();
+  std::vector<Finding> findings;
+  Codes all;
+  for (const adore::FindingKind& kind : adore::finding_kinds()) {
+    findings.push_back(adore::make_finding(kind.code, "Sentence of " + kind.code));
+    all.insert(kind.code);
+  }
+  adore::results::amend_run(adore::WriteFolder(run), {{"findings", adore::findings_json(findings)}},
+                            {});
+  REQUIRE(codes_of_run(run) == all);
+  check_windows(run, all);
+}
+
+TEST_CASE("findings: runs of a study → counted by code in REPORT.txt", "[findings][gui]") {
+  const QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  adore_says({"new", "angular-218", "--out", folder.path() + "/DATA.txt"});
+  std::ofstream(path + "/a.json") << R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+    "variables": [{"name": "rpm2", "uniform": [9900, 10100]}], "sampling": {"runs": 3},
+    "quantities": ["load_x_N"]})";
+  adore_says({"study", "run", folder.path() + "/a.json", "--quiet"});
+  const std::string report = adore::test::bytes_of(path + "/a.study/REPORT.txt");
+  for (const char* line :
+       {"3        warning   statics.shoulder", "3        warning   statics.gyroscopic"})
+    CHECK_THAT(report, Catch::Contains(line));
+}
