@@ -458,7 +458,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
           static_cast<double>(std::max<std::size_t>(1, out.variables.back().values.size()));
       if (combinations > static_cast<double>(kMaxStudyRuns))
         throw InputError(
-            fmt::format("{}: their values have {:.3g} combinations, and {} runs are the most; take "
+            fmt::format("{}: their values have {:.3g} combinations, and {} is the most; take "
                         "fewer values",
                         object.at("variables"), combinations, kMaxStudyRuns));
     }
