@@ -14,7 +14,7 @@ set(ADORE_PUBLIC_HEADERS
     facade/accuracy.hpp facade/check.hpp facade/deck_request.hpp facade/deck_story.hpp facade/equilibrium.hpp
     facade/measured_run.hpp facade/option_file.hpp facade/output_folder.hpp facade/plan.hpp facade/reproducible.hpp
     facade/run.hpp facade/sweep.hpp facade/verify.hpp
-    results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/mean_errors.hpp results/quantities.hpp results/sol_file.hpp
+    results/convert.hpp results/h5_reader.hpp results/key_results.hpp results/batch_means.hpp results/mean_errors.hpp results/quantities.hpp results/sol_file.hpp
     results/static_tables.hpp results/table.hpp user/adore_user.h user/plug_in.hpp)
 
 function(adore_install_library)

@@ -251,7 +251,7 @@ TEST_CASE("a study's tables in another place still open", "[gui][adrplot][studie
     CHECK(document.files_of_run(2).empty());
   }
   std::ofstream(there / "broken.csv") << "run,exit,a,message\n1,0\n";
-  CHECK_THROWS_WITH(open_document(there / "broken.csv"), Contains("line 2 has 2 fields"));
+  CHECK_THROWS_WITH(open_document(there / "broken.csv"), Contains("line 2 does not have 4 fields"));
   std::ofstream(there / "broken.h5") << "no HDF5";
   CHECK_THROWS_WITH(open_document(there / "broken.h5"), Contains("it is no HDF5 file"));
   fs::create_directory(there / "new.study");

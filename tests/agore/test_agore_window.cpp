@@ -277,6 +277,7 @@ TEST_CASE("agore_window: what a command asks for is what a picture of it shows",
     window.resize(900, 560);
     window.show();
     REQUIRE(window.openFile(test::example_run(type) / "RESULTS.h5"));
+    QCoreApplication::processEvents();  // the line of findings takes its room
     MotionPicture picture(open_motion(test::example_run(type) / "RESULTS.h5"));
     auto* canvas = window.findChild<PictureWidget*>();
     REQUIRE(canvas != nullptr);

@@ -109,7 +109,8 @@ TEST_CASE("sources: remarks are Finding; lists of sentences are in the modules b
   check_none(
       list,
       {"core/statics/friction.hpp", "core/statics/ball_statics.cpp", "core/statics/ball_report.cpp",
-       "core/statics/race_text.cpp", "core/statics/roller_report.cpp", "core/bearing/fits.hpp",
+       "core/statics/race_text.cpp", "core/statics/roller_report.cpp",
+       "core/statics/least_heat.hpp", "core/statics/least_heat.cpp", "core/bearing/fits.hpp",
        "core/thermal/bearing_heat.hpp", "core/life/parameters.hpp", "core/life/parameters.cpp",
        "core/life/iso_report.cpp", "core/life/bearing_life.hpp",
        // texts of findings for a listing
