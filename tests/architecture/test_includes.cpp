@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -198,24 +200,44 @@ TEST_CASE("every reading and every output rule that the code cites stands in the
   CHECK(seen > 50);
 }
 
-TEST_CASE("every decision has a number of its own and stands in the index, which names no others",
+TEST_CASE("decisions: entries have numbers of their own, stand in the index, and resolve citations",
           "[unit][architecture]") {
-  const fs::path folder = adore::test::source_dir() / "resources/docs/decisions";
+  const fs::path root = adore::test::source_dir(), folder = root / "resources/docs/decisions";
   const std::string index = text_of(folder / "README.md");
-  std::set<std::string> listed;
-  static const std::regex link(R"(\]\((\d{3}-[^)]*\.md)\))");
-  for (std::sregex_iterator m(index.begin(), index.end(), link), end; m != end; ++m)
-    CHECK(listed.insert((*m)[1]).second);
+  static const std::regex heading(R"((?:^|\n)## (\d{3}(?:, \d{3})*) ([^\n]+))"), number(R"(\d{3})");
   std::set<std::string> numbers;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+  std::size_t entries = 0;
+  for (const auto& file : fs::directory_iterator(folder)) {
+    const std::string name = file.path().filename().string();
     if (name == "README.md") continue;
-    INFO(name);
-    CHECK(listed.erase(name) == 1);
-    CHECK(numbers.insert(name.substr(0, 3)).second);
-    CHECK(text_of(entry.path()).rfind("# " + name.substr(0, 3) + ' ', 0) == 0);
+    CHECK(index.find("](" + name + ")") != std::string::npos);
+    const std::string page = text_of(file.path());
+    for (std::sregex_iterator m(page.begin(), page.end(), heading), end; m != end; ++m, ++entries) {
+      const std::string of = (*m)[1], line = "- " + of + ": " + (*m)[2].str();
+      INFO(name << ": " << of);
+      CHECK(index.find(line) != std::string::npos);
+      for (std::sregex_iterator n(of.begin(), of.end(), number); n != end; ++n)
+        CHECK(numbers.insert(n->str()).second);
+    }
   }
-  CHECK(listed.empty());
+  CHECK(entries >= 100);
+  CHECK(std::count(index.begin(), index.end(), '\n') > static_cast<std::ptrdiff_t>(entries));
+
+  // "decision 041", "decisions 800 and 815", "(decision 041, 063)", also over a line's end.
+  static const std::regex cited(R"([Dd]ecisions?[ \n/#*]+(\d{3}(?:(?:, | and |, and )\d{3})*))");
+  int citations = 0;
+  for (const char* part : {"core", "desktop", "adrinput", "adrplot", "agore", "cli", "tests"})
+    for (const fs::path& file : sources(root / part)) {
+      const std::string words = text_of(file);
+      for (std::sregex_iterator m(words.begin(), words.end(), cited), end; m != end; ++m) {
+        const std::string list = (*m)[1];
+        for (std::sregex_iterator n(list.begin(), list.end(), number); n != end; ++n, ++citations) {
+          INFO(file.string() << ": decision " << n->str());
+          CHECK(numbers.count(n->str()) == 1);
+        }
+      }
+    }
+  CHECK(citations > 50);
 }
 
 TEST_CASE("no dialog is deleted as it closes, before its answer has been used",
