@@ -129,7 +129,7 @@ class PlotWindow : public QMainWindow {
   void offerCurves(const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
-  /// Findings of the run of the current file, those of the page first.
+  /// Shows the findings of the run of the current file. Those that concern the page come first.
   void showFindings();
   void markPages();
   /// To the page that shows what a finding is about, with a cursor at its time.

@@ -67,8 +67,8 @@ class Statement {
 
   [[nodiscard]] double of(std::string_view id) const { return value_of(run_.summary, id); }
 
-  static Scatter scatter(const results::RatioSeries& here, const results::RatioSeries& beside) {
-    return {results::paired_scatter(here, beside), results::ratio_half_width(here.a, here.s)};
+  static Scatter scatter(const results::RatioSeries& run, const results::RatioSeries& twin) {
+    return {results::paired_scatter(run, twin), results::ratio_half_width(run.a, run.s)};
   }
 
   /// @param scatters of the components; empty: the quantity has no batches
@@ -99,19 +99,19 @@ class Statement {
   /// @param least of the scale [SI] @return whether there is such a result
   bool add(const char* id, const char* label, results::RatioSeries results::MeanSeries::*series,
            double least = 0.0) {
-    const double here = of(id), there = value_of(tighter_, id);
-    const double beside = twin_ != nullptr ? value_of(twin_->summary, id) : here;
-    if (!std::isfinite(here) || !std::isfinite(there) || !std::isfinite(beside)) return false;
+    const double run = of(id), tighter = value_of(tighter_, id);
+    const double twin = twin_ != nullptr ? value_of(twin_->summary, id) : run;
+    if (!std::isfinite(run) || !std::isfinite(tighter) || !std::isfinite(twin)) return false;
     StatedQuantity q;
     q.id = id;
     q.label = label;
-    q.value = here;
+    q.value = run;
     const results::UnitPair* unit = results::find_key_result(id).unit;
     q.unit = unit == nullptr || std::string_view(unit->si) == "-" ? "" : unit->si;
-    q.scale = std::max(std::abs(here), std::isfinite(least) ? least : 0.0);
+    q.scale = std::max(std::abs(run), std::isfinite(least) ? least : 0.0);
     Scatters scatters;
     if (series != nullptr) scatters.push_back(scatter(run_.means.*series, means_.*series));
-    judge(q, {{here, 0, 0}, {there, 0, 0}, {beside, 0, 0}}, scatters);
+    judge(q, {{run, 0, 0}, {tighter, 0, 0}, {twin, 0, 0}}, scatters);
     out_.push_back(std::move(q));
     return true;
   }

@@ -168,7 +168,7 @@ CheckReport check(const DeckRequest& request, std::stop_token stop) {
   if (begins && !request.routines && request.user.empty()) {
     ModelCheck model = examine_model(read.deck);
     begins = model.refusals.empty();
-    // What the run rejects, the check rejects.
+    // A deck that `adore run` rejects is an error of `adore check`, too.
     for (Issue& issue : model.issues)
       for (const Issue& refusal : model.refusals)
         if (issue.text() == refusal.text()) issue.severity = Severity::Error;

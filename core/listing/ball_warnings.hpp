@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-/// What a quasi-static ball solution assumes and cannot hold, in the deck's units.
+/// Warnings where a quasi-static solution of balls violates its own assumptions; values in deck
+/// units.
 namespace adore::listing {
 
 /// - The spin rule lets the races hold each ball against its gyroscopic moment by friction

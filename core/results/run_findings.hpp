@@ -17,9 +17,9 @@ struct FindingsText {
   static constexpr const char *kList = "findings", *kSum = "findings checksum";  ///< attributes
   std::string list, sum;
 };
-/// Those of `findings` that RESULTS.h5 has, without folders of files. Notes of
-/// the check are left out: a value without effect changes no byte of the results. What exceeds 60
-/// kB is left out, notes first.
+/// Text of the findings that RESULTS.h5 stores, with file names instead of paths. Notes of the
+/// check are left out, because a value without effect changes no byte of the results. The text is
+/// at most 60 kB long; notes are dropped first.
 [[nodiscard]] FindingsText findings_text(std::span<const Finding> findings);
 
 /// Of the attributes. @throws InputError when the file or its list is damaged

@@ -1,4 +1,4 @@
-#include "base/errors.hpp"
+#include "refused.hpp"
 #include "studies/job.hpp"
 #include "studies/study_table_read.hpp"
 
@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 using namespace adore;
+using testing::refused_or;
 using namespace adore::studies;
 namespace fs = std::filesystem;
 
@@ -46,14 +47,6 @@ std::string section(const std::string& all, const std::string& name) {
   if (at == std::string::npos) return {};
   const std::size_t begin = at + mark.size(), end = all.find("\n=== ", begin);
   return all.substr(begin, end == std::string::npos ? end : end + 1 - begin);
-}
-
-template <class Read>
-void refused_or(Read read) {
-  try {
-    read();
-  } catch (const InputError&) {
-  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include "base/errors.hpp"
 #include "input_file.hpp"
+#include "refused.hpp"
 #include "results/convert.hpp"
 #include "results/restart.hpp"
 
@@ -7,6 +7,7 @@
 #include <sstream>
 
 using namespace adore;
+using testing::refused_or;
 using namespace adore::results;
 
 namespace {
@@ -18,14 +19,6 @@ void check(const FinalState& state) {
          "scales divide");
   demand(state.components.size() == state.state.size(), "every component has a name");
   for (const double value : state.state) demand(std::isfinite(value), "a state is finite");
-}
-
-template <class Read>
-void refused_or(Read read) {
-  try {
-    read();
-  } catch (const InputError&) {
-  }
 }
 
 }  // namespace

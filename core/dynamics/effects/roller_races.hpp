@@ -132,7 +132,7 @@ class RollerRaceBlock final : public EffectBlock {
 
  private:
   void lean() noexcept;
-  /// What lobes of rollers add to the actions.
+  /// Adds the force and moment of lobes of rollers to the actions (F_y and M_C above).
   void turn_lobes() noexcept;
 
   const RollerRaceModel& model_;

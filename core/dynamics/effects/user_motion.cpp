@@ -12,16 +12,18 @@ namespace adore::dynamics {
 namespace {
 
 constexpr std::string_view kCost = "user routine ADRX1";
-constexpr LedgerTerm kFrameWork{LedgerKind::Work,
-                                "frame_work",
-                                "work of the base frame that user routine ADRX1 moves",
-                                {"work of the moving base frame"},
-                                "of its inertial forces on every body since the start"};
-constexpr LedgerTerm kHeldWork{LedgerKind::Work,
-                               "user_load_work",
-                               "work of loads of user routine ADRX1 on held races",
-                               {"work of user loads on held races"},
-                               "what their supports carry, since the start"};
+constexpr LedgerTerm kFrameWork{
+    LedgerKind::Work,
+    "frame_work",
+    "work of the base frame that user routine ADRX1 moves",
+    {"work of the moving base frame"},
+    "inertial forces of the moving frame on all bodies, since the start"};
+constexpr LedgerTerm kHeldWork{
+    LedgerKind::Work,
+    "user_load_work",
+    "work of loads of user routine ADRX1 on held races",
+    {"work of user loads on held races"},
+    "part of these loads that the supports of the races carry, since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kFrameWork, &kHeldWork};
 constexpr LedgerTerm kFrameImpulse{
     LedgerKind::Work, "", "", {"impulse of the moving base frame"}, ""};
