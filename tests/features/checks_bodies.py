@@ -376,19 +376,35 @@ def stored(b, **sets):
 ORBIT, SPIN = 4081.2 * math.pi / 30, 19290.0 * math.pi / 30
 
 
+def spread(values):
+    return max(values) - min(values)
+
+
+def correlation(a, b):
+    a, b = ([x - sum(v) / len(v) for x in v] for v in (a, b))
+    return sum(x * y for x, y in zip(a, b)) / math.sqrt(sum(x * x for x in a) * sum(y * y for y in b))
+
+
 @feature("F084", G)
 def _(b):
     even = b.channels(b.run(sets=inertia(1), until="0.2rev"))
     off = b.channels(b.run(sets=inertia(1, bReGeoCenZ=1e-4), until="0.2rev"))
     swing = [x - y for x, y in zip(off["contact.load.1.1"], even["contact.load.1.1"])]
     expected = 0.0083765 * 1e-4 * SPIN**2
-    tilt = b.channels(b.run(sets=inertia(1, bReMIx=1.0e-7, bReFrameY=20.0), until="0.1rev"))
+    beside = b.channels(b.run(sets=inertia(1, bReGeoCenY=1e-4), until="0.2rev"))
+    lag = [x - y for x, y in zip(beside["contact.load.1.1"], even["contact.load.1.1"])]
+    half = len(lag) // 2
     flat = b.channels(b.run(sets=inertia(1, bReMIx=1.0e-7), until="0.1rev"))
+    others = {}
+    for name, value in (("bReGeoCenX", 1e-4), ("bReFrameY", 20.0), ("bReFrameZ", 20.0)):
+        others[name] = b.channels(b.run(sets=inertia(1, bReMIx=1.0e-7, **{name: value}), until="0.1rev"))
     quiet = [x - y for x, y in zip(off["contact.load.7.1"], even["contact.load.7.1"])]
     return "adore run ball.txt --set kReIP=1 --set bReGeoCenZ=1e-4 ... --until 0.2rev", [
         between("swing of ball 1's outer load over m e w^2", (max(swing) - min(swing)) / 2 / expected, 0.3, 3.0),
         less("swing of ball 7 over that of ball 1", (max(quiet) - min(quiet)) / (max(swing) - min(swing)), 0.3),
-        differs("angular velocity of ball 1 with tilted principal axes [rad/s]", tilt["element.angular_velocity.1"][-1], flat["element.angular_velocity.1"][-1], 1e-6)]
+        close("second half: swing with the offset a quarter turn away, that with the first", spread(lag[half:]), spread(swing[half:]), 0.3),
+        less("correlation of both swings", abs(correlation(lag, swing)), 0.7),
+        *(differs(f"angular velocity of ball 1 with {name} [rad/s]", c["element.angular_velocity.1"][-1], flat["element.angular_velocity.1"][-1], 1e-6) for name, c in others.items())]
 
 
 @feature("F085", G)
@@ -467,13 +483,14 @@ def _(b):
     spin = stored(b, **cage_inertia(cageMIx=9.6e-6)) - stored(b, **cage_inertia())
     heavy = stored(b, **cage_inertia(cageMass=0.018596)) - stored(b, **cage_inertia())
     omega = base.fits["cage"]["speed [rad/s]"]
-    off = b.channels(b.run(sets=cage_inertia(cageGeoCenZ=5e-5), until="0.1rev"))
+    off = {axis: b.channels(b.run(sets=cage_inertia(**{f"cageGeoCen{axis}": 5e-5}), until="0.1rev")) for axis in "YZ"}
     frame = b.channels(b.run(sets=cage_inertia(cageMIy=8e-6, cageFrameX=30.0, cageFrameY=5.0), until="0.1rev"))
     c = b.channels(base)
     return base.command[:100] + " ...", [
         close("energy of a larger polar inertia, I w^2 / 2 [J]", spin, 0.5 * (9.6e-6 - 8.996e-6) * omega**2, 0.01),
         close("energy of a mass twice as large: m (e w)^2 / 2 of the whirl and m g z [J]", heavy, 0.009298 * (0.5 * (5e-5 * omega)**2 - 9.81 * 5e-5), 0.02),
-        more("mass centre off by 50 um: difference of the cage's place [m]", abs(off["cage.position.1.3"][-1] - c["cage.position.1.3"][-1]), 1e-7),
+        *(more(f"mass centre off by 50 um along {axis}: difference of the cage's place [m]", abs(off[axis][f"cage.position.1.{i}"][-1] - c[f"cage.position.1.{i}"][-1]), 1e-7)
+          for axis, i in (("Y", 2), ("Z", 3))),
         differs("tilted principal axes: angular velocity about y [rad/s]", frame["cage.angular_velocity.1.2"][-1], c["cage.angular_velocity.1.2"][-1], 1e-3)]
 
 
