@@ -208,6 +208,12 @@ void AccuracyPanel::forget(bool reread) {
   enableButtons();
 }
 
+void AccuracyPanel::setStored(const QString& text) {
+  if (busy() || !studied_.records.empty()) return;
+  view_->setPlainText(text);
+  view_->setVisible(!text.isEmpty());
+}
+
 void AccuracyPanel::setDeck(const deck::Deck& deck) {
   if (studied_.records.empty()) return;
   stale_ = !(deck == studied_);

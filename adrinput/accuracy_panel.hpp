@@ -42,6 +42,8 @@ class AccuracyPanel : public QWidget {
   void setDeck(const deck::Deck& deck);
   /// Another deck was opened, or its file was read again: what is recommended is not for it.
   void forget(bool reread);
+  /// What is stored beside the deck (stored_accuracy.hpp), shown while no study of the window is.
+  void setStored(const QString& text);
   [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
   /// What is recommended; empty before, or when nothing is.

@@ -14,6 +14,7 @@
 #include "adrinput/run_times.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
+#include "adrinput/stored_accuracy.hpp"
 #include "adrinput/time_scale.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "deck/lookup.hpp"
@@ -192,6 +193,11 @@ void DeckWindow::makeCentre() {
   tabs_->addTab(scrolled(run_), tr("Run"));
   tabs_->addTab(scrolled(accuracy_), tr("Accuracy"));
   tabs_->addTab(original_, tr("File as opened"));
+  connect(tabs_, &QTabWidget::currentChanged, this, [this](int now) {
+    if (tabs_->widget(now)->isAncestorOf(accuracy_))
+      accuracy_->setStored(QString::fromStdString(
+          stored_accuracy(document_.path(), document_.deck(), document_.options())));
+  });
 
   auto* form = new QWidget(this);
   auto* column = new QVBoxLayout(form);

@@ -5,14 +5,20 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/start_check.hpp"
+#include "adrinput/stored_accuracy.hpp"
+#include "deck/reader.hpp"
+#include "deck/templates.hpp"
 #include "desktop/chart_view.hpp"
+#include "facade/model_errors.hpp"
 #include "facade/run.hpp"
 #include "support/qt_app.hpp"
+#include "support/result_files.hpp"
 
 #include <QDoubleSpinBox>
 #include <QGraphicsSimpleTextItem>
 #include <QLabel>
 #include <QListWidget>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -104,6 +110,45 @@ TEST_CASE("an accuracy study that goes on tells the turns of its round", "[gui][
   CHECK(panel.text().contains("second round, 12.5 turns\n"));
   go_on = true;
   CHECK(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
+}
+
+TEST_CASE("accuracy page: shows what the last run and the last study of model errors have stored",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir temporary;
+  const std::filesystem::path folder = temporary.path().toStdString();
+  const std::filesystem::path file = folder / "DATA.txt";
+  test::write_text(file, deck::write_deck(deck::new_deck("ball")));
+  test::write_text(folder / "RUN.json", R"({"accuracy": {"revolutions": 2.5, "quantities": [
+    {"label": "heat, outer race", "value": 12.5, "unit": "W", "half_width": 0.004,
+     "numerical": 0.001, "statistical": 0.003}]},
+    "verify": {"against": "rkf7, tol 1e-10", "errors": {"heat": 0.0021}}})");
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(file));
+  QTabWidget* tabs = window.findChild<QTabWidget*>("panels");
+  REQUIRE(tabs != nullptr);
+  for (int i = 0; i < tabs->count(); ++i)
+    if (tabs->widget(i)->isAncestorOf(&window.accuracyPanel())) tabs->setCurrentIndex(i);
+  const QString text = window.accuracyPanel().text();
+  CAPTURE(text.toStdString());
+  CHECK(text.contains("2.5 revolutions"));
+  CHECK(text.contains("heat, outer race"));
+  CHECK(text.contains("± 0.4 %"));
+  CHECK(text.contains("Verified against rkf7, tol 1e-10: heat 0.21 %"));
+  // A model study counts only when it is of this deck.
+  facade::LoadedDeck loaded;
+  loaded.path = file;
+  loaded.deck = deck::read_deck(file.string()).deck;
+  facade::ModelStudy study;
+  study.stamp = facade::model_stamp(loaded);
+  study.complete = true;
+  study.rows.push_back(
+      {{"damping", "contactDamping = 2x", "factor 2", {}, {}}, {}, 0.01, -0.02, 1.0, ""});
+  test::write_text(folder / facade::kModelFile, facade::model_json(study));
+  CHECK_THAT(stored_accuracy(file, loaded.deck, {}), Catch::Contains("contactDamping = 2x"));
+  loaded.deck.set("bReDia", "0.0126");
+  CHECK_THAT(stored_accuracy(file, loaded.deck, {}), !Catch::Contains("contactDamping = 2x"));
 }
 
 TEST_CASE("titles of axes beside the form are whole, however low the window is",
