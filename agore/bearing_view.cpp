@@ -215,6 +215,23 @@ void bearing_rings(const Scene& s) {
     s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
 }
 
+void ring_warned_bodies(const Scene& s, std::vector<KeyEntry>& key) {
+  const WarnedBodies& warned = s.options.warned;
+  if (warned.empty()) return;
+  const auto& g = s.geometry();
+  const QColor& red = s.sketch.theme().red;
+  const QPen pen(red, 3.0);
+  for (const int element : warned.elements)
+    if (const auto k = static_cast<std::size_t>(element - 1); k < s.frame.elements.size())
+      s.sketch.circle(element_centre(s, k), 1.08 * g.element_radius, pen);
+  for (int part = 0; warned.cage && s.animation.has_cage && part < s.animation.segments; ++part)
+    s.sketch.circle(s.place(s.animation.part(s.index, part)), g.cage_outer_radius, pen);
+  if (warned.races[0]) s.sketch.circle(s.place(s.frame.races[0]), outer_rim(g), pen);
+  if (warned.races[1]) s.sketch.circle(s.place(s.frame.races[1]), g.inner_race_inner_radius, pen);
+  const bool balls = s.animation.file.bearing_type == 1;
+  key.push_back({red, QString::fromStdString("warning: " + warned.names(balls))});
+}
+
 void bearing_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
@@ -257,6 +274,7 @@ void bearing_view(const Scene& s) {
                    QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
                    KeyMark::None});
   }
+  ring_warned_bodies(s, key);
   // First: colours say nothing without.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());

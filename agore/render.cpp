@@ -26,9 +26,10 @@ std::vector<Finding> findings_of(const MotionPicture& picture) {
 
 QImage picture_of(MotionPicture& picture, std::size_t frame, const std::vector<Finding>& findings,
                   const RenderOptions& options) {
-  return desktop::with_findings(
-      {options.width, options.height}, findings, options.view.dark,
-      [&](QSize size) { return picture.image(size, frame, options.view); });
+  ViewOptions view = options.view;
+  view.warned = warned_bodies(findings);
+  return desktop::with_findings({options.width, options.height}, findings, view.dark,
+                                [&](QSize size) { return picture.image(size, frame, view); });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "agore/animation.hpp"
+#include "agore/warned_bodies.hpp"
 
 #include <QPointF>
 
@@ -65,6 +66,8 @@ struct ViewOptions {
   std::optional<double> span_from, span_to;
   bool one_of_several = false;        ///< beside others: smaller ones share a key below them
   std::vector<SideView> beside = {};  ///< drawn beside the first, at the same frame
+
+  WarnedBodies warned = {};  ///< get a ring in the bearing view
 
   /// The options of one of the pictures: 0 is the first view, others are those beside it.
   [[nodiscard]] ViewOptions tile(std::size_t number) const;

@@ -98,6 +98,7 @@ void AgoreWindow::adopt(Animation animation) {
   const auto old = std::exchange(picture_, std::move(fresh));
   frame_ = std::min(frame_, frameCount() - 1);
   findings_->setFindings(results::run_findings(picture_->animation().file.path));
+  options_.warned = warned_bodies(findings_->findings());
   refused_ = 0;
   showFrame();  // the canvas lets go of the old one before it dies
 }

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <vector>
 
 /// Keys of the pictures of every type of bearing, in small windows and large ones.
@@ -49,6 +50,50 @@ std::vector<KeyEntry> entries_of(const Animation& animation, std::size_t frame,
 }
 
 }  // namespace
+
+TEST_CASE("warned bodies: warnings name elements, cage and races, notes do not", "[unit][agore]") {
+  const auto of = [](Severity severity, const char* body) {
+    Finding out;
+    out.severity = severity;
+    out.body = body;
+    return out;
+  };
+  const WarnedBodies warned = warned_bodies(
+      std::vector{of(Severity::Warning, "ball 3, inner race"), of(Severity::Note, "ball 4"),
+                  of(Severity::Warning, "cage, in the pocket of element 5"),
+                  of(Severity::Error, "outer race")});
+  CHECK(warned == WarnedBodies{{3}, true, {true, false}});
+  CHECK(warned.names(true) == "ball 3, cage, outer race");
+  CHECK(warned_bodies({}).empty());
+}
+
+TEST_CASE("bearing view: a body with a warning gets a red ring and a line of the key",
+          "[gui][keys]") {
+  test::use_qt();
+  MotionPicture picture(open_motion(test::example_run("ball") / "RESULTS.h5"));
+  const Animation& animation = picture.animation();
+  ViewOptions options;
+  const auto red = [&](const WarnedBodies& warned) {
+    options.warned = warned;
+    const QImage image = picture.image({900, 700}, 0, options);
+    int count = 0;
+    const QRgb colour = desktop::theme(desktop::ThemeKind::Light).red.rgb();
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == colour;
+    return count;
+  };
+  const int none = red({});
+  for (const WarnedBodies& warned :
+       {WarnedBodies{{2}, false, {}}, WarnedBodies{{}, true, {}},
+        WarnedBodies{{}, false, {true, false}}, WarnedBodies{{}, false, {false, true}}}) {
+    CAPTURE(warned.names(true));
+    CHECK(red(warned) > none + 200);
+    const std::vector<KeyEntry> key = entries_of(animation, 0, options, 0, {900, 700});
+    CHECK(std::any_of(key.begin(), key.end(), [&](const KeyEntry& entry) {
+      return entry.text == QString::fromStdString("warning: " + warned.names(true));
+    }));
+  }
+}
 
 TEST_CASE("keys: every entry stands whole in the picture, however small, beside however many",
           "[gui][keys][slow]") {
