@@ -22,6 +22,22 @@ double reach(const QPolygonF& roller, double taper, double side) {
   return out;
 }
 
+/// Half the width at the roller's middle that its sides leave a roller of this taper.
+double half_at_middle(const PocketOutline& p) {
+  if (p.faces.empty()) return p.radius + 0.5 * p.clearance_1;
+  double out = std::numeric_limits<double>::infinity();
+  for (const GuideFace& face : p.faces)
+    out = std::min({out, face.at_low - p.taper * face.low, face.at_high - p.taper * face.high});
+  return out;
+}
+
+/// Where the cage stands back beside and between guide faces.
+double behind_faces(const PocketOutline& p) {
+  double out = 0.0;
+  for (const GuideFace& face : p.faces) out = std::max({out, face.at_low, face.at_high});
+  return out + 0.12 * p.radius;
+}
+
 }  // namespace
 
 QPolygonF upright(const QPainterPath& silhouette, double skew) {
@@ -32,7 +48,7 @@ QPolygonF upright(const QPainterPath& silhouette, double skew) {
 }
 
 PocketPlay play_in(const PocketOutline& pocket, const QPolygonF& roller) {
-  const double half = pocket.radius + 0.5 * pocket.clearance_1;
+  const double half = half_at_middle(pocket);
   const QRectF box = roller.boundingRect();
   return {{half - reach(roller, pocket.taper, -1.0), half - reach(roller, pocket.taper, 1.0)},
           {wall(pocket, 0) + box.top(), wall(pocket, 1) - box.bottom()}};
@@ -72,6 +88,7 @@ double moved(const std::array<double, 2>& play, std::array<double, 2> gaps) {
 
 QSizeF pocket_half(const PocketOutline& p) {
   const double half = p.radius + 0.5 * p.clearance_1;
+  if (!p.faces.empty()) return {behind_faces(p), std::max(wall(p, 0), wall(p, 1))};
   if (p.roller_length > 0.0) {
     const double high = wall(p, p.taper < 0.0 ? 0 : 1);
     return {half + std::abs(p.taper) * high, std::max(wall(p, 0), wall(p, 1))};
@@ -94,7 +111,20 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   const QSizeF half = pocket_half(p);
   const QRectF box(-half.width(), -half.height(), 2.0 * half.width(), 2.0 * half.height());
   QPainterPath path;
-  if (p.roller_length > 0.0) {
+  if (!p.faces.empty()) {
+    const double back = half.width();
+    path.addRect(QRectF(QPointF(-back, -wall(p, 0)), QPointF(back, wall(p, 1))));
+    for (const GuideFace& face : p.faces)
+      for (const double side : {-1.0, 1.0}) {
+        QPainterPath block;
+        block.addPolygon(QPolygonF{{side * face.at_low, face.low},
+                                   {side * face.at_high, face.high},
+                                   {side * back, face.high},
+                                   {side * back, face.low}});
+        block.closeSubpath();
+        path = path.subtracted(block);
+      }
+  } else if (p.roller_length > 0.0) {
     const double middle = p.radius + 0.5 * p.clearance_1;
     QPolygonF window;
     for (const auto& [side, up] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {

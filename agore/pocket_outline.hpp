@@ -5,8 +5,15 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace adore::agore {
+
+/// A guide face beside a roller as seen from outside: from the height `low` to `high` along the
+/// bearing axis, so far to the right of the pocket's middle. A mirror image stands on the left.
+struct GuideFace {
+  double low = 0.0, high = 0.0, at_low = 0.0, at_high = 0.0;
+};
 
 /// A pocket seen from outside, about its centre: right is the way round, up the bearing axis.
 struct PocketOutline {
@@ -17,6 +24,7 @@ struct PocketOutline {
   double clearance_1 = 0.0, clearance_2 = 0.0;  ///< diametral, as drawn
   /// How much farther than half a roller its end walls at -x and +x stand, of one that leans.
   std::array<double, 2> leaning{};
+  std::vector<GuideFace> faces{};  ///< of record 7.3, in place of the window's sides
 };
 
 /// A roller seen from outside, about its middle: its silhouette with its axis to the right turned

@@ -2,6 +2,7 @@
 #include "agore/ring_profile.hpp"
 #include "agore/view_layout.hpp"
 #include "agore/view_scene.hpp"
+#include "base/rotation.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <QTransform>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,9 +18,42 @@
 namespace adore::agore {
 namespace {
 
+/// Guide faces of record 7.3 where their planes cross the middle plane of the pocket (z = 0), which
+/// is where a face without tilt touches; empty for a plain window. Lengths in the file's unit.
+std::vector<GuideFace> guide_faces(const Animation& animation) {
+  std::vector<GuideFace> out;
+  const double unit = length_unit(animation);
+  for (int i = 1;; ++i) {
+    const auto number = [&](const char* name, double otherwise = 0.0) {
+      return size_number(animation, fmt::format("pocket_face{}_{}", i, name).c_str(), otherwise);
+    };
+    const double length = number("length", -1.0);
+    if (!(length > 0.0)) return out;
+    const Mat3 to_face = passive_matrix({number("angle_x"), number("angle_y"), number("angle_z")});
+    const Vec3 along = to_face.row(0), normal = to_face.row(1),
+               centre{number("x"), number("y"), number("z")};
+    if (!(normal.y() > 0.0)) continue;
+    const double half = 0.5 * length * std::abs(along.x());
+    const auto at = [&](double x) {
+      return (normal.dot(centre) - normal.x() * x) / normal.y() / unit;
+    };
+    const double low = centre.x() - half, high = centre.x() + half;
+    out.push_back({low / unit, high / unit, at(low), at(high)});
+  }
+}
+
 /// Exaggeration of the pocket view: the clearance is drawn as 0.44 element radii.
-double pocket_factor(const results::Sol8Geometry& g) {
-  return g.pocket_clearance_1 > 0.0 ? 0.44 * g.element_radius / g.pocket_clearance_1 : 1.0;
+double pocket_factor(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  double clearance = g.pocket_clearance_1;
+  if (const std::vector<GuideFace> faces = guide_faces(animation); !faces.empty()) {
+    const double slope = roller_profile(animation).slope;
+    double least = std::numeric_limits<double>::infinity();
+    for (const GuideFace& face : faces)
+      least = std::min({least, face.at_low - slope * face.low, face.at_high - slope * face.high});
+    clearance = 2.0 * (least - g.element_radius);
+  }
+  return clearance > 0.0 ? 0.44 * g.element_radius / clearance : 1.0;
 }
 
 /// As RESULTS.h5 has it; from SOL8 alone round, and rollers as long as wide. Its clearances are
@@ -36,6 +71,12 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
     const RollerProfile roller = roller_profile(animation);
     pocket.roller_length = 2.0 * roller.half;
     pocket.taper = roller.slope;
+    pocket.faces = guide_faces(animation);
+    for (GuideFace& face : pocket.faces)
+      for (const auto& [x, y] : {std::pair{face.low, &face.at_low}, {face.high, &face.at_high}}) {
+        const double roller_side = pocket.radius + pocket.taper * x;
+        *y = roller_side + factor * (*y - roller_side);
+      }
     if (animation.motion)
       pocket.leaning =
           leaning_walls(roller, nominal_lean(animation) - cage_profile(animation).lean);
@@ -217,7 +258,7 @@ QString gaps_text(const SideWalls& walls, const std::string& unit) {
 
 double pocket_picture_radius(const Animation& animation) {
   const auto& g = animation.file.geometry;
-  const QSizeF hole = pocket_half(pocket_of(animation, pocket_factor(g)));
+  const QSizeF hole = pocket_half(pocket_of(animation, pocket_factor(animation)));
   return std::max({2.6 * g.element_radius, hole.height() + 1.4 * g.element_radius,
                    hole.width() + 1.4 * g.element_radius});
 }
@@ -230,7 +271,7 @@ void pocket_view(const Scene& s) {
   const auto& element = s.frame.elements.at(k);
   // Seen from outside along the pocket axis: bearing axis up, direction of increasing azimuth to
   // the right.
-  const double factor = pocket_factor(g);
+  const double factor = pocket_factor(s.animation);
   const PocketOutline pocket = pocket_of(s.animation, factor);
   const bool rollers = s.animation.file.bearing_type != 1;
   const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};

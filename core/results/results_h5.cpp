@@ -204,6 +204,16 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   out["cage_width"] = bearing.cage->width;
   out["pocket_code"] = bearing::pocket_code(*bearing.cage, bearing.rollers() != nullptr);
   out["pocket_cone_angle"] = bearing.cage->cone_angle;
+  for (std::size_t i = 0; i < bearing.cage->pocket_faces.size(); ++i) {  // record 7.3, at +y
+    const bearing::RollerPocketFace& face = bearing.cage->pocket_faces[i];
+    const std::string name = fmt::format("pocket_face{}_", i + 1);
+    for (const auto& [axis, letter] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
+      out[name + letter] = face.centre[axis];
+      out[name + "angle_" + letter] = face.angles[axis];
+    }
+    out[name + "width"] = face.width;
+    out[name + "length"] = face.length;
+  }
   if (bearing.cage->segments.count > 1)  // the element, from 1, of the first segment's first pocket
     out["first_pocket"] = shape_of(bearing).first_pocket + 1.0;
   out["lands"] = static_cast<double>(bearing.cage->lands.size());

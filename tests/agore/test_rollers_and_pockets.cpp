@@ -283,6 +283,23 @@ TEST_CASE("what is drawn of a roller and its pocket keeps the gaps in proportion
       }
 }
 
+TEST_CASE("pocket with guide faces: a roller moved by its play touches them and fits between them",
+          "[unit][agore][pocket]") {
+  agore::PocketOutline pocket{.radius = 5.0, .roller_length = 14.0, .clearance_1 = 3.0};
+  pocket.faces = {{-6.0, -2.0, 6.0, 6.5}, {2.0, 6.0, 6.5, 6.0}};  // ends nearer than the middle
+  const QPainterPath hole = agore::pocket_hole(pocket);
+  CHECK(hole.contains(QPointF(5.9, 5.9)));
+  CHECK_FALSE(hole.contains(QPointF(6.1, 5.9)));
+  CHECK(hole.contains(QPointF(6.4, 2.1)));
+  CHECK(hole.contains(QPointF(6.6, 0.0)));  // between the faces
+  CHECK_FALSE(hole.contains(QPointF(-6.1, -5.9)));
+  CHECK(agore::pocket_half(pocket).width() == Approx(7.1));
+  const agore::RollerProfile shape{.half = 7.0, .radius = 5.0};
+  const auto play = agore::play_in(pocket, agore::upright(shape.outline(), 0.0));
+  CHECK(play.sides[0] == Approx(1.0));
+  CHECK(play.sides[1] == Approx(1.0));
+}
+
 TEST_CASE("views: a roller is drawn at the wall that carries it, and the key tells both gaps",
           "[gui][h5]") {
   using namespace adore::testing;
