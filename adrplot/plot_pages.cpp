@@ -168,6 +168,11 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   };
   if (!ball && header.outer_flange) flanges("Outer race flange interactions", "outer");
   if (!ball && header.inner_flange) flanges("Inner race flange interactions", "inner");
+  if (columns.has("element.pocket_heat"))  // behind the manual's pages
+    pages.push_back(history("Heat besides contact friction",
+                            {both_races("Rolling resistance", "contact.rolling_heat"),
+                             both_races("Contact damping", "contact.damping_heat"),
+                             single("Cage pocket", "element.pocket_heat")}));
   return pages;
 }
 

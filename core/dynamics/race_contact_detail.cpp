@@ -96,7 +96,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       state.ellipse.a *= wavy.major;
       state.ellipse.b *= wavy.minor;
     }
-    const double Q = state.ellipse.Q;
+    const double Q = state.elastic = state.ellipse.Q;
     if (contact::is_damped(model.damping))
       state.ellipse.Q = contact::damped_load(model.damping, Q, 1.5 * Q / state.approach,
                                              state.approach, state.approach_rate);
@@ -104,6 +104,18 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
                                    model.groove.groove_radius[j], state.approach);
   }
   return state;
+}
+
+double race_rolling_heat(const RaceContactModel& model, const tribology::RollingResistance& rolling,
+                         const RaceContactState& state) noexcept {
+  const tribology::EllipseGeometry& g = state.ellipse;
+  if (!(g.Q > 0.0)) return 0.0;
+  const tribology::EllipseKinematics& m = state.motion;
+  const double radius = model.groove.ball_radius;
+  const double F = rolling.force(
+      tribology::ContactPoint<double>{g.Q, 1.5 * g.Q / (std::numbers::pi * g.a * g.b), g.a, g.b,
+                                      m.entrainment, tribology::middle_slip(g, m), m.curvature});
+  return F * ((2.0 / (m.curvature * radius) - 1.0) * m.u_t + radius * m.W_c);
 }
 
 namespace {
@@ -116,6 +128,7 @@ RaceContactSnapshot detail_of(const RaceContactModel& model, const RaceContactSt
   if (!(state.approach > 0.0)) return snapshot;
   const tribology::EllipseGeometry& ellipse = state.ellipse;
   snapshot.load = ellipse.Q;
+  snapshot.damping_heat = (ellipse.Q - state.elastic) * state.approach_rate;
   snapshot.angle = state.angle;
   snapshot.half_major = ellipse.a;
   snapshot.half_minor = ellipse.b;

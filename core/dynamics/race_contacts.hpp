@@ -159,6 +159,7 @@ void largest_slips(InstructionSet set, const RaceContactModel& model, const Elem
 struct RaceContactState {
   double approach = 0.0;               ///< δ [m], negative when open
   double approach_rate = 0.0;          ///< dδ/dt [m/s]
+  double elastic = 0.0;                ///< Q without damping [N]
   Vec3 n, t, c;                        ///< contact axes in the base frame
   Vec3 arm;                            ///< d = ball centre - P_j, base frame [m]
   double angle = 0.0;                  ///< contact angle [rad]
@@ -167,6 +168,10 @@ struct RaceContactState {
 };
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);
+/// Power that rolling resistance takes at one contact, a share of evaluate_race_rolling() [W].
+[[nodiscard]] double race_rolling_heat(const RaceContactModel& model,
+                                       const tribology::RollingResistance& rolling,
+                                       const RaceContactState& state) noexcept;
 
 /// Error of model.rule against the converged integrals over the loaded contacts of one race, for
 /// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and

@@ -11,6 +11,7 @@
 #include <functional>
 #include <numbers>
 #include <span>
+#include <utility>
 
 /// The four sections of a printed step (outputs.md 3.3).
 namespace adore::listing {
@@ -126,17 +127,30 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
     }
 }
 
-/// Friction of each element at each of its contacts, with the films of its pocket.
-void heat_of_elements(Report& report, const StepRecord& record, int interval) {
-  std::vector<ChannelColumn> columns{{"outer race", "contact.heat", 0},
-                                     {"inner race", "contact.heat", 1}};
-  if (record.shape.rollers)
-    columns.push_back({"flanges", "contact.heat", 0, [&record](std::size_t j) {
-                         const std::vector<double>& heat = record["flange.heat"];
-                         return heat[4 * j] + heat[4 * j + 1] + heat[4 * j + 2] + heat[4 * j + 3];
-                       }});
-  if (record.shape.cages > 0) columns.push_back({"pocket", "element.pocket_heat"});
-  report.heading("Heat of friction of the elements, by contact");
+/// Heat of each element at each of its contacts; the parts of the power loss that elements have.
+void heat_of_elements(Report& report, const StepRecord& record, int interval, bool rollers,
+                      bool cage) {
+  report.heading(
+      "Heat of each element: friction, rolling resistance and damping at the races (1 outer, 2 "
+      "inner), flanges, cage pocket");
+  std::vector<ChannelColumn> columns;
+  for (int race = 0; race < 2; ++race)
+    for (const auto& [title, id] :
+         {std::pair{"friction", "contact.heat"}, std::pair{"rolling", "contact.rolling_heat"},
+          std::pair{"damping", "contact.damping_heat"}})
+      columns.push_back({fmt::format("{} {}", title, race + 1), id, race});
+  const auto flanges = [&record](std::string_view id) {
+    return [&record, id](std::size_t j) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) sum += record[id][4 * j + k];
+      return sum;
+    };
+  };
+  if (rollers) {
+    columns.push_back({"flanges", "contact.heat", 0, flanges("flange.heat")});
+    columns.push_back({"flange damp", "contact.heat", 0, flanges("flange.damping_heat")});
+  }
+  if (cage) columns.push_back({"pocket", "element.pocket_heat"});
   element_table(report, record, interval, columns);
 }
 
@@ -215,7 +229,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
       };
     element_table(report, record, interval, columns);
   }
-  heat_of_elements(report, record, interval);
+  heat_of_elements(report, record, interval, rollers, record.shape.cages > 0);
   if (rollers) {
     slices_of_first(report, snapshot);
     flanges(report, snapshot, interval);

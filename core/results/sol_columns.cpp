@@ -35,6 +35,9 @@ constexpr std::string_view kElementFile[] = {"element.orbital_acceleration",
 /// Appended pairs (N52): 28-33 for balls, 40-45 for rollers.
 constexpr std::string_view kElementExtension[] = {"contact.load_slip", "contact.temperature_rise",
                                                   "contact.temperature"};
+/// Appended behind those, so that the heat of an element is complete: 34-38 for balls, 46-54 for
+/// rollers, whose last four are of the flanges.
+constexpr std::string_view kElementHeat[] = {"contact.rolling_heat", "contact.damping_heat"};
 constexpr std::string_view kPocket[] = {"pocket.force", "pocket.gap", "pocket.theta", "pocket.phi"};
 constexpr std::string_view kPocketPlace[] = {"pocket.force", "pocket.gap", "pocket.position",
                                              "pocket.phi"};
@@ -146,6 +149,13 @@ class Columns {
   std::vector<SolColumn> columns_;
 };
 
+/// -x then +x side of one race.
+void add_flange_pair(Columns& columns, std::string_view id, std::size_t element, std::size_t race) {
+  for (std::size_t side = 0; side < 2; ++side)
+    columns.add(id, 4 * element + 2 * race + side, fmt::format(".{}.{}", kRaceName[race], side + 1),
+                fmt::format(", {} race, {} side", kRaceName[race], side == 0 ? "-x" : "+x"));
+}
+
 void add_element_columns(Columns& columns, const SolHeader& header) {
   const auto element = static_cast<std::size_t>(header.index - 1);
   for (std::string_view id : kElementFile) {
@@ -156,12 +166,13 @@ void add_element_columns(Columns& columns, const SolHeader& header) {
   }
   if (header.bearing_type != kBall)
     for (std::size_t race = 0; race < 2; ++race)
-      for (std::string_view id : kFlanges)
-        for (std::size_t side = 0; side < 2; ++side)
-          columns.add(id, 4 * element + 2 * race + side,
-                      fmt::format(".{}.{}", kRaceName[race], side + 1),
-                      fmt::format(", {} race, {} side", kRaceName[race], side == 0 ? "-x" : "+x"));
+      for (std::string_view id : kFlanges) add_flange_pair(columns, id, element, race);
   for (std::string_view id : kElementExtension) columns.add_pair(id, 2 * element);
+  for (std::string_view id : kElementHeat) columns.add_pair(id, 2 * element);
+  columns.add("element.pocket_heat", element);
+  if (header.bearing_type != kBall)
+    for (std::size_t race = 0; race < 2; ++race)
+      add_flange_pair(columns, "flange.damping_heat", element, race);
 }
 
 void add_cage_columns(Columns& columns, const SolHeader& header) {
@@ -233,7 +244,7 @@ std::vector<SolColumn> sol_columns(const SolHeader& header) {
 int sol_value_count(SolKind kind, const Shape& shape) {
   switch (kind) {
     case SolKind::Element:
-      return shape.rollers ? 45 : 33;
+      return shape.rollers ? 54 : 38;
     case SolKind::Cage:
       return 24 + 4 * shape.pocket_surfaces *
                       (shape.elements / std::max(shape.cages, 1) + (shape.last_halves > 0 ? 1 : 0));

@@ -25,6 +25,8 @@ struct RaceContactSnapshot {
   double spin_to_roll = 0.0;                  ///< signed W_n / W_c of dynamics_README
   double max_slip = 0.0;                      ///< largest slip speed in the ellipse [m/s]
   double heat = 0.0;                          ///< ∫ κ p u dA [W]
+  double rolling_heat = 0.0;                  ///< rolling resistance of the oil [W]
+  double damping_heat = 0.0;                  ///< taken by contact damping [W]
   double load_slip = 0.0;                     ///< ∫ p u dA [W]
   double film = 0.0;                          ///< in the middle; 0 with the hypothetical law [m]
   double least_film = 0.0;                    ///< at its thinnest, likewise [m]
@@ -44,12 +46,13 @@ struct RaceContactSnapshot {
 /// A roller end at a flange of a race.
 struct FlangeContactSnapshot {
   bool present = false;
-  double force = 0.0;      ///< [N]
-  double gap = 0.0;        ///< negative in contact [m]; infinite: the end is nowhere near
-  double height = 0.0;     ///< of the contact up the face [m]
-  double slip = 0.0;       ///< [m/s]
-  double heat = 0.0;       ///< [W]
-  double load_slip = 0.0;  ///< [W]
+  double force = 0.0;         ///< [N]
+  double gap = 0.0;           ///< negative in contact [m]; infinite: the end is nowhere near
+  double height = 0.0;        ///< of the contact up the face [m]
+  double slip = 0.0;          ///< [m/s]
+  double heat = 0.0;          ///< [W]
+  double load_slip = 0.0;     ///< [W]
+  double damping_heat = 0.0;  ///< taken by contact damping [W]
 };
 
 struct PocketContactSnapshot {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
 namespace adore::user {
@@ -42,7 +43,7 @@ HeatSources::Geometry HeatSources::geometry_of(const bearing::Bearing& bearing) 
 
 HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geometry)
     : step_size_(snapshot.step_size), total_(snapshot.energy.heat_rate()) {
-  std::array<double, 2> of_races{};
+  std::array<Placed, 3> of_races{{{"heat"}, {"rolling_heat"}, {"contact_damping"}}};
   for (std::size_t j = 0; j < 2; ++j)
     for (const scene::ElementSnapshot& one : snapshot.elements) {
       load_.push_back(one.race[j].load);
@@ -62,10 +63,12 @@ HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geomet
       const double reach = j == 0 ? geometry.element_radius : -geometry.element_radius;
       const double x = one.x + reach * std::sin(contact.angle);
       const double r = one.r + reach * std::cos(contact.angle);
-      add(ADORE_ELEMENT_RACE, static_cast<int>(i), static_cast<int>(j), contact.heat,
+      const std::array parts{contact.heat, contact.rolling_heat, contact.damping_heat};
+      add(ADORE_ELEMENT_RACE, static_cast<int>(i), static_cast<int>(j),
+          std::accumulate(parts.begin(), parts.end(), 0.0),
           {x, -r * s, r * c, contact.half_major, contact.half_minor},
           j == 0 ? "outer race contact" : "inner race contact");
-      of_races[j] += contact.heat;
+      for (std::size_t k = 0; k < parts.size(); ++k) of_races[k].sum[j] += parts[k];
     }
   }
   double of_pockets = 0.0, of_lands = 0.0;
@@ -90,9 +93,11 @@ HeatSources::HeatSources(const scene::Snapshot& snapshot, const Geometry& geomet
     if (item.term->kind != scene::LedgerKind::Heat) continue;
     double rest = item.rate;
     const auto j = static_cast<std::size_t>(item.race);
-    if (item.term->id == "heat") rest -= of_races[j];
-    if (item.term->id == "flange_heat")
-      rest -= item.term->per_race() ? of_flanges_[j] : of_flanges_[0] + of_flanges_[1];
+    for (const Placed& one : of_races)
+      if (item.term->id == one.id) rest -= one.sum[j];
+    for (const Placed& one : of_flanges_)
+      if (item.term->id == one.id)
+        rest -= item.term->per_race() ? one.sum[j] : one.sum[0] + one.sum[1];
     for (Shared& one : shared)
       if (item.term->id == one.id || item.term->id == one.film) {
         const double taken = item.term->id == one.id ? std::min(one.detail, rest) : one.detail;
@@ -129,16 +134,18 @@ void HeatSources::add_flanges(const scene::Snapshot& snapshot, std::size_t i,
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t side = 0; side < 2; ++side) {
       const scene::FlangeContactSnapshot& flange = one.flange[j][side];
-      if (!flange.present || flange.heat == 0.0) continue;
+      if (!flange.present || flange.heat + flange.damping_heat == 0.0) continue;
       const scene::Vec3 axis = axis_of(one), outwards = from_azimuth(one.theta, {0.0, 0.0, 1.0});
       const scene::Vec3 radial = (outwards - axis.dot(outwards) * axis).normalized();
       const double to_race = (j == 0 ? 1.0 : -1.0) * (geometry.element_radius - flange.height);
       const scene::Vec3 at = centre_of(one) +
                              (side == 0 ? -1.0 : 1.0) * geometry.half_length * axis +
                              to_race * radial;
-      add(ADORE_ROLLER_FLANGE, static_cast<int>(i), static_cast<int>(j), flange.heat,
-          {at[0], at[1], at[2], 0.0, 0.0}, j == 0 ? "outer race flange" : "inner race flange");
-      of_flanges_[j] += flange.heat;
+      add(ADORE_ROLLER_FLANGE, static_cast<int>(i), static_cast<int>(j),
+          flange.heat + flange.damping_heat, {at[0], at[1], at[2], 0.0, 0.0},
+          j == 0 ? "outer race flange" : "inner race flange");
+      of_flanges_[0].sum[j] += flange.heat;
+      of_flanges_[1].sum[j] += flange.damping_heat;
     }
 }
 

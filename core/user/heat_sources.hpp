@@ -5,6 +5,7 @@
 #include "user/adore_user.h"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 /// Where heat arises at one instant, for ADRX9: every contact of elements and races with place and
@@ -45,13 +46,18 @@ class HeatSources {
   struct Place {
     double x = 0.0, y = 0.0, z = 0.0, across = 0.0, along = 0.0;
   };
+  /// Heat of one ledger term that has a place, by race [W].
+  struct Placed {
+    std::string_view id;
+    std::array<double, 2> sum{};
+  };
   void add_flanges(const scene::Snapshot& snapshot, std::size_t i, const Geometry& geometry);
   void add_pocket(const scene::Snapshot& snapshot, std::size_t i, const Geometry& geometry);
   void add_land(const scene::CageSnapshot& cage, std::size_t k, const Geometry& geometry);
   void add(int kind, int element, int race, double heat, const Place& place, const char* name);
 
   double step_size_, total_;
-  std::array<double, 2> of_flanges_{};  ///< [W]
+  std::array<Placed, 2> of_flanges_{{{"flange_heat"}, {"flange_damping"}}};
   std::vector<double> x_, r_, theta_, load_, angle_, heat_, place_, size_;
   std::vector<std::int32_t> kind_, element_, race_;
   std::vector<const char*> name_;

@@ -60,7 +60,7 @@ TEST_CASE("adore new gives a deck of every type that runs in time", "[cli]") {
     REQUIRE(run.code == 0);
     const results::SolFile roller = results::read_sol((out / "SOL1").string());
     CHECK(roller.header.bearing_type > 1);
-    CHECK(roller.header.value_count == 45);
+    CHECK(roller.header.value_count == 54);
     REQUIRE_FALSE(roller.steps.empty());
     for (const double value : roller.steps.back().values) CHECK(std::isfinite(value));
   }

@@ -534,18 +534,29 @@ def _(b):
     return r.command, [close("fraction of SOL7, (drag of balls and cage) / power", r.sol("SOL7").column(2)[t], part / whole, 1e-5), more("fraction", part / whole, 0.01)]
 
 
+OF_ELEMENTS = ("contact.heat.", "contact.rolling_heat.", "contact.damping_heat.", "flange.heat.", "flange.damping_heat.", "element.pocket_heat.")
+OF_ALL = ("power.pocket_damping", "power.land_damping", "power.element_heat", "power.element_damping", "power.element_drag", "power.cage_drag")
+
+
 @feature("F213", G)
 def _(b):
-    r = b.run("tapered", sets=oil(4, kChrn=2, chnDen=90.0, chnVis=0.005), until="0.05rev")
-    c = b.channels(r)
-    t = len(c["time"]) // 2
-    parts = sum(v[t] for k, v in c.items() if k.startswith(("contact.heat.", "flange.heat.", "element.pocket_heat.", "land.heat.")) and not math.isnan(v[t]))
-    parts += sum(c[k][t] for k in ("power.element_drag", "power.cage_drag") if k in c)
-    rolling = [k for k in c if "rolling" in k]
-    s = r.sol("SOL1")
-    return r.command, [close("heat of all contacts and drags, the power of SOL7 [W]", parts, c["power.loss"][t], 1e-3),
-                       more("channels of rolling resistance per contact", len(rolling), 0), close("SOL1 heat at the inner race, that of RESULTS.h5 [W]", s.column(25)[t],
-                       c["contact.heat.1.2"][t], 1e-3, 1e-6)]
+    out = []
+    for deck, sets in (("ball", oil(4)), ("tapered", oil(4, kChrn=2, chnDen=90.0, chnVis=0.005)), ("cylindrical", {})):
+        r = b.run(deck, sets=sets, until="0.05rev")
+        c = b.channels(r)
+        t = len(c["time"]) // 2
+        parts = sum(v[t] for k, v in c.items() if k.startswith(OF_ELEMENTS + ("land.heat.",)) and not math.isnan(v[t]))
+        parts += sum(c[k][t] for k in OF_ALL if k in c)
+        out.append(close(f"{deck}: heat of all contacts and drags, the power of SOL7 [W]", parts, r.sol("SOL7").column(1)[t], 1e-6))
+        rolling = sum(v[t] for k, v in c.items() if k.startswith("contact.rolling_heat."))
+        s = r.sol("SOL1").values[t]
+        roller = deck != "ball"
+        of_one = s[23] + s[24] + sum(s[33 + 12 * roller:38 + 12 * roller]) + (s[31] + s[32] + s[37] + s[38] + sum(s[50:54]) if roller else 0.0)
+        ours = [k for k in c if k.startswith(OF_ELEMENTS) and k.split(".")[2] == "1"]
+        out.append(close(f"{deck}: heat of element 1 in SOL1, in RESULTS.h5 [W]", of_one, sum(c[k][t] for k in ours), 1e-6))
+        out.append(equal(f"{deck}: PRINT lists the heat of each element", "Heat of each element: friction, rolling resistance and damping" in r.listing, True))
+        out.append(less(f"{deck}, dry: rolling resistance [W]", rolling, 1e-300) if not sets else more(f"{deck}, in oil: rolling resistance [W]", rolling, 0.01))
+    return r.command, out
 
 
 @feature("F214", G)

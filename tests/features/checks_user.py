@@ -258,6 +258,10 @@ def _(b):
         loss = r.sol("SOL7").column(1)[-1]
         total = sum(row[9] for row in rows if row[0] == last)
         out += [close(f"{deck}: sum of the sources at the last step, SOL7 value 1 [W]", total, loss, 1e-4)]
+        c = b.channels(r)
+        of_races = sum(v[-1] for k, v in c.items() if k.startswith(("contact.heat.", "contact.rolling_heat.", "contact.damping_heat.")))
+        at_races = sum(row[9] for row in placed[0] if row[0] == last)
+        out.append(close(f"{deck}: sources at the races, friction, rolling resistance and damping of RESULTS.h5 [W]", at_races, of_races, 1e-4))
         for k in kinds[1:]:
             if not placed[k]:
                 continue

@@ -2,16 +2,18 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace adore::dynamics {
 
 /// Sums over all elements of one race at this evaluation.
 struct RaceAccount {
-  double power = 0.0;      ///< that the race exerts on elements and cage [W]
-  double heat = 0.0;       ///< [W]
-  double damping = 0.0;    ///< power that damping takes [W]
-  double rolling = 0.0;    ///< rolling resistance of rollers, of the films of their traction [W]
-  double load_slip = 0.0;  ///< ∫ p u dA [W]
+  double power = 0.0;                          ///< that the race exerts on elements and cage [W]
+  double heat = 0.0;                           ///< [W]
+  double damping = 0.0;                        ///< power that damping takes [W]
+  double rolling = 0.0;                        ///< rolling resistance of rollers [W]
+  std::vector<double> rolling_of, damping_of;  ///< the same by roller; empty: none, or balls [W]
+  double load_slip = 0.0;                      ///< ∫ p u dA [W]
   double load_slip_element1 = 0.0;
   /// What holds or loads the race, as reported, for a look [N, N m].
   std::array<double, 3> force{}, moment{};

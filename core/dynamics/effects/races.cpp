@@ -323,6 +323,7 @@ void Races::declare(SceneBuilder& scene) {
                scene.bearing.element_material};
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
+  rolls_ = plan.has(Effect::RollingResistance);
   for (auto* values : {&slip_, &scratch_})
     values->resize(static_cast<std::size_t>(scene.bearing.element_count()));
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
@@ -424,10 +425,14 @@ std::string Races::why_invalid(const Evaluation& e) const {
 RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_t i) const {
   const RaceContactModel& model = contacts_[j].of(i);
   const RaceMotion motion = e.race[j].motion();
-  if (sums_known_)
-    return race_contact_detail(model, e.elements, i, motion,
-                               ContactSums{e.heat[j][i], e.load_slip[j][i]});
-  return race_contact_detail(model, e.elements, i, motion);
+  RaceContactSnapshot out = sums_known_
+                                ? race_contact_detail(model, e.elements, i, motion,
+                                                      ContactSums{e.heat[j][i], e.load_slip[j][i]})
+                                : race_contact_detail(model, e.elements, i, motion);
+  if (rolls_)
+    out.rolling_heat =
+        race_rolling_heat(model, rolling_[j], race_contact_state(model, e.elements, i, motion));
+  return out;
 }
 
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
@@ -454,6 +459,11 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? std::move(of_rollers[i]) : detail(e, j, i);
+      if (rollers_) {
+        const RaceAccount& sums = account_[j];
+        if (!sums.rolling_of.empty()) contact.rolling_heat = sums.rolling_of[i];
+        if (!sums.damping_of.empty()) contact.damping_heat = sums.damping_of[i];
+      }
       if (in_oil && contact.load > 0.0) {
         if (roughness_[j] > 0.0)
           contact.film_parameter = std::max(contact.least_film / roughness_[j], scene::kNoFilmLeft);

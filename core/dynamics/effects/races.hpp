@@ -83,6 +83,7 @@ class Races final : public SceneEffect {
   std::array<double, 2> temperature_{}, roughness_{};
   std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool in_contact_ = false;
+  bool rolls_ = false;                    ///< in oil that resists
   bool sums_known_ = false;               ///< of each contact, by the right-hand side
   std::optional<NormalContacts> normal_;  ///< with race contact of balls
   std::array<RaceAccount, 2> account_;

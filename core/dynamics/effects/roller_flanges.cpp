@@ -330,7 +330,8 @@ class RollerFlanges final : public SceneEffect {
         } else
           a.contact = contact::flange_contact(pair.face, pair.end, roller.centre(), roller.axis);
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
-            true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
+            true,   a.load, a.contact.gap,   a.contact.height,
+            a.slip, a.heat, a.load * a.slip, a.damping};
       }
     }
   }

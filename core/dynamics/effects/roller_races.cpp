@@ -272,6 +272,8 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, RollersOnRace& ro
       actions_(rollers.count()),
       of_lobes_(rollers.own_slopes() != nullptr ? rollers.count() : 0),
       rolled_(rolls ? rollers.count() : 0) {
+  sums_.damping_of.assign(rollers.count(), 0.0);
+  if (rolls) sums_.rolling_of.assign(rollers.count(), 0.0);
   std::size_t slices = 0;
   for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
   if (model.law.is_of_user()) user_.emplace(rollers.count(), slices);
@@ -306,7 +308,8 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
            rolled_.empty() ? nullptr : &model_.rolling, rolled_.data()});
   if (rollers_.slopes() != nullptr) lean();
   if (rollers_.own_slopes() != nullptr) turn_lobes();
-  sums_.heat = sums_.load_slip = sums_.rolling = sums_.damping = 0.0;
+  sums_.heat = sums_.load_slip = sums_.damping = 0.0;
+  if (!rolled_.empty()) sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];
     e.load[j][i] = a.load;
@@ -316,11 +319,14 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
     e.elastic += a.energy;
     sums_.damping += a.damping;
+    sums_.damping_of[i] = a.damping;
+    if (!rolled_.empty()) sums_.rolling_of[i] = 0.0;
     if (!(a.energy > 0.0)) continue;
     rollers_.act(e, i, a.force, a.moment);
     if (!rolled_.empty()) {
       rollers_.act(e, i, rolled_[i].force, rolled_[i].moment);
       sums_.rolling += rolled_[i].heat;
+      sums_.rolling_of[i] = rolled_[i].heat;
     }
     sums_.heat += a.heat;
     sums_.load_slip += a.load_slip;
@@ -329,22 +335,26 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
 }
 
 RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers,
-                                     double& heat)
+                                     RaceAccount& sums)
     : model_(model),
-      heat_(heat),
+      sums_(sums),
       kernel_(rolling_kernel_of(chosen_instruction_set())),
       rollers_(model, rollers),
-      actions_(rollers) {}
+      actions_(rollers) {
+  sums_.rolling_of.assign(rollers, 0.0);
+}
 
 void RollerRaceRolling::apply(Evaluation& e) noexcept {
   rollers_.place(e);
   kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
            actions_.data(), &model_.rolling});
-  heat_ = 0.0;
+  sums_.rolling = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
+    sums_.rolling_of[i] = 0.0;
     if (rollers_.poses()[i].open) continue;
     rollers_.act(e, i, actions_[i].force, actions_[i].moment);
-    heat_ += actions_[i].heat;
+    sums_.rolling += actions_[i].heat;
+    sums_.rolling_of[i] = actions_[i].heat;
   }
 }
 

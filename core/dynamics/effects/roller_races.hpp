@@ -149,13 +149,13 @@ class RollerRaceBlock final : public EffectBlock {
 /// Rolling resistance of the same contacts (rolling_resistance.cpp) where the traction has no film.
 class RollerRaceRolling final : public EffectBlock {
  public:
-  /// @param heat on all rollers now [W]
-  RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers, double& heat);
+  /// @param sums its `rolling` is the sum
+  RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers, RaceAccount& sums);
   void apply(Evaluation& e) noexcept override;
 
  private:
   const RollerRaceModel& model_;
-  double& heat_;
+  RaceAccount& sums_;
   RollerRollingKernel kernel_;
   RollersOnRace rollers_;
   std::vector<RollerRaceAddition> actions_;

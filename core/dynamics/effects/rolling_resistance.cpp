@@ -51,19 +51,19 @@ class BallRolling final : public EffectBlock {
 class Rolling final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    const Races& races = *scene.find<Races>();
+    Races& races = *scene.find<Races>();
     const auto elements = static_cast<std::size_t>(scene.bearing.element_count());
     constexpr std::array kNames{"outer race.rolling", "inner race.rolling"};
     for (std::size_t j = 0; j < 2; ++j) {
       const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
       constexpr std::string_view kCost = "rolling resistance";
       const double* heat = &heat_[j];
-      if (races.roller_contacts() != nullptr && (*races.roller_contacts())[j].rolls_in_film())
-        heat = &races.account(j).rolling;  // of the films of the traction, in one kernel
-      else if (races.roller_contacts() != nullptr)
-        scene.block<RollerRaceRolling>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
-                                       elements, heat_[j]);
-      else
+      if (races.roller_contacts() != nullptr) {
+        heat = &races.account(j).rolling;
+        if (!(*races.roller_contacts())[j].rolls_in_film())  // else in the kernel of the traction
+          scene.block<RollerRaceRolling>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
+                                         elements, races.account(j));
+      } else
         scene.block<BallRolling>(Phase::Force, kCost, race, races.contacts()[j], races.rolling()[j],
                                  elements, heat_[j]);
       scene.energy(kNames[j], kHeat, heat, static_cast<int>(j));

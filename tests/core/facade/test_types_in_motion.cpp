@@ -66,11 +66,11 @@ TEST_CASE("every type writes its plot files, pages and averages", "[validation][
     INFO(type);
     // Element 1, the cage and both races, SOL7, the animation.
     const results::SolFile element = results::read_sol(folder / "run/SOL1");
-    CHECK(element.header.value_count == (rollers ? 45 : 33));
+    CHECK(element.header.value_count == (rollers ? 54 : 38));
     CHECK(element.header.title == "Rolling Element 1");
     REQUIRE(element.steps.size() == 3);  // steps 0, 10 and 20
     for (const results::SolStep& step : element.steps)
-      CHECK(step.values.size() == static_cast<std::size_t>(rollers ? 45 : 33));
+      CHECK(step.values.size() == static_cast<std::size_t>(rollers ? 54 : 38));
     for (const char* name : {"SOL2", "SOL3", "SOL4", "SOL7"}) {
       INFO(name);
       CHECK(results::read_sol(folder / "run" / name).steps.size() == 3);

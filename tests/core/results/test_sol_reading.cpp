@@ -68,7 +68,7 @@ TEST_CASE("a file cut off at any byte gives its whole steps or says that it is n
             const SolFile file = read_sol(stream, name, {});
             steps = file.steps.size();
             note = file.note;
-            for (const SolStep& step : file.steps) REQUIRE(step.values.size() == 33);
+            for (const SolStep& step : file.steps) REQUIRE(step.values.size() == 38);
           } else {
             const Sol8File file = read_sol8(stream, name, {});
             steps = file.frames.size();
@@ -151,11 +151,14 @@ TEST_CASE("files of other programs open", "[unit][sol]") {
   SECTION("a roller file names its flange values") {
     SolHeader header = make_sol_header(make_bearing(), 1, UnitSystem::SI);
     header.bearing_type = 2;
-    header.value_count = 45;
+    header.value_count = 54;
     const auto columns = sol_columns(header);
     CHECK(columns[27].id == "flange.force.outer.1");
     CHECK(columns[38].id == "flange.heat.inner.2");
     CHECK(columns[39].id == "contact.load_slip.outer");
+    CHECK(columns[45].id == "contact.rolling_heat.outer");
+    CHECK(columns[49].id == "element.pocket_heat");
+    CHECK(columns[53].id == "flange.damping_heat.inner.2");
   }
   SECTION("a power file with the thermal extension") {
     SolHeader header = make_sol_header(make_bearing(), 0, UnitSystem::SI);
