@@ -187,8 +187,8 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.along = std::move(history.x);
   chart.along_title = history.x_title;
   chart.along_unit = history.x_unit;
-  // Circles where an untilted cage touches its guide; they mean nothing against the axial
-  // coordinate.
+  // The unit circle is where a land without a second support touches; it means nothing against the
+  // axial coordinate.
   const KnownColumns columns(file);
   std::string suffix = " position";
   if (over_clearance) {
@@ -196,7 +196,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
     suffix = " / " + orbit_divisor(scale);
     add_note(chart, orbit_note(scale));
     if (scale.of == results::CageScale::Of::GuideLands && pair.across != 0 && pair.up != 0)
-      chart.guide_circles = scale.circles;
+      chart.guide_radius = 1.0;
   }
   chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};

@@ -147,11 +147,6 @@ RunFacts read_facts(const nlohmann::json& stored) {
   for (const Of of : {Of::GuideLands, Of::Pockets, Of::UnitOfLength})
     if (length && *length > 0.0 && text("cage orbit over") == results::name_of(of))
       out.cage_scale = results::CageScale{*length, of};
-  if (const auto circles = stored.find("cage orbit touches at");
-      out.cage_scale && circles != stored.end() && circles->is_array())
-    for (const nlohmann::json& one : *circles)
-      if (one.is_number() && one.get<double>() > 0.0)
-        out.cage_scale->circles.push_back(one.get<double>());
   return out;
 }
 

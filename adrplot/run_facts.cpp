@@ -39,12 +39,9 @@ OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns
   if (facts.cage_scale) {
     out.of = facts.cage_scale->of;
     out.length = facts.cage_scale->length / (out.unit == "in" ? kInch : 1.0);
-    out.circles = facts.cage_scale->circles;
-    if (out.circles.empty() && file.header.segments < 2) out.circles = {1.0};  // an older run's
     return out;
   }
   out.length = length_of(columns);
-  if (file.header.segments < 2) out.circles = {1.0};
   const auto no_land = [&columns](const char* force) {
     return columns.has(force) && !columns.values(force).why_none.empty();
   };
@@ -61,12 +58,11 @@ std::string orbit_note(const OrbitScale& scale) {
       scale.length > 0.0 ? ", " + desktop::pretty_quantity(scale.length, scale.unit, 3) : "";
   switch (scale.of) {
     case Of::GuideLands:
-      if (size.empty()) return "";
-      return fmt::format("Divided by the radial clearance of the guide lands{}{}.", size,
-                         scale.circles.empty() ? ""
-                         : scale.circles == std::vector{1.0}
-                             ? ": at 1 a cage that is not tilted touches"
-                             : "; on a dashed circle a segment that is not tilted touches");
+      return size.empty() ? ""
+                          : fmt::format(
+                                "Divided by the radial clearance of the guide lands{}: at "
+                                "1 a cage that is not tilted touches.",
+                                size);
     case Of::Pockets:
       return fmt::format(
           "This cage has no guide land: its orbit is divided by the radial clearance of its "

@@ -28,7 +28,6 @@ struct OrbitScale {
   results::CageScale::Of of = results::CageScale::Of::GuideLands;
   double length = 0.0;  ///< in `unit`
   std::string unit;
-  std::vector<double> circles;  ///< CageScale::circles; empty: not known
 };
 [[nodiscard]] OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns,
                                      const RunFacts& facts);

@@ -72,14 +72,14 @@ struct ChartPage {
   std::string x_title, x_unit;
   std::vector<double> x;
   std::vector<ChartPanel> panels;
-  std::vector<ChartMark> marks;       ///< dashed vertical lines with a label
-  bool equal_axes = false;            ///< an orbit: same scale both ways, one panel
-  bool points = false;                ///< each value is marked: there is nothing between them
-  bool closed_outline = false;        ///< an orbit page whose curves are outlines, not paths
-  bool fitted = false;                ///< an orbit page as wide and high as its curves, not square
-  bool schematic = false;             ///< an orbit page whose places mean nothing: without axes
-  std::vector<ChartLabel> labels;     ///< of a page with equal axes
-  std::vector<double> guide_circles;  ///< radii of circles about the origin of an orbit
+  std::vector<ChartMark> marks;    ///< dashed vertical lines with a label
+  bool equal_axes = false;         ///< an orbit: same scale both ways, one panel
+  bool points = false;             ///< each value is marked: there is nothing between them
+  bool closed_outline = false;     ///< an orbit page whose curves are outlines, not paths
+  bool fitted = false;             ///< an orbit page as wide and high as its curves, not square
+  bool schematic = false;          ///< an orbit page whose places mean nothing: without axes
+  std::vector<ChartLabel> labels;  ///< of a page with equal axes
+  double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
   /// Of an orbit: where its points stand on the abscissa of other pages; rises. Empty: not known.
   std::vector<double> along = {};
   std::string along_title = {}, along_unit = {};

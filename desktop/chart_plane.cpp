@@ -66,11 +66,11 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
     across.include(label.x);
     up.include(label.y);
   }
-  for (const double r : page_.guide_circles)
-    for (Extent* of : {&across, &up}) {
-      of->include(-r);
-      of->include(r);
-    }
+  for (const double r : {-page_.guide_radius, page_.guide_radius}) {
+    if (page_.guide_radius <= 0.0) continue;
+    across.include(r);
+    up.include(r);
+  }
   // One square that holds both ranges keeps circles round; a twelfth of margin keeps the curve off
   // the frame.
   Plane out;
@@ -222,14 +222,14 @@ void ChartScene::addOrbit(const Metrics& m) {
   x_axis_ = x_axis;
   addFrame(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
            with_unit(text_of(panel.title), y_axis), true, true, m);
-  for (const double r : page_.guide_circles) {
+  if (page_.guide_radius > 0.0) {
     Polyline circle;
     // As round when it is enlarged: a chord's height falls with the square of its length.
     const int points = 180 * static_cast<int>(std::ceil(std::sqrt(seen.enlarged)));
     for (int i = 0; i <= points; ++i) {
       const double a = 2.0 * std::numbers::pi * i / points;
-      circle.x.push_back(r * std::cos(a));
-      circle.y.push_back(r * std::sin(a));
+      circle.x.push_back(page_.guide_radius * std::cos(a));
+      circle.y.push_back(page_.guide_radius * std::sin(a));
     }
     QPen pen = penOf(1, m.thin_line);
     pen.setStyle(Qt::DashLine);
@@ -359,7 +359,7 @@ void ChartScene::addOrbit(const Metrics& m) {
     entries << entry("■", theme_->red, "start and end");
   else
     entries << entry("●", theme_->green, "start") << entry("■", theme_->red, "end");
-  if (!page_.guide_circles.empty()) entries << entry("– –", theme_->curves[1], "clearance");
+  if (page_.guide_radius > 0.0) entries << entry("– –", theme_->curves[1], "clearance");
   key->setHtml(entries.join(" &nbsp; "));
   key->setPos(area.right() - key->boundingRect().width(),
               area.top() - key->boundingRect().height());

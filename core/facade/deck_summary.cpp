@@ -26,7 +26,6 @@ nlohmann::ordered_json stored_json(const Prepared& prepared) {
                           results::to_si(1.0, results::unit::kLength, prepared.input.deck.units()));
   out["cage orbit over"] = results::name_of(scale.of);
   out["cage orbit over [m]"] = scale.length;
-  out["cage orbit touches at"] = scale.circles;
   return out;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/rotation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,30 +81,14 @@ std::string_view name_of(CageScale::Of of) {
 }
 
 CageScale cage_scale(const bearing::Cage& cage, double unit_length) {
-  using Guide = bearing::GuideLand::Guide;
   double sum = 0.0;
   int lands = 0;
-  const auto guided = [&cage](Guide guide) {
-    return std::any_of(cage.lands.begin(), cage.lands.end(),
-                       [guide](const bearing::GuideLand& land) { return land.guide == guide; });
-  };
   for (const bearing::GuideLand& land : cage.lands) {
-    if (land.guide == Guide::None) continue;
+    if (land.guide == bearing::GuideLand::Guide::None) continue;
     sum += land.clearance / 2.0;
     ++lands;
   }
-  if (lands > 0 && sum > 0.0) {
-    CageScale out{sum / lands, CageScale::Of::GuideLands};
-    const double out_of_axis =
-        cage.segments.several() ? std::abs(cage.inertia.geometric_centre.z()) / out.length : 0.0;
-    if (!(out_of_axis > 0.0)) {
-      out.circles = {1.0};
-      return out;
-    }
-    if (guided(Guide::Outer)) out.circles.push_back(out_of_axis + 1.0);
-    if (guided(Guide::Inner)) out.circles.push_back(std::abs(out_of_axis - 1.0));
-    return out;
-  }
+  if (lands > 0 && sum > 0.0) return {sum / lands, CageScale::Of::GuideLands};
   if (cage.pocket_clearance_1 > 0.0) return {cage.pocket_clearance_1 / 2.0, CageScale::Of::Pockets};
   return {unit_length, CageScale::Of::UnitOfLength};
 }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 /// Quantities that the outputs derive from a snapshot's motion.
 namespace adore::results {
@@ -53,10 +52,6 @@ struct CageScale {
   enum class Of : unsigned char { GuideLands, Pockets, UnitOfLength };
   double length = 1.0;  ///< [m]
   Of of = Of::UnitOfLength;
-  /// Distances of the mass centre from the bearing axis at which an untilted cage touches a guided
-  /// land, over `length`. One piece: 1. A segment whose mass centre lies R from the axis of the
-  /// uncut cage moves out by the clearance on an outer race, in on an inner race: R / length ± 1.
-  std::vector<double> circles{};
 };
 /// "guide lands", "pockets", "unit of length"; as RUN.json has them.
 [[nodiscard]] std::string_view name_of(CageScale::Of of);

@@ -474,7 +474,7 @@ TEST_CASE("plot_document: a file too long to be held is read for a few pages at 
       CHECK(a.x == b.x);
       CHECK(a.note == b.note);
       CHECK(a.x_title == b.x_title);
-      CHECK(a.guide_circles == b.guide_circles);
+      CHECK(a.guide_radius == b.guide_radius);
       REQUIRE(a.panels.size() == b.panels.size());
       const auto equal = [](const std::vector<double>& p, const std::vector<double>& q) {
         return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](double v, double w) {

@@ -306,41 +306,15 @@ TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart"
   CHECK(dashed(page) > 0);
 }
 
-TEST_CASE("orbit of a segment: its circles lie about the radius of its mass centre",
-          "[unit][adrplot]") {
-  bearing::Cage cage;
-  cage.lands = {{.guide = bearing::GuideLand::Guide::Outer, .clearance = 4e-4},
-                {.guide = bearing::GuideLand::Guide::Inner, .clearance = 2e-4}};
-  cage.segments.count = 3;
-  CHECK(results::cage_scale(cage, 1.0).circles == std::vector{1.0});  // its mass centre on the axis
-  cage.inertia.geometric_centre = {0.0, 0.0, -0.03};
-  const results::CageScale scale = results::cage_scale(cage, 1.0);
-  // 0.15 mm of mean radial clearance: 30.15 mm outwards, 29.85 mm inwards.
-  REQUIRE(scale.circles.size() == 2);
-  CHECK(scale.circles[0] == Approx(201.0));
-  CHECK(scale.circles[1] == Approx(199.0));
-  cage.segments.count = 1;
-  CHECK(results::cage_scale(cage, 1.0).circles == std::vector{1.0});
-
-  results::SolFile file = test::synthetic_sol(SolKind::Cage);
-  file.header.segments = 3;
-  CHECK(page_with(file, "orbit").guide_circles.empty());  // the file does not tell
-  RunFacts facts;
-  facts.cage_scale = scale;
-  const OrbitScale told = orbit_scale(file, KnownColumns(file), facts);
-  CHECK(told.circles == scale.circles);
-  CHECK_THAT(orbit_note(told), Catch::Contains("dashed circle"));
-}
-
 TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   const desktop::ChartPage guided = page_with(file, "orbit");
-  CHECK(guided.guide_circles == std::vector{1.0});
+  CHECK(guided.guide_radius == 1.0);
   CHECK_THAT(guided.note, Catch::Contains("clearance of the guide lands, 150 µm"));
   CHECK(guided.x_title == "Y / clearance");
   for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
   const desktop::ChartPage free = page_with(file, "orbit");
-  CHECK(free.guide_circles.empty());
+  CHECK(free.guide_radius == 0.0);
   CHECK_THAT(free.note, Catch::Contains("no guide land") &&
                             Catch::Contains("radial clearance of its pockets, 150 µm"));
   CHECK(free.x_title == "Y / pocket clearance");

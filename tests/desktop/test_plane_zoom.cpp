@@ -24,7 +24,7 @@ ChartPage orbit_page(const std::string& across = "Y position / clearance") {
   ChartPage page;
   page.title = "Orbit";
   page.equal_axes = true;
-  page.guide_circles = {1.0};
+  page.guide_radius = 1.0;
   page.x_title = across;
   page.along_title = "Time", page.along_unit = "s";
   ChartPanel panel{"Z position / clearance", "", {{"mass centre", {}, {}}}, false};
