@@ -36,6 +36,7 @@ OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns
                        const RunFacts& facts) {
   OrbitScale out;
   out.unit = columns.unit("cage.radial_position");
+  out.segment = file.header.segments > 1;
   if (facts.cage_scale) {
     out.of = facts.cage_scale->of;
     out.length = facts.cage_scale->length / (out.unit == "in" ? kInch : 1.0);
@@ -61,8 +62,11 @@ std::string orbit_note(const OrbitScale& scale) {
       return size.empty() ? ""
                           : fmt::format(
                                 "Divided by the radial clearance of the guide lands{}: at "
-                                "1 a cage that is not tilted touches.",
-                                size);
+                                "1 {} that is not tilted touches.",
+                                size,
+                                scale.segment ? "the middle of a segment (the path is that of "
+                                                "the uncut cage's center)"
+                                              : "a cage");
     case Of::Pockets:
       return fmt::format(
           "This cage has no guide land: its orbit is divided by the radial clearance of its "

@@ -28,6 +28,7 @@ struct OrbitScale {
   results::CageScale::Of of = results::CageScale::Of::GuideLands;
   double length = 0.0;  ///< in `unit`
   std::string unit;
+  bool segment = false;
 };
 [[nodiscard]] OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns,
                                      const RunFacts& facts);

@@ -312,6 +312,9 @@ TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrpl
   CHECK(guided.guide_radius == 1.0);
   CHECK_THAT(guided.note, Catch::Contains("clearance of the guide lands, 150 µm"));
   CHECK(guided.x_title == "Y / clearance");
+  file.header.segments = 2;
+  CHECK_THAT(page_with(file, "orbit").note, Catch::Contains("middle of a segment"));
+  file.header.segments = 1;
   for (const char* land : {"cage.land1_", "cage.land2_"}) set(file, land, 0.0);
   const desktop::ChartPage free = page_with(file, "orbit");
   CHECK(free.guide_radius == 0.0);
