@@ -106,10 +106,9 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
   out.bearing_slope = given_or(inputs.bearing_slope, slope);
   out.point_bearing_slope = given_or(inputs.bearing_slope, c.point_slope);
   if (!(out.survival.value > 0.0 && out.survival.value < 1.0))
-    throw InputError(
-        fmt::format("record 8.6.0: the survival probability sProb is {}; it must lie between 0 and "
-                    "1, e.g. 0.9",
-                    out.survival.value));
+    throw InputError(fmt::format(
+        "record 8.6.0: the survival probability sProb is {}; it must be between 0 and 1, e.g. 0.9",
+        out.survival.value));
   for (std::size_t i = 0; i < 3; ++i) {
     const LifeComponentInput& input = inputs.part[i];
     const Material& material = i == bearing::kElementPart ? element : race[i];

@@ -271,7 +271,7 @@ Json read_cases(const std::filesystem::path& path, const std::string& standard_i
   }
   if (!content.is_object() || !content.value("family", Json()).is_string() ||
       !content.value("cases", Json()).is_array())
-    complain("the file holds no reference cases");
+    complain("the file contains no reference cases");
   else if (const std::string wrong = wrong_case(content.at("cases")); !wrong.empty())
     complain(wrong);
   return content;
@@ -301,12 +301,12 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   }
   if (out.quantities.empty()) {
     out.status = "not_covered";
-    out.message = "the case expects nothing that can be compared";
+    out.message = "the case has no expected value that can be compared";
   }
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
     out.message =
-        fmt::format("recalled value, does not gate: {} is off by {:.3g}", out.worst_key, out.error);
+        fmt::format("recalled value, not decisive: {} is off by {:.3g}", out.worst_key, out.error);
   }
   return out;
 }

@@ -159,8 +159,8 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its play: {} was {:.4g} m and is {:.4g} m in operation", name,
-                    entry.free, entry.operating));
+        fmt::format("the cage loses its clearance: {} was {:.4g} m and is {:.4g} m in operation",
+                    name, entry.free, entry.operating));
   play = entry.operating;
   report.plays.push_back(entry);
 }
@@ -267,7 +267,7 @@ void warn(OperatingFits& report, const Bearing& free) {
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
-                    "in operation; the bearing is preloaded radially by its own fits and growths",
+                    "in operation; fits and growth preload the bearing radially",
                     report.free.clearance, report.mounted.clearance, report.operating.clearance));
   for (std::size_t j = 0; j < 2; ++j) {
     const bearing::FitState& fit = report.fit[j];
@@ -282,7 +282,7 @@ void warn(OperatingFits& report, const Bearing& free) {
       if (limit > 0.0 && std::abs(stress) > limit)
         say(
             fmt::format("the hoop stress of the {} is {:.4g} Pa, above its elastic limit of {:.4g} "
-                        "Pa: the fit calculation, which is elastic, does not hold",
+                        "Pa: the elastic fit calculation is not valid",
                         what, stress, limit));
     };
     check(j == 0 ? "outer race" : "inner race", fit.race_hoop, fit.race_limit);
@@ -368,13 +368,13 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
   const double bore = 0.5 * b.envelope.bore, outside = 0.5 * b.envelope.outer_diameter;
   if (!(raceway_radius[0] > 0.0 && raceway_radius[0] < outside))
     throw InputError(
-        fmt::format("the outer raceway radius is {} m; it must lie inside the bearing's outside "
-                    "radius of {} m, or there is no ring left",
+        fmt::format("the outer raceway radius is {} m; it must be smaller than the bearing's "
+                    "outside radius of {} m, so that a ring is left",
                     raceway_radius[0], outside));
   if (!(raceway_radius[1] > bore && bore > 0.0))
     throw InputError(
         fmt::format("the inner raceway radius is {} m; it must be larger than the bore radius of "
-                    "{} m, which must be above 0, or there is no ring left",
+                    "{} m, which must be above 0, so that a ring is left",
                     raceway_radius[1], bore));
   MountedRings out;
   out.shaft = part(b, b.mounting.shaft, b.mounting.shaft_temperature, 0.5 * b.envelope.shaft_bore,
@@ -402,8 +402,8 @@ Bearing operating_bearing(const Bearing& free) {
   add_ball_states(report, free, groove, state, mounted, ball_growth);
   if (!(report.operating.clearance < 2.0 * report.operating.centre_distance))
     throw InputError(
-        fmt::format("the operating clearance is {} m: beyond {} m the free contact angle passes 90 "
-                    "degrees; check fits, temperatures and speeds",
+        fmt::format("the operating clearance is {} m: beyond {} m the free contact angle exceeds "
+                    "90 degrees; check fits, temperatures and speeds",
                     report.operating.clearance, 2.0 * report.operating.centre_distance));
 
   Bearing out = free;
