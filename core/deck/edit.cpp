@@ -62,7 +62,7 @@ Target parse_target(std::string_view text) {
 
 [[noreturn]] void fail_unknown(std::string_view name, std::string_view value) {
   if (name == "recID")
-    fail(name, value, "every record has one, so that the name alone does not say which",
+    fail(name, value, "every record has a label, so the name alone is ambiguous",
          "edit the label in the deck");
   std::string list;
   for (const std::string_view similar : similar_variables(name))
@@ -96,7 +96,8 @@ Value parse_text(std::string_view name, std::string_view text) {
   if (std::any_of(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
       }))
-    fail(name, {}, "holds a line break or another control character", "keep the text on one line");
+    fail(name, {}, "contains a line break or another control character",
+         "keep the text on one line");
   const bool quoted = text.size() >= 2 && (text.front() == '\'' || text.front() == '"') &&
                       text.back() == text.front();
   if (!quoted) return std::string(text);
@@ -213,11 +214,11 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (repeated && !target.indices.empty()) place.instance = target.indices[0];
   place.ref = find_or_add(deck, refs, place.instance);
   if (place.ref == nullptr && place.instance > 1 && find_or_add(deck, refs, 1) != nullptr)
-    fail(name, value, fmt::format("there is no instance {} of it in this deck", place.instance),
-         "give a smaller number, or raise the count");
+    fail(name, value, fmt::format("the deck does not have instance {} of it", place.instance),
+         "give a smaller number, or increase the count");
   if (place.ref == nullptr)
-    fail(name, value, "this deck has no such record",
-         fmt::format("it belongs to {}; set that option too", condition_of(refs)));
+    fail(name, value, "the deck does not have this record",
+         fmt::format("it requires {}; set that option too", condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
@@ -230,7 +231,8 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
     const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
     if (target.indices[used] > length)
       fail(name, value, is_array ? "it has " + counted(length, "element") : "it is a single value",
-           is_array ? "give an index up to that, or raise the count first" : "leave out the index");
+           is_array ? "give an index up to that, or increase the count first"
+                    : "leave out the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {
     place.element = 0;
@@ -341,11 +343,11 @@ void Deck::set(std::string_view name, std::string_view value) {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
       fail(name, value, "this deck has none of them",
-           fmt::format("their number is {}; raise that first", spec.length));
+           fmt::format("their number is {}; increase it first", spec.length));
     if (parts.size() != elements.size())
       fail(name, value, "it has " + counted(elements.size(), "element"),
-           fmt::format("give {} with commas, or one as {}[1]", counted(elements.size(), "value"),
-                       target.name));
+           fmt::format("give {} with commas, or a single one as {}[1]",
+                       counted(elements.size(), "value"), target.name));
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }
   records = std::move(changed.records);

@@ -49,11 +49,11 @@ void add_listed_diameters(std::vector<RecordSpec>& out) {
                keep(fmt::format("Listed diameter deviations, elements {} to {}", first, first + 9)),
                "kReGeoImp == 2", {});
     for (int element = first; element < first + 10; ++element)
-      spec.variables.push_back(real(
-          keep(fmt::format("reDiaVar{}", element)), kLength, kAny,
-          keep(fmt::format("Diameter of rolling element {} minus the nominal diameter; leave 0 "
-                           "when there is no such element.",
-                           element))));
+      spec.variables.push_back(
+          real(keep(fmt::format("reDiaVar{}", element)), kLength, kAny,
+               keep(fmt::format("Diameter of rolling element {} minus the nominal diameter; 0 if "
+                                "there is no such element.",
+                                element))));
     out.push_back(std::move(spec));
   }
 }

@@ -141,7 +141,7 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   warn_of_loose_tolerance(prepared);
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
-        "{}: there is no run to go on with: it was never started here, or ended before its first "
+        "{}: there is no run to continue: it was never started here, or ended before its first "
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);

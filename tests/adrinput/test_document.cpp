@@ -311,7 +311,7 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
         CHECK(is == expected);
         const auto told = std::count_if(
             document.problems().begin(), document.problems().end(), [](const Problem& problem) {
-              return problem.issue.message == "the cage is gone and is no longer monitored";
+              return problem.issue.message == "the cage no longer exists and is no longer monitored";
             });
         CHECK(told == (cage_gone ? 1 : 0));
         (void)document.undo();

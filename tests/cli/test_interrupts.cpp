@@ -353,7 +353,7 @@ TEST_CASE("there must be a run to go on with", "[cli]") {
   new_ball_deck(folder);
   const Result none = run_as_given("run " + folder.path().string() + " --continue");
   CHECK(none.code == 2);
-  CHECK(contains(none.out, "no run to go on with"));
+  CHECK(contains(none.out, "no run to continue"));
   CHECK(contains(none.out, "--overwrite"));
   const Result still = run_as_given("run " + folder.path().string() + " --set mode=-1 --continue");
   CHECK(still.code == 2);

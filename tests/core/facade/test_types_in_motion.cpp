@@ -350,7 +350,7 @@ TEST_CASE("no value of the cage's records makes a pocket that cannot be", "[vali
                Catch::Contains("drawn at random"));
     if (nominal.integer("nGL") == 0) continue;
     CHECK_THAT(refusal_of(deck_of(type, {{"cageGsPos[1]", "0.05"}})),
-               Catch::Contains("puts the whole land beside the cage"));
+               Catch::Contains("puts the whole land outside the cage"));
     CHECK_THAT(refusal_of(deck_of(type, {{"cageGsDia[1]", "1e3"}})),
                Catch::Contains("outside the bearing"));
   }
