@@ -133,8 +133,8 @@ class Study {
     const Prepared prepared = prepare(request_);
     if (!prepared.control.dynamic)
       throw InputError(
-          "an accuracy study integrates in time, and this deck is quasi-static (mode < 0); set "
-          "mode = 0");
+          "an accuracy study needs a motion, but this deck is quasi-static (mode < 0); set mode = "
+          "0");
     for (const std::string& method : request_.methods) {
       try {
         (void)integrators::make_stepper(method);

@@ -93,13 +93,13 @@ class Choice {
     const Prepared prepared = prepare(request_);
     rows_ = resolutions(prepared);
     if (rows_.empty()) {
-      out_.text += ". Nodes or slices of the contacts are as the options give them";
+      out_.text += ". Nodes or slices of the contacts are taken from the options";
     } else {
       choose_resolution(prepared);
     }
     out_.text += fmt::format(
-        ". Times of this machine decided between settings, so that another choice may end "
-        "elsewhere; the same run again: `adore run DECK {}`",
+        ". Measured times decided between settings, so another run may choose others; to repeat "
+        "the same run: `adore run DECK {}`",
         again());
     return std::move(out_);
   }
@@ -119,7 +119,7 @@ class Choice {
                                     ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                     : most_accurate(study);
     if (chosen == nullptr)
-      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more turns",
+      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more revolutions",
                                     recommendation(study)));
     const AccuracyRow& best = *chosen;
     out_.integrator = best.setting.method;
@@ -205,8 +205,8 @@ class Choice {
         beside.changes.emplace_back(load, fmt::format("{:.17g}", 1.000001 * value));
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
-      out_.text += fmt::format(". Nodes and slices stay as they are: with {} {}", finest.name,
-                               finest.failure);
+      out_.text +=
+          fmt::format(". Nodes and slices are unchanged: with {} {}", finest.name, finest.failure);
       return;
     }
     out_.noise = compare_results(*other, *is);
@@ -234,7 +234,7 @@ class Choice {
                                             counted(fmt::format("{:.3g}", out_.turns), "turn"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
-      out_.text += fmt::format(". {}: nothing coarser keeps within {:.2g} % of it", out_.finest,
+      out_.text += fmt::format(". {}: no coarser setting stays within {:.2g} % of it", out_.finest,
                                100.0 * limit);
       return;
     }
@@ -246,7 +246,7 @@ class Choice {
 
   /// What hides behind errors of 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.hidden ? "; 0 %: no more than loads changed by a millionth bring about" : "";
+    return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
   }
 
   const DeckRequest& request_;

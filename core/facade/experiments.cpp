@@ -690,7 +690,7 @@ std::vector<Experiment> run_experiments(std::string_view only,
     out.push_back(run_experiment(data));
   }
   if (out.empty())
-    throw InputError(fmt::format("there is no experiment \"{}\"; give one of {}", only, ids));
+    throw InputError(fmt::format("there is no experiment \"{}\"; choose one of {}", only, ids));
   return out;
 }
 

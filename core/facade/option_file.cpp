@@ -110,7 +110,7 @@ OptionFile OptionFile::from_text(std::string text) {
     return out;
   }
   if (!json.is_object()) {
-    out.problem_ = "must hold one object of run options, such as {\"ellipseMajor\": 20}";
+    out.problem_ = "must contain one object of run options, such as {\"ellipseMajor\": 20}";
     return out;
   }
   for (const auto& [name, value] : json.items()) {

@@ -174,13 +174,13 @@ void set_film_options(Prepared& out) {
   oil.user->limit_ratio = out.options.user_limit;
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
-    add_remark(out, make_finding(
-                        "film.stress_limit_assumed",
-                        fmt::format(
-                            "limiting shear stress of the user's lubricant: not given; {:g} of the "
-                            "pressure at 40 °C is assumed (estimate). Set run option "
-                            "lubStressLimit.",
-                            tribology::kUserLimit)));
+    add_remark(
+        out,
+        make_finding(
+            "film.stress_limit_assumed",
+            fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
+                        "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
+                        tribology::kUserLimit)));
 }
 
 /// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
@@ -211,13 +211,13 @@ void doubt_fluids(Prepared& out) {
   if (b.churning->code == 1)
     flows("kChrn", medium.temperature, "the churning medium");
   else if (medium.clamped())
-    add_remark(
-        out,
-        make_finding("fluid.medium_range",
-                     fmt::format("the properties of {}, the churning medium, are known from {:g} "
-                                 "to {:g} K; it is at {:.4g} K, and the nearer end is used",
-                                 medium.name, medium.T_min, medium.T_max, medium.temperature))
-            .measure(medium.temperature, medium.T_max));
+    add_remark(out,
+               make_finding(
+                   "fluid.medium_range",
+                   fmt::format("the properties of {}, the churning medium, are known from {:g} to "
+                               "{:g} K; it is at {:.4g} K, and those of the nearer end are used",
+                               medium.name, medium.T_min, medium.T_max, medium.temperature))
+                   .measure(medium.temperature, medium.T_max));
 }
 
 /// Value, bounds and body of ranges that more detailed remarks describe.
@@ -267,9 +267,9 @@ void find_left_ranges(Prepared& out) {
 /// Says where what flows around the elements is known by hearsay or guess.
 void say_certainty(Prepared& out) {
   const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
-    const char* const known = provenance == "estimated" ? "are estimates, at least one of them"
+    const char* const known = provenance == "estimated" ? "are estimates, at least in part"
                               : provenance == "recalled"
-                                  ? "were recalled, at least one of them, not read in a publication"
+                                  ? "are recalled, at least in part, not read in a publication"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,
@@ -299,23 +299,22 @@ void say_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
     add_remark(
-        out, make_finding(
-                 "damping.off",
-                 "contact damping is off: contact vibrations do not decay, so that largest loads, "
-                 "life and spectra are not those of a real bearing. Use contactDamping = material "
-                 "for them"));
+        out,
+        make_finding("damping.off",
+                     "contact damping is off: contact vibrations do not decay, so largest loads, "
+                     "life and spectra are not realistic. Set contactDamping = material"));
   else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
-    add_remark(
-        out, make_finding("damping.idle",
-                          fmt::format("contactDamping = {} plays no part at the races, because "
-                                      "the mode of record 2.1 holds all elements in balance there",
-                                      given->second)));
+    add_remark(out, make_finding(
+                        "damping.idle",
+                        fmt::format("contactDamping = {} has no effect at the races, because the "
+                                    "mode of record 2.1 keeps all elements in force balance there",
+                                    given->second)));
 }
 
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
-    throw Interrupted("interrupted while the equilibrium was sought; nothing was written");
+    throw Interrupted("interrupted during the search for the equilibrium; no files were written");
 }
 
 Prepared prepare_model(LoadedDeck input) {
@@ -357,7 +356,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.as_built.thermal && deck.integer("mode") < 0) {
     const auto interrupt = [&] {
       if (out.input.stop.stop_requested())
-        throw Interrupted("interrupted in the thermal analysis; nothing was written");
+        throw Interrupted("interrupted in the thermal analysis; no files were written");
     };
     if (out.options.thermal_transient) {
       out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
@@ -401,10 +400,10 @@ Prepared prepare_model(LoadedDeck input) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
     for (const std::string& text : row.operating->warnings)
-      add_remark(out, make_finding("fit.stiffness_table",
-                                   fmt::format("stiffness over speed, from {:g} and {:g} rpm on: "
-                                               "{}",
-                                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
+      add_remark(out,
+                 make_finding("fit.stiffness_table",
+                              fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                                          kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {
@@ -431,11 +430,11 @@ Prepared prepare_model(LoadedDeck input) {
       if (out.rollers->guide_force > 0.0)
         add_remark(
             out,
-            make_finding("statics.guide_force",
-                         fmt::format("the equilibrium holds each roller along its axis with {:.4g} "
-                                     "N, as a guide ring does; in motion only its groove and "
-                                     "friction hold it",
-                                     out.rollers->guide_force))
+            make_finding(
+                "statics.guide_force",
+                fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
+                            "guide ring does; in motion only the groove and friction hold it",
+                            out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
     find_left_ranges(out);
@@ -457,16 +456,16 @@ Prepared prepare_model(LoadedDeck input) {
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
-        out, make_finding(
-                 "rolling.thick_oil",
-                 fmt::format(
-                     "the rolling resistance of the balls in oil, whose law knows no pressure "
-                     "coefficient of the oil, is {:.2g} times that of strips with the law of "
-                     "lines, which does. Reynolds' equation solved for point contacts (up to 2.5 "
-                     "times) lies between both: in so thick an oil at such a speed this resistance "
-                     "and its heat may be some {:.0f} % too large",
-                     ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
-                 .measure(ratio, validity::range("rolling.strips").bounds.most));
+        out,
+        make_finding(
+            "rolling.thick_oil",
+            fmt::format("rolling resistance of the balls in oil: the law has no pressure "
+                        "coefficient of the oil, and its result is {:.2g} times that of strips "
+                        "with the line-contact law, which has one. Reynolds' equation solved for "
+                        "point contacts (up to 2.5 times) is between both: at this viscosity and "
+                        "speed this resistance and its heat may be about {:.0f} % too large",
+                        ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+            .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
                                              available_friction(deck, out.bearing), deck.units()))
@@ -511,7 +510,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const nlohmann::json json = parse_json(read_text_file(path), path.string());
   if (!json.is_object())
     throw InputError(fmt::format(
-        "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
+        "{} must contain one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
   for (const auto& [name, value] : json.items()) {
     if (value.is_string())
       out[name] = value.get<std::string>();
@@ -520,7 +519,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
     else if (value.is_number())
       out[name] = dump_json(value);
     else
-      throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false",
+      throw InputError(fmt::format("{}: run option {} must be a number, a string or true/false",
                                    path.string(), name));
   }
   return out;
@@ -531,7 +530,7 @@ fs::path deck_path(const fs::path& path) {
   if (fs::is_directory(path, error)) {
     if (fs::exists(path / "DATA.txt", error)) return path / "DATA.txt";
     throw InputError(
-        fmt::format("there is no DATA.txt in the folder {}; give a deck, or make one with `adore "
+        fmt::format("there is no DATA.txt in the folder {}; give a deck, or create one with `adore "
                     "new ball --out {}`",
                     path.string(), (path / "DATA.txt").string()));
   }

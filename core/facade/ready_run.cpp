@@ -21,11 +21,11 @@ void warn_of_loose_tolerance(Prepared& prepared) {
       prepared,
       make_finding(
           "run.loose_tolerance",
-          fmt::format("the tolerance of {:g} (tol on record 2.1, or --tol) is loose: loads may "
-                      "be 5 % and lives 20 % off although the energy of the run closes. Take "
-                      "{:g} or less for results to rely on; adore run --verify tells what a "
-                      "run's settings leave open",
-                      control.tolerance, kMissedLimit))
+          fmt::format(
+              "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may be 5 % in "
+              "loads and 20 % in lives even if the energy balance closes. Use {:g} or less for "
+              "reliable results; adore run --verify estimates the error of a run's settings",
+              control.tolerance, kMissedLimit))
           .measure(control.tolerance, kMissedLimit));
 }
 
@@ -48,23 +48,22 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
   auto stepper = integrators::make_stepper(control.integrator);
   if (stepper->name() == "arkode-imex" && rollers)
     throw InputError(
-        "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
-        "not split off; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex treats the normal contacts of balls and races implicitly, but not those of "
+        "rollers; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
 
   if (stepper->name() == "arkode-imex" && held)
     throw InputError(
-        "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1, or mode "
-        "1 or 2, holds elements in force balance; set qFac and mode to 0, or use arkode-dirk "
-        "(intMet "
-        "32) or arkode-erk (intMet 31)");
+        "arkode-imex needs freely moving elements, but qFac on record 2.1, or mode 1 or 2, keeps "
+        "elements in force balance; set qFac and mode to 0, or use arkode-dirk (intMet 32) or "
+        "arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
-        "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
-        "none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex treats the normal contacts of elements and races implicitly, and this deck "
+        "has none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
   if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
     throw InputError(
-        fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
-                    "use intMet 1-7, 11-18 or 31-32, or let stpMin be smaller than stpMax",
+        fmt::format("record 2.1 specifies a constant step (stpMin = stpMax), which {} does not "
+                    "support; use intMet 1-7, 11-18 or 31-32, or make stpMin smaller than stpMax",
                     stepper->name()));
   return stepper;
 }

@@ -259,18 +259,18 @@ std::string steps_text(double minimum, double maximum, double time_scale) {
 std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
                              double time_scale) {
   if (limits.frequency == 0.0)
-    return request.method + ": no contact vibration to judge the step by";
+    return request.method + ": no contact vibration that could limit the step";
   const std::string asked = steps_text(request.minimum, request.maximum, time_scale);
   const std::string hertz =
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
   if (limits.action == StepAction::Kept)
     return fmt::format(
-        "{} keeps contact vibrations bounded with {}: the worst, {}, is multiplied "
-        "by {:.4g} {}",
+        "{} keeps contact vibrations bounded with {}: the least stable, {}, is multiplied by "
+        "{:.4g} {}",
         request.method, asked, hertz, limits.growth, counted_over(request));
   const std::string why = fmt::format(
-      "{} with {}, as the deck asks, lets the contact vibration of {} grow {} {}", request.method,
-      asked, hertz, growth_text(limits.growth_asked), counted_over(request));
+      "{} with {}, as the deck specifies, lets the contact vibration of {} grow {} {}",
+      request.method, asked, hertz, growth_text(limits.growth_asked), counted_over(request));
   const std::string now = steps_text(limits.minimum, limits.maximum, time_scale);
   switch (limits.action) {
     case StepAction::Shortened:

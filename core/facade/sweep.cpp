@@ -46,10 +46,9 @@ Range parse_range(const std::string& name, const std::string& value) {
   if (a == b || !parse(text.substr(0, a), out.first) ||
       !parse(text.substr(a + 1, b - a - 1), out.last) || !parse(text.substr(b + 1), out.count) ||
       out.count < 2 || out.count > 100000 || !std::isfinite(out.first) || !std::isfinite(out.last))
-    throw InputError(
-        fmt::format("--set {}={}: a sweep is written first:last:count with at least two runs, e.g. "
-                    "{}=500:2500:5",
-                    name, value, name));
+    throw InputError(fmt::format(
+        "--set {}={}: write a sweep as first:last:count with at least two runs, e.g. {}=500:2500:5",
+        name, value, name));
   return out;
 }
 
@@ -101,14 +100,12 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items()) {
       if (results::find_key_result(name).id.empty()) {
-        Finding issue = make_finding(
-            "sweep.unknown_result",
-            fmt::format(
-                "the summary holds \"{}\", which this release does not know; the finished run is "
-                "kept, "
-                "and the table of the sweep leaves it out; to compute it again, remove the run's "
-                "folder",
-                name));
+        Finding issue =
+            make_finding("sweep.unknown_result",
+                         fmt::format("the summary contains \"{}\", which this release does not "
+                                     "know; the finished run is kept, but is not in the table of "
+                                     "the sweep; to compute it again, remove the run's folder",
+                                     name));
         issue.file = file.string();
         row.outcome.warnings.push_back(std::move(issue));
         continue;
@@ -172,10 +169,9 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
             : 0;
   if (still == 0) return std::nullopt;
   Finding out = make_finding(
-      "sweep.no_motion",
-      fmt::format("{} of the sweep made no step, so that nothing moved: the table has loads at "
-                  "rest there, and no means, ratios or heat",
-                  counted(still, "run")));
+      "sweep.no_motion", fmt::format("{} of the sweep made no steps, so nothing moved: the table "
+                                     "gives loads at rest there, and no means, ratios or heat",
+                                     counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
   out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";

@@ -135,7 +135,7 @@ void TimeRun::thermal_step() {
     move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));
   } catch (const InputError& error) {
     throw SolverError(
-        fmt::format("at t = {:.9g} s, thermal step {} leaves no bearing that could work: {}", t,
+        fmt::format("at t = {:.9g} s, the geometry after thermal step {} is not possible: {}", t,
                     done.number, error.what()));
   } catch (const SolverError& error) {
     throw SolverError(
@@ -156,13 +156,12 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
             .at(t));
   if (done.number == 1 && done.window < done.passing)
     parts_.outputs.remark(
-        make_finding("thermal.window",
-                     fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than the "
-                                 "passing of one element ({:.3g} "
-                                 "ms), so the heat of a thermal step fluctuates. Temperatures of "
-                                 "the bearing follow its "
-                                 "mean. Each printed network shows one thermal step",
-                                 1e3 * done.window, 1e3 * done.passing))
+        make_finding(
+            "thermal.window",
+            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element passage "
+                        "({:.3g} ms), so the heat of a thermal step fluctuates. Temperatures of "
+                        "the bearing follow its mean. Each printed network shows one thermal step",
+                        1e3 * done.window, 1e3 * done.passing))
             .measure(1e3 * done.window)
             .at(t));
   if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
@@ -226,7 +225,7 @@ void TimeRun::begin(bool remembers) {
       parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
   } catch (const std::out_of_range&) {
     throw InputError(
-        fmt::format("{}: what {} remembers is incomplete; the file is damaged, restore it or "
+        fmt::format("{}: the stored state of {} is incomplete; the file is damaged, restore it or "
                     "start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
@@ -393,7 +392,7 @@ RunOutcome TimeRun::run(bool remembers) {
     const RunPoint here = point();
     if (const std::string beyond = invalid_beyond(system(), here.time, here.y, least);
         !beyond.empty())
-      why += " What is not valid there: " + deck::message_in_units(beyond, units);
+      why += " Invalid there: " + deck::message_in_units(beyond, units);
     fail(why);
   } catch (const SolverError& failure) {
     fail(deck::message_in_units(failure.what(), units));

@@ -265,7 +265,7 @@ TEST_CASE("every lubricant, medium and coolant has a word for what is known of i
     CHECK(report.ok());
     const std::string start = "the properties of " + name + ", " + what + ", ";
     CHECK(says(report, Severity::Note, start + "are estimates") == (provenance == "estimated"));
-    CHECK(says(report, Severity::Note, start + "were recalled") == (provenance == "recalled"));
+    CHECK(says(report, Severity::Note, start + "are recalled") == (provenance == "recalled"));
   };
   int estimated = 0;
   for (const int code : tribology::lubricant_codes()) {
