@@ -65,7 +65,7 @@ void check_positive(const Deck& deck, double value, const char* what, std::size_
   if (value > 0.0) return;
   throw InputError({deck.issue(
       Severity::Error, variable,
-      fmt::format("the deviation of rolling element {} leaves a {} of {}, which must stay above 0",
+      fmt::format("the deviation of rolling element {} makes its {} {}, which must be above 0",
                   element + 1, what, length_text(deck, value)),
       "give smaller deviations")});
 }
@@ -84,13 +84,13 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
     for (std::size_t j = 0; j < 2; ++j) {
       const double ratio = b.balls().groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
       if (ratio > 0.5 && (ratio < 1.0 || b.balls().groove_factor[j] >= 1.0)) continue;
-      throw InputError({deck.issue(
-          Severity::Error, diameter_variable(b.imperfections.elements, k),
-          fmt::format("ball {} with its deviation of {} does not fit the {} groove: the groove "
-                      "radius would be {:.6g} of its diameter",
-                      k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
-                      j == 0 ? "outer" : "inner", ratio),
-          "give smaller deviations; above 0.5 and below 1 is possible")});
+      throw InputError(
+          {deck.issue(Severity::Error, diameter_variable(b.imperfections.elements, k),
+                      fmt::format("ball {} with its deviation of {} does not fit the {} groove: "
+                                  "the groove radius would be {:.6g} of its diameter",
+                                  k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
+                                  j == 0 ? "outer" : "inner", ratio),
+                      "give smaller deviations; the ratio must be above 0.5 and below 1")});
     }
   double smallest = D, largest = D;
   for (const double growth : b.imperfections.ball_diameter) {
@@ -102,12 +102,12 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
     const double f = b.balls().groove_factor[j];
     // A groove that is open by itself (f >= 1) has its own limit: groove_geometry.
     if ((f + low) * D > 0.5 * largest && (f >= 1.0 || (f + high) * D < smallest)) continue;
-    throw InputError({deck.issue(
-        Severity::Error, curvature_variable(b, j),
-        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
-                    "race, where the balls do not fit",
-                    j + 1, f, f + low, f + high),
-        "give an amplitude that keeps it above 0.5 and below 1")});
+    throw InputError(
+        {deck.issue(Severity::Error, curvature_variable(b, j),
+                    fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
+                                "{:.6g} around the race, where the balls do not fit",
+                                j + 1, f, f + low, f + high),
+                    "give an amplitude that keeps it above 0.5 and below 1")});
   }
 }
 
@@ -117,12 +117,12 @@ void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
     const double f = b.rollers()->groove_factor[j];
     const auto [low, high] = b.imperfections.race[j].curvature_range();
     if (f + low > 0.5) continue;
-    throw InputError({deck.issue(
-        Severity::Error, curvature_variable(b, j),
-        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
-                    "race, where the rollers do not fit",
-                    j + 1, f, f + low, f + high),
-        "give an amplitude that keeps it above 0.5")});
+    throw InputError(
+        {deck.issue(Severity::Error, curvature_variable(b, j),
+                    fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
+                                "{:.6g} around the race, where the rollers do not fit",
+                                j + 1, f, f + low, f + high),
+                    "give an amplitude that keeps it above 0.5")});
   }
 }
 

@@ -252,7 +252,7 @@ TEST_CASE("check and run refuse the same values, by record and variable", "[cli]
       {"angular-218", "raceCurFac1=10.1", "give a value above 0.5 and below 10"},
       {"ball", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
       {"cylindrical-nu209", "brgOD=0.07", "brgOD"},
-      {"tapered", "kRFTrac=-1", "asks for user routine ADRX7"},
+      {"tapered", "kRFTrac=-1", "needs user routine ADRX7"},
   };
   for (const Case& c : cases) {
     const Folder folder;

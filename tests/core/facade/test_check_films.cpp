@@ -249,7 +249,7 @@ TEST_CASE("a coolant that takes no heat is an error of the deck before a run beg
       }
       sets.emplace_back(name, "0.0");
       CHECK(says(checked("ball", sets), Severity::Error,
-                 std::string(name) + " = 0.0: lets the coolant take no heat"));
+                 std::string(name) + " = 0.0: prevents heat transfer to the coolant"));
     }
 }
 

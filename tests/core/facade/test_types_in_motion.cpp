@@ -268,7 +268,7 @@ TEST_CASE("decks with crowned raceways run, and their crown acts", "[validation]
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
     CHECK_THAT(ran.print, Catch::Contains("Crown radius of the inner race"));
     CHECK_THAT(refusal_of(deck_of(type, {{"raceCrn2", "0.003"}})),
-               Catch::Contains("raceCrn2") && Catch::Contains("ends before the raceway"));
+               Catch::Contains("raceCrn2") && Catch::Contains("ends inside the raceway width"));
   }
 }
 
@@ -306,7 +306,7 @@ TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[val
                  {{"kRaceGsImp", "2"}, {"raceGsRadVar1[1]", "1e-5"}, {"raceGsRadVar2[1]", "2.5"}})),
              Catch::Contains("raceGsRadVar2") && Catch::Contains("whole number"));
   CHECK_THAT(refusal_of(deck_of("ball", {{"kCageGsImp", "1"}, {"cageGsRadVar1[1]", "0.01"}})),
-             Catch::Contains("cageGsRadVar1") && Catch::Contains("give at most"));
+             Catch::Contains("cageGsRadVar1") && Catch::Contains("of at most"));
   // Deviations that use up the play: the start says so.
   const testing::TemporaryFolder folder;
   CHECK_THAT(why_not(deck_of("ball", {{"kCageGsImp", "1"}, {"cageGsRadVar1[1]", "3e-4"}}),
