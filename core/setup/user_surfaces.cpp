@@ -87,13 +87,12 @@ bearing::TurnSeries taken(const UserHooks& user, int hook, const std::string& bo
   const double range =
       std::max(series.series.largest - series.series.least, std::numeric_limits<double>::min());
   if (series.error > 0.01 * range)
-    throw InputError(
-        fmt::format("{}{} jumps somewhere around the circumference: 255 waves through 512 points "
-                    "miss it by {:.3g} {} between them, of a range of {:.3g} {}; give a surface "
-                    "that closes and has no steps",
-                    about(user, hook, body), what, series.error, unit, range, unit));
-  user.document(hook, fmt::format("{}: {} of up to {} waves per revolution, {:.6g} to {:.6g} {}, "
-                                  "within {:.2g} {} between the sampled points",
+    throw InputError(fmt::format(
+        "{}{} jumps somewhere around the turn: 255 waves through 512 places miss it by {:.3g} {} "
+        "between them, of a range of {:.3g} {}; give a surface that closes and has no steps",
+        about(user, hook, body), what, series.error, unit, range, unit));
+  user.document(hook, fmt::format("{}: {} of up to {} waves per turn, {:.6g} to {:.6g} {}, within "
+                                  "{:.2g} {} between the places asked for",
                                   body, what, series.waves, series.series.least,
                                   series.series.largest, unit, series.error, unit));
   return std::move(series.series);
@@ -144,8 +143,8 @@ std::vector<double> unturned(const UserHooks& user, const bearing::UserSurface& 
     const auto [low, high] = std::minmax_element(left.begin(), left.end());
     if (*high - *low > (shape.round ? 0.0 : 0.01 * range) && !same(*low, *high, range))
       throw InputError(fmt::format(
-          "{}at {:.6g} m from its middle the radius over the azimuth differs by {:.3g} m from a "
-          "sum of f(x) + c(psi) + x t(psi); out-of-roundness may only grow evenly along the axis",
+          "{}at {:.6g} m from its middle the radius over the azimuth is {:.3g} m from a sum of "
+          "f(x) + c(psi) + x t(psi); out-of-roundness may grow evenly along the axis",
           about(user, 5, fmt::format("element {}", t.element + 1)), t.axial[k], *high - *low));
     double mean = 0.0;
     for (const double v : left) mean += v / static_cast<double>(azimuths);
@@ -200,18 +199,19 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
         rollers != nullptr ? 0.5 * rollers->contact_length() : 0.4 * b.element_diameter());
     if (!shape.round && rollers == nullptr)
       throw InputError(fmt::format(
-          "{}the radius of a ball varies over its surface by up to {:.3g} m; balls must be round: "
-          "give one number for each",
+          "{}the radius of a ball varies over its surface by up to {:.3g} m; balls stay round: "
+          "give "
+          "one number for each",
           about(user, 5, fmt::format("element {}", k + 1)), 2.0 * largest(shape.radius)));
     if (!shape.round && user.points)
-      throw InputError(
-          about(user, 5, fmt::format("element {}", k + 1)) +
-          "a barrel with point contact is round; set the run option that cuts it into slices");
+      throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
+                       "a barrel that touches at points is round; set the run option that cuts it "
+                       "into slices");
     if (!shape.round && largest(shape.slope) > 0.0 &&
         (rollers->groove_factor[0] > 0.0 || rollers->groove_factor[1] > 0.0))
-      throw InputError(
-          about(user, 5, fmt::format("element {}", k + 1)) +
-          "out-of-roundness of a barrel varies along its axis; make it depend on the azimuth only");
+      throw InputError(about(user, 5, fmt::format("element {}", k + 1)) +
+                       "out-of-roundness of a barrel grows along its axis; let it depend on the "
+                       "azimuth alone");
     if (!shape.round) {
       const std::string name = fmt::format("roller {}", k + 1);
       std::vector<double> angle;
@@ -229,15 +229,14 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     most = std::max(most, top);
     const std::string body = fmt::format("element {}", k + 1);
     if (!(0.5 * b.element_diameter() + bottom > 0.0))
-      throw InputError(
-          fmt::format("{}a radius reduction of {:.6g} m exceeds the radius of {:.6g} m",
-                      about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
+      throw InputError(fmt::format("{}a radius of {:.6g} m less leaves nothing of {:.6g} m",
+                                   about(user, 5, body), -bottom, 0.5 * b.element_diameter()));
     if (rollers == nullptr) {
       if (!even)
-        throw InputError(
-            fmt::format("{}the radius of a ball varies by {:.3g} m along the axis; balls must be "
-                        "round: give one number for each",
-                        about(user, 5, body), top - bottom));
+        throw InputError(fmt::format(
+            "{}the radius of a ball varies by {:.3g} m along the axis; balls stay round: give one "
+            "number for each",
+            about(user, 5, body), top - bottom));
       growth[k] = 2.0 * radius[1];
       continue;
     }
@@ -245,16 +244,16 @@ void user_elements(const UserHooks& user, bearing::Bearing& b) {
     own.diameter += 2.0 * top;
     if (even) continue;
     if (user.points)
-      throw InputError(
-          fmt::format("{}the radius varies by {:.3g} m along a barrel with point contact; set the "
-                      "run option that cuts it into slices, or give one number for each roller",
-                      about(user, 5, body), top - bottom));
+      throw InputError(fmt::format(
+          "{}the radius varies by {:.3g} m along a barrel that touches at points; set the run "
+          "option that cuts it into slices, or give one number for each roller",
+          about(user, 5, body), top - bottom));
     for (double& one : radius) one -= top;
     own.form = std::make_shared<const bearing::RollerForm>(
         bearing::RollerForm{std::move(places), std::move(radius)});
   }
   user.document(
-      5, fmt::format("elements: radius {:.6g} to {:.6g} m above that of the deck", least, most));
+      5, fmt::format("elements: radius {:.6g} to {:.6g} m more than the deck's", least, most));
   if (least == 0.0 && most == 0.0) return;
   if (rollers != nullptr) {
     rollers->deviation = std::move(deviation);
@@ -289,14 +288,14 @@ void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& b) {
     const double slope = (at(kMany - 1) - at(0)) / (2.0 * half);
     for (std::size_t i = 0; i < kMany; ++i)
       if (!same(at(i), radius[k] + (groove ? 0.0 : slope * kAcross[i] * half), size))
-        throw InputError(
-            fmt::format("{}the radius at azimuth {:.4g} rad and {:.4g} m across differs by {:.3g} "
-                        "m from that of {}; {}",
-                        about(user, 6, body), t.azimuth[k], t.axial[i * kPlaces + k],
-                        std::abs(at(i) - radius[k]), groove ? "the middle" : "a taper",
-                        groove ? "the curvature factor may vary across a groove, the radius may not"
-                               : "a straight raceway may be tapered; its crown is that of record "
-                                 "5B or of the rollers"));
+        throw InputError(fmt::format(
+            "{}the radius at azimuth {:.4g} rad and {:.4g} m across is {:.3g} m from that of {}; "
+            "{}",
+            about(user, 6, body), t.azimuth[k], t.axial[i * kPlaces + k],
+            std::abs(at(i) - radius[k]), groove ? "the middle" : "a taper",
+            groove ? "across a groove its curvature factor varies, and the radius not"
+                   : "a straight raceway may be tapered, and its crown is record 5B's or the "
+                     "rollers' own"));
     if (!groove && !same(slope * half, 0.0, size)) {
       const double cone = rollers->race_angle[race];  // R(x) falls by x tan of it
       taper[k] = cone - std::atan(std::tan(cone) - slope);
