@@ -23,7 +23,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {" with --overwrite", " and replace the remaining files"},
     {"--until, ", ""},
     {", or an end with --until", ""},
-    {" unless `--until` says how far", ""},
+    {"; `--until` can set the length", ""},
     {", or --tol)", ")"},
     {"; --reproducible gives", "; `adore run --reproducible` gives"},
     {"adore run --verify estimates", "Accuracy (F9) estimates"},

@@ -179,7 +179,7 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     throw InputError(misfit(name, error));
   } catch (const std::logic_error& error) {
     // The numbers go straight to the library, so a precondition that fails there is theirs.
-    throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
+    throw InputError(fmt::format("calculator {} does not accept these inputs ({}); {}", name,
                                  reason(error.what()), see_description(name)));
   }
   if (!result && named == table.end()) {
@@ -187,13 +187,13 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     for (const CalculatorInfo& info : table)
       if (info.family == family) members += (members.empty() ? "" : ", ") + std::string(info.name);
     throw InputError(
-        fmt::format("{} is a family of reference cases, and none of its kinds takes these inputs "
-                    "without saying its \"kind\"; its calculators by name: {}",
+        fmt::format("{} is a family of reference cases, and without \"kind\" none of its kinds "
+                    "accepts these inputs; its calculators by name: {}",
                     name, members.empty() ? "none" : members));
   }
   if (!result)
-    throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
-                                 name, see_description(name)));
+    throw InputError(
+        fmt::format("calculator {} cannot use these inputs; {}", name, see_description(name)));
   check_results(family, name, *result);
   nlohmann::json units = result_units(family, *result);
   if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);

@@ -144,7 +144,7 @@ void check_file_names(Checker& c) {
       {"DATA.TXT", "the deck"},         {"PRINT.TXT", "the listing"},
       {"SOL9", "user routine ADRX9"},   {"RUN.JSON", "the run report"},
       {"RESULTS.H5", "the results"},    {"ADORE.JSON", "the run options"},
-      {"SWEEP.CSV", "a sweep's table"}, {"SWEEP.JSON", "what a sweep goes on by"}};
+      {"SWEEP.CSV", "a sweep's table"}, {"SWEEP.JSON", "the state of a sweep"}};
   const std::string& path = c.deck().file;
   if (!path.empty())
     seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");

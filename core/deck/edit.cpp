@@ -224,7 +224,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
   if (count > 1 && target.indices.empty())
     fail(name, value, fmt::format("there are {} of them", count),
-         fmt::format("say which: {}[1]", target.name));
+         fmt::format("give the number of one of them: {}[1]", target.name));
   const std::size_t used = record.repeat.empty() || target.indices.empty() ? 0 : 1;
   const bool is_array = place.ref->spec().length != "1";
   if (target.indices.size() > used) {

@@ -162,7 +162,7 @@ class Parser {
   }
   Unit unit_alone() {
     Unit out = units();
-    if (at_ < text_.size()) fail("is no unit", kExample);
+    if (at_ < text_.size()) fail("is not a unit", kExample);
     return out;
   }
 
@@ -398,7 +398,7 @@ std::string number_in(double value, const UnitPair& unit, UnitSystem system,
                       std::string_view wanted) {
   const Unit to = Parser(wanted).unit_alone();
   demand(unit_of(unit) && unit_of(unit)->dimension == to.dimension,
-         fmt::format("{} is no unit of {}", wanted, unit.si));
+         fmt::format("{} is not a unit of {}", wanted, unit.si));
   const double si = value * factor_of(unit, system);
   const double exact = (si - to.offset) / to.factor;
   for (int digits = 1; digits <= kDigits; ++digits) {

@@ -66,7 +66,7 @@ ReadResult Reader::read() {
     more.file = state_.deck().file;
     more.message =
         counted(state_.issues_dropped, "more problem is", "more problems are") + " not listed";
-    more.remedy = "mend the ones above first";
+    more.remedy = "correct those above first";
     issues.push_back(std::move(more));
   }
   return std::move(state_.result);
@@ -183,7 +183,7 @@ void Reader::skip_record() {
                   "remove one of them");
   else if (is_doubtful(extra.condition))
     state_.report(Severity::Warning, line, "", "", "this record cannot be assigned and is ignored",
-                  "mend the errors above first");
+                  "correct the errors above first");
   else if (evaluate(extra.condition, scope_of(state_.deck())))
     state_.report(
         Severity::Warning, line, "", "",

@@ -149,10 +149,9 @@ RecordSpec land_errors(std::string_view id, std::string_view title, std::string_
                        std::string_view prefix, std::string_view code, std::string_view where) {
   VariableSpec second =
       real(keep(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
-           keep(fmt::format(
-               "{0} land: half z axis minus nominal radius when {1} is 1, number of waves per "
-               "turn (no unit) when it is 2.",
-               where, code)));
+           keep(fmt::format("{0} land: half z axis minus nominal radius when {1} is 1, number of "
+                            "waves per revolution (no unit) when it is 2.",
+                            where, code)));
   second.unitless_when = keep(fmt::format("{} == 2", code));
   return repeated(
       id, title, condition, "nGL",

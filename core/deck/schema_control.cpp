@@ -118,8 +118,8 @@ RecordSpec step_control() {
             "continuation reuses the last step kept in MASTER.",
             "0.050"),
        real("stpMin", unit::kPure, range::kPositive,
-            "Smallest step, dimensionless. A step of this size is accepted whatever its error and "
-            "counted; stpMin = stpMax gives a constant step.",
+            "Smallest step, dimensionless. A step of this size is accepted and counted even if its "
+            "error is too large; stpMin = stpMax gives a constant step.",
             "5.0e-04"),
        real("stpMax", unit::kPure, range::kPositive,
             "Largest step, dimensionless. It limits the resolution of plots.", "0.50"),

@@ -67,11 +67,11 @@ struct RaceNames {
 std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& unit,
                                std::string_view what, Range amplitude = kAny) {
   const auto name = [&](int i) { return keep(fmt::format("{}{}{}", stem, i, race)); };
-  return {
-      real(name(1), unit, amplitude,
-           keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
-      real(name(2), kWaves, kNotNegative, keep(fmt::format("Waves per turn w of the {}.", what))),
-      real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
+  return {real(name(1), unit, amplitude,
+               keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
+          real(name(2), kWaves, kNotNegative,
+               keep(fmt::format("Waves per revolution w of the {}.", what))),
+          real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
 }
 
 std::vector<VariableSpec> roundness(bool elliptical, const RaceNames& race) {

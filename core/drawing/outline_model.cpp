@@ -180,13 +180,13 @@ OutlineModel outline_model(const Deck& deck) {
   OutlineModel m;
   const long long code = deck.integer("kBrg");
   if (code < 1 || code > 5)
-    refuse(deck, "kBrg", "is no bearing type", "choose 1 to 5 to see a drawing");
+    refuse(deck, "kBrg", "is not a bearing type", "choose 1 to 5 to see a drawing");
   m.type = static_cast<Type>(code);
   for (const std::string& name : needed(m.type)) demand_number(deck, name);
   m.count = static_cast<int>(std::clamp(deck.integer("nRe"), 0LL, 100000LL));
   m.diameter = deck.si("bReDia");
   if (!(m.diameter > 0.0) || !std::isfinite(m.diameter))
-    refuse(deck, "bReDia", "is no diameter", "give a value above 0");
+    refuse(deck, "bReDia", "is not a valid diameter", "give a value above 0");
   if (m.type == Type::Ball) {
     m.pitch = deck.si("pitchDia");
     check_pitch(deck, m);

@@ -345,7 +345,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
       {"study", "accuracy"},
       {"digest", study.digest},
       {"complete", study.complete},
-      {"title", fmt::format("What accuracy costs: {}, reference {}",
+      {"title", fmt::format("Cost of accuracy: {}, reference {}",
                             turns_text(study.finals.empty() ? study.short_turns : study.long_turns),
                             study.reference)},
       {"error_title", "largest error of speeds, whirl, loads, heat and life"},

@@ -67,12 +67,12 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
   out.asperity_traction = given_or(input.asperity_traction, {c.asperity_traction, "derived"});
   out.residual_stress = input.residual_stress;
   if (!own && !has_stle)
-    notes.push_back(
-        fmt::format("{}: no STLE factors are known for {}; 1 is taken for material and process",
-                    out.name, material.name));
+    notes.push_back(fmt::format(
+        "{}: no STLE factors are known for {}; material and process factors are set to 1", out.name,
+        material.name));
   if (!own && !has_tallian)
-    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; 1 is taken", out.name,
-                                material.name));
+    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; they are set to 1",
+                                out.name, material.name));
 }
 
 void set_limit(PartParameters& out, const Material& material, double limit_factor,
@@ -86,9 +86,8 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
     notes.push_back(
-        fmt::format("{}: no fatigue limit is known for {}; 0 is taken, so that no life is "
-                    "infinite; with the calibration at 684 MPa the "
-                    "Ioannides-Harris lives come out far too short",
+        fmt::format("{}: no fatigue limit is known for {}; it is set to 0, so no life is infinite; "
+                    "with the calibration at 684 MPa the Ioannides-Harris lives are far too short",
                     out.name, material.name));
 }
 

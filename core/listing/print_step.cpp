@@ -438,7 +438,7 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
   report.item("Cage pocket clearance I, diametral", bearing.cage->pocket_clearance_1,
               unit::kLength);
   for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i)
-    report.item(fmt::format("Cage play at guide land {}, diametral", i + 1),
+    report.item(fmt::format("Cage clearance at guide land {}, diametral", i + 1),
                 bearing.cage->lands[i].clearance, unit::kLength);
 }
 

@@ -233,10 +233,10 @@ FileResult run_file(const std::filesystem::path& path, const Json& content) {
 std::string wrong_case(const Json& cases) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Json& one = cases[i];
-    if (!one.is_object()) return fmt::format("case {} is no object", i + 1);
+    if (!one.is_object()) return fmt::format("case {} is not an object", i + 1);
     for (const char* key : {"id", "kind", "provenance"})
       if (one.contains(key) && !one.at(key).is_string())
-        return fmt::format("\"{}\" of case {} is no text", key, i + 1);
+        return fmt::format("\"{}\" of case {} is not a string", key, i + 1);
     for (const char* key : {"inputs", "expected"})
       if (!one.contains(key) || !one.at(key).is_object())
         return fmt::format("case {} has no object \"{}\"", i + 1, key);

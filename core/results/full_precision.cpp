@@ -30,13 +30,14 @@ std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std
   const std::filesystem::path path = file.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    why_not = "there is no RESULTS.h5 beside the file";
+    why_not = "there is no RESULTS.h5 in the folder of the file";
     return std::nullopt;
   }
   try {
     H5Reader reader(path);
     if (reader.run_id() == run_id) return reader;
-    why_not = fmt::format("RESULTS.h5 beside the file is of the run '{}'", reader.run_id());
+    why_not = fmt::format("RESULTS.h5 in the folder of the file belongs to the run '{}'",
+                          reader.run_id());
   } catch (const InputError& error) {
     why_not = error.what();
   }
@@ -107,7 +108,7 @@ struct ChannelColumns {
 };
 
 constexpr const char* kOtherRun =
-    "RESULTS.h5 beside the file holds other numbers, so it is of another run";
+    "RESULTS.h5 in the folder of the file contains different numbers and belongs to another run";
 
 /// Steps of the classic file that stand in RESULTS.h5 at even distances: a piece of bounded size.
 struct StepBlock {
@@ -209,7 +210,8 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
       at[i] = found->second;
       ++out.exact;
     }
-    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of these steps"};
+    if (out.exact == 0)
+      return {"RESULTS.h5 in the folder of the file contains none of these steps"};
     out.from_start = at[out.exact - 1] < reader->steps() &&
                      std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
                                  [&](std::size_t place) { return place == reader->steps(); });

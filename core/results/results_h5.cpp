@@ -332,8 +332,8 @@ struct H5Writer::Impl {
   void write_waiting() {
     if (waiting == 0) return;
     if (broken)
-      throw InputError(fmt::format(
-          "{}: the file could not be written earlier and takes no more steps", path.string()));
+      throw InputError(
+          fmt::format("{}: an earlier write error prevents further steps", path.string()));
     // Every other dataset is on its way to the disk before /step, written last, counts the rows.
     const Series* const counts = &series.back();
     for (Series& one : series) {
@@ -362,8 +362,8 @@ struct H5Writer::Impl {
       if (!ok || error != 0) {
         broken = true;  // /step, written last, tells of the steps that all of them hold
         throw WriteError(fmt::format(
-            "{}: the file cannot be written any further ({}); free some disk space or "
-            "choose another disk",
+            "{}: the file cannot be written further ({}); free some disk space or choose another "
+            "disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.sum = sum_of_values(one.waiting, one.sum);
@@ -479,14 +479,14 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
                                        found->dimensions.end()))
       continue;
     if (found == nullptr)
-      throw InputError(fmt::format(
-          "{}: there is no {} in it: an earlier version of Adore wrote it, or it is not whole. It "
-          "can be looked at, but not continued; start new files with kIcOpt = -1, or run the deck "
-          "in another folder",
-          path.string(), channel.id));
+      throw InputError(
+          fmt::format("{}: it does not contain {}: an earlier version of Adore wrote it, or it is "
+                      "incomplete. It can be displayed, but not continued; start new files with "
+                      "kIcOpt = -1, or run the deck in another folder",
+                      path.string(), channel.id));
     throw InputError(
-        fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this run, "
-                    "or start new files with kIcOpt = -1",
+        fmt::format("{}: {} does not match the sizes of this bearing; restore the file of this "
+                    "run, or start new files with kIcOpt = -1",
                     path.string(), channel.id));
   }
 }

@@ -45,7 +45,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   const int code = static_cast<int>(deck.integer("intMet"));
   out.integrator = integrators::name_of_int_met(code);
   if (out.integrator.empty())
-    throw InputError({deck.issue(Severity::Error, "intMet", "is no integrator",
+    throw InputError({deck.issue(Severity::Error, "intMet", "is not an integrator",
                                  "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
                                  "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
   out.step_initial = deck.si("stpInit");

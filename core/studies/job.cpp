@@ -376,11 +376,12 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
     out.push_back(parse_task(line, source));
     if (out.size() > 1 && out.back().number <= out[out.size() - 2].number)
       FolderFile(source.file, source.line)
-          .refuse("run", out.back().number,
-                  fmt::format("not above that of the line before, {}", out[out.size() - 2].number));
+          .refuse(
+              "run", out.back().number,
+              fmt::format("not above that of the previous line, {}", out[out.size() - 2].number));
     bytes += memory_of(out.back().point);
     if (bytes > kMaxStudyBytes)
-      throw InputError(fmt::format("{}, line {}: its runs take more than {:.3g} GB of memory",
+      throw InputError(fmt::format("{}, line {}: its runs need more than {:.3g} GB of memory",
                                    source.file, source.line, kMaxStudyBytes / 1e9));
   }
   return out;

@@ -140,7 +140,7 @@ void Reporter::influence() {
     text_ += bars.empty() ? "  too few results\n" : "\n";
     if (bars.empty()) continue;
     charts_.push_back(tornado("influence-" + file_name(quantity.name),
-                              "what scatters: " + words_of(quantity.name), "rank correlation",
+                              "sources of scatter: " + words_of(quantity.name), "rank correlation",
                               bars));
   }
   text_ += "\n";

@@ -101,17 +101,17 @@ class SlurmEngine {
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
-            "--engine slurm: {} submissions in a row gave no result; {}; what the jobs said is in "
-            "{}",
-            kFruitless, reason_.empty() ? "Slurm does not say why" : reason_, folder_.string()));
+            "--engine slurm: {} submissions in a row gave no result; {}; the output of the jobs is "
+            "in {}",
+            kFruitless, reason_.empty() ? "Slurm gives no reason" : reason_, folder_.string()));
     }
     if (stop_.stop_requested())
       cancel();
     else if (given_up_ > 0)
-      throw InputError(fmt::format(
-          "{} no result: the process that computed each of them was killed from outside "
-          "{} times; all others are recorded, go on with `adore study resume --engine slurm`",
-          counted(given_up_, "run has", "runs have"), kKills));
+      throw InputError(
+          fmt::format("{} no result: the process that computed each of them was killed {} times; "
+                      "all others are recorded, continue with `adore study resume --engine slurm`",
+                      counted(given_up_, "run has", "runs have"), kKills));
   }
 
  private:
@@ -177,10 +177,11 @@ class SlurmEngine {
          "--chdir=" + work_.folder.string(), script.string()},
         &said);
     if (!answer || answer->empty())
-      throw InputError(fmt::format("--engine slurm: sbatch refuses the job: {}",
+      throw InputError(fmt::format("--engine slurm: sbatch rejected the job: {}",
                                    said.substr(0, said.find('\n'))));
     job_ = answer->substr(0, answer->find_first_of(";\n"));
-    if (!is_slurm_job(job_)) throw InputError("--engine slurm: sbatch names no job: " + *answer);
+    if (!is_slurm_job(job_))
+      throw InputError("--engine slurm: sbatch returned no job number: " + *answer);
     write_study_file(
         place_, kCurrent,
         dump_json(
@@ -214,7 +215,7 @@ class SlurmEngine {
       if (left_.empty() && (!queue || queue->empty())) return;
       if (queue && queue->empty()) return;
       if (!queue) {
-        news_(0, "Slurm does not answer; waiting for it");
+        news_(0, "Slurm does not respond; waiting for it");
       } else {
         int running = 0, waiting = 0;
         for (const auto& [state, count] : *queue)
@@ -276,8 +277,8 @@ class SlurmEngine {
       } else if (end.state == "CANCELLED") {
         forget_job();
         throw InputError(
-            "somebody cancelled the job in Slurm; what is finished is recorded, go on with "
-            "`adore study resume`");
+            "the job was cancelled in Slurm; finished runs are recorded, continue with `adore "
+            "study resume`");
       } else if (end.state == "FAILED" && from_outside(end)) {
         ++killed_;
         if (++kills_[culprit->key] < kKills) continue;
@@ -305,8 +306,8 @@ class SlurmEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "Slurm ended it at its {} limit, {} times, though the limit was doubled each time; it "
-        "takes far more than the pilot runs: look at it alone, then --retry-failed",
+        "Slurm ended it at its {} limit, {} times, although the limit was doubled each time; it "
+        "needs far more than the pilot runs: examine it separately, then --retry-failed",
         late ? "time" : "memory", kLimits);
     write_record(work_.folder, record);
     done_(record);

@@ -118,14 +118,13 @@ void JsonObject::done() const {
         });
     std::string list;
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-    throw InputError(
-        fmt::format("{} plays no part here{}; it takes {}, and remarks under keys that begin with "
-                    "\"//\"",
-                    at(key),
-                    nearest != known.end() && edit_distance(*nearest, key) <= 3
-                        ? fmt::format("; do you mean \"{}\"?", *nearest)
-                        : std::string(),
-                    list));
+    throw InputError(fmt::format(
+        "{} is not used here{}; valid are {}, and remarks under keys that begin with \"//\"",
+        at(key),
+        nearest != known.end() && edit_distance(*nearest, key) <= 3
+            ? fmt::format("; do you mean \"{}\"?", *nearest)
+            : std::string(),
+        list));
   }
 }
 

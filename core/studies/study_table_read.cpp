@@ -27,8 +27,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 std::string no_table_text(const std::string& why) {
   return fmt::format(
-      "this is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or its "
-      "folder",
+      "this is not a table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or "
+      "its folder",
       why);
 }
 
@@ -169,7 +169,7 @@ class H5Table {
  public:
   explicit H5Table(const fs::path& file)
       : file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
-    if (!file_.valid()) no_table("it is no HDF5 file");
+    if (!file_.valid()) no_table("it is not an HDF5 file");
   }
   StudyTable read() const {
     StudyTable out;

@@ -123,7 +123,7 @@ class Parcel {
     char* out = arena_ + at_;
     at_ += (bytes + 63) / 64 * 64;
     if (at_ > kArena)
-      throw std::runtime_error("its arguments are too large for a process of its own");
+      throw std::runtime_error("its arguments are too large for a separate process");
     return out;
   }
 

@@ -182,7 +182,7 @@ std::string Routine::ask_again(adore_call& call, const Copies& before) {
     return "called twice with the same arguments, it answered only the first time";
   const Copies second(call);
   if (first.written != second.written || first.self != second.self)
-    return "called twice with the same arguments, it answered differently; routines of the motion "
+    return "called twice with the same arguments, its answers differed; routines of the motion "
            "must be pure functions of their arguments: keep no values between calls, and use no "
            "random numbers";
   return {};

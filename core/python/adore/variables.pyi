@@ -46,8 +46,8 @@ class DeckVariables:
     """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). 0 in
     a continuation reuses the last step kept in MASTER."""
     stpMin: float
-    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted whatever its error and counted;
-    stpMin = stpMax gives a constant step."""
+    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted and counted even if its error is too
+    large; stpMin = stpMax gives a constant step."""
     stpMax: float
     """Record 2.1. Largest step, dimensionless. It limits the resolution of plots."""
     fTime: float
@@ -397,19 +397,19 @@ class DeckVariables:
     cFacVar11: float
     """Record 5G.2.1A. Amplitude a of the curvature factor error, outer race, a sin(w theta + phi)."""
     cFacVar21: float
-    """Record 5G.2.1A [cycle/rev]. Waves per turn w of the curvature factor error, outer race."""
+    """Record 5G.2.1A [cycle/rev]. Waves per revolution w of the curvature factor error, outer race."""
     cFacVar31: float
     """Record 5G.2.1A [deg]. Phase phi of the curvature factor error, outer race."""
     rlOffset11: float
     """Record 5G.2.1C [m]. Amplitude a of the axial offset of the land, outer race, a sin(w theta + phi)."""
     rlOffset21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the axial offset of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the axial offset of the land, outer race."""
     rlOffset31: float
     """Record 5G.2.1C [deg]. Phase phi of the axial offset of the land, outer race."""
     rlTaper11: float
     """Record 5G.2.1C [rad]. Amplitude a of the taper of the land, outer race, a sin(w theta + phi)."""
     rlTaper21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the taper of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the taper of the land, outer race."""
     rlTaper31: float
     """Record 5G.2.1C [deg]. Phase phi of the taper of the land, outer race."""
     rndVar12: float
@@ -421,19 +421,19 @@ class DeckVariables:
     cFacVar12: float
     """Record 5G.2.2A. Amplitude a of the curvature factor error, inner race, a sin(w theta + phi)."""
     cFacVar22: float
-    """Record 5G.2.2A [cycle/rev]. Waves per turn w of the curvature factor error, inner race."""
+    """Record 5G.2.2A [cycle/rev]. Waves per revolution w of the curvature factor error, inner race."""
     cFacVar32: float
     """Record 5G.2.2A [deg]. Phase phi of the curvature factor error, inner race."""
     rlOffset12: float
     """Record 5G.2.2C [m]. Amplitude a of the axial offset of the land, inner race, a sin(w theta + phi)."""
     rlOffset22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the axial offset of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the axial offset of the land, inner race."""
     rlOffset32: float
     """Record 5G.2.2C [deg]. Phase phi of the axial offset of the land, inner race."""
     rlTaper12: float
     """Record 5G.2.2C [rad]. Amplitude a of the taper of the land, inner race, a sin(w theta + phi)."""
     rlTaper22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the taper of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the taper of the land, inner race."""
     rlTaper32: float
     """Record 5G.2.2C [deg]. Phase phi of the taper of the land, inner race."""
     bReMass: float
@@ -607,16 +607,16 @@ class DeckVariables:
     """Record 7.5.i [m]. Cage land: half y axis minus nominal radius when kCageGsImp is 1, amplitude of the radius
     wave when it is 2."""
     cageGsRadVar2: np.ndarray
-    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per turn
-    (no unit) when it is 2."""
+    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per
+    revolution (no unit) when it is 2."""
     cageGsRadVar3: np.ndarray
     """Record 7.5.i [deg]. Cage land: unused (0) when kCageGsImp is 1, phase of the radius wave when it is 2."""
     raceGsRadVar1: np.ndarray
     """Record 7.6.i [m]. Race land: half y axis minus nominal radius when kRaceGsImp is 1, amplitude of the radius
     wave when it is 2."""
     raceGsRadVar2: np.ndarray
-    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per turn
-    (no unit) when it is 2."""
+    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per
+    revolution (no unit) when it is 2."""
     raceGsRadVar3: np.ndarray
     """Record 7.6.i [deg]. Race land: unused (0) when kRaceGsImp is 1, phase of the radius wave when it is 2."""
     cageMass: float

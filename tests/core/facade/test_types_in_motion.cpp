@@ -297,8 +297,8 @@ TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[val
         plain = cage;
       else
         CHECK(cage != plain);
-      CHECK((ran.print.find("Least radial play at land 1 with its errors") != std::string::npos) ==
-            !errors.empty());
+      CHECK((ran.print.find("Least radial clearance at land 1 with its errors") !=
+             std::string::npos) == !errors.empty());
     }
   }
   CHECK_THAT(refusal_of(deck_of(
