@@ -157,7 +157,7 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
                  keep(fmt::format(
                      "x, y, z of the {} at the start, from the circle of element centers.",
                      body == "segment" ? "point of the segment on the cage axis"
-                                       : "cage mass centre"))),
+                                       : "cage mass center"))),
             "3"),
       array(real("cageAngPos", kAngle, kAny,
                  keep(fmt::format(
@@ -224,7 +224,7 @@ void add_operation_records(std::vector<RecordSpec>& out) {
       "9.5", "Rotating base frame", "mode >= 0 && kRotFrame == 1",
       {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing center."),
        real("brgAngPos", kAngle, kAny, "Angle of the bearing center on its orbit at the start."),
-       real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing centre."),
+       real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing center."),
        real("brgLoadFrac1", kPure, kAny,
             "Fraction of the outer race's inertia load that the bearing carries."),
        real("brgLoadFrac2", kPure, kAny,

@@ -76,10 +76,10 @@ void mass(Report& report, const Bearing& bearing, bool given) {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
     report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
     if (cage.segments.several())
-      report.item("Distance of the mass centre of a segment from the axis", solid.mass_centre.z(),
+      report.item("Distance of the mass center of a segment from the axis", solid.mass_centre.z(),
                   unit::kLength);
     if (cage.cone_angle != 0.0)
-      report.item("Mass centre from the middle of the cage, along x", solid.mass_centre.x(),
+      report.item("Mass center from the middle of the cage, along x", solid.mass_centre.x(),
                   unit::kLength);
     if (bearing.rollers())
       report.text(

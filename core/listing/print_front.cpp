@@ -195,7 +195,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   report.blank();
   table(all.last(2));
 
-  report.heading("Inertia about the mass centre, geometric axes");
+  report.heading("Inertia about the mass center, geometric axes");
   std::vector<Report::Row> inertia, places;
   const auto add = [&](const char* name, const bearing::Inertia& body) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
@@ -304,7 +304,7 @@ void operation(Report& report, const PrintFront& front) {
     report.item("Whirl speed over angular speed of the cage", start.whirl_ratio, unit::kPure);
     report.item("Angular speed over epicyclic speed", start.speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
-      report.item(fmt::format("Centre along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
+      report.item(fmt::format("Center along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Angle {} of the {}",
                               std::array{"eta", "xi", "lambda"}[static_cast<std::size_t>(k)], name),

@@ -390,7 +390,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
 }
 
 void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
-  report.heading("3. Applied parameters: forces and moments on the races, about their centres");
+  report.heading("3. Applied parameters: forces and moments on the races, about their centers");
   std::vector<Report::Row> rows;
   for (std::size_t race = 0; race < 2; ++race) {
     const scene::RaceSnapshot& body = snapshot.races[race];

@@ -277,8 +277,8 @@ class SlurmEngine {
       } else if (end.state == "CANCELLED") {
         forget_job();
         throw InputError(
-            "the job was cancelled in Slurm; finished runs are recorded, continue with `adore "
-            "study resume`");
+            "the job was canceled in Slurm; finished runs are recorded, continue with `adore study "
+            "resume`");
       } else if (end.state == "FAILED" && from_outside(end)) {
         ++killed_;
         if (++kills_[culprit->key] < kKills) continue;

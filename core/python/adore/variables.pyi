@@ -1017,7 +1017,7 @@ class DeckVariables:
     brgAngPos: float
     """Record 9.5 [deg]. Angle of the bearing center on its orbit at the start."""
     brgAngVel: float
-    """Record 9.5 [rpm]. Orbit speed of the bearing centre."""
+    """Record 9.5 [rpm]. Orbit speed of the bearing center."""
     brgLoadFrac1: float
     """Record 9.5. Fraction of the outer race's inertia load that the bearing carries."""
     brgLoadFrac2: float
@@ -1030,7 +1030,7 @@ class DeckVariables:
     avRatio: float
     """Record 9.6. Angular speed of the cage at the start, divided by the epicyclic speed."""
     cageGcPos: np.ndarray
-    """Record 9.6 [m]. x, y, z of the cage mass centre at the start, from the circle of element centers."""
+    """Record 9.6 [m]. x, y, z of the cage mass center at the start, from the circle of element centers."""
     cageAngPos: np.ndarray
     """Record 9.6 [deg]. Three transformation angles of the cage from the inertial frame at the start."""
     baseTemp: float

@@ -74,7 +74,7 @@ TEST_CASE("a conical cage's mass centre lies towards its large end", "[physics][
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
-  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass centre from the middle of the cage") &&
+  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass center from the middle of the cage") &&
                                       Catch::Contains("-0.0007"));  // the large end is at -x
 }
 
