@@ -141,7 +141,7 @@ const AccuracyRow* own_row(const AccuracyStudy& study) {
   return nullptr;
 }
 
-/// What grows from the first span to the second, of the recommended or the deck's own settings.
+/// Growth from the first span to the second, of the recommended or the deck's own settings.
 std::string growth_text(const AccuracyStudy& study) {
   const AccuracyRow* row = study.recommended >= 0
                                ? &study.finals[static_cast<std::size_t>(study.recommended)]
@@ -173,7 +173,7 @@ const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const Accuracy
   return out;
 }
 
-/// The resolution of the contacts that changes more than the target, which no integrator mends.
+/// The resolution of the contacts whose effect exceeds the target; no integrator can correct it.
 const AccuracyRow* other_model(const AccuracyStudy& study) {
   const AccuracyRow* out = nullptr;
   const auto change = [&](const AccuracyRow& row) {

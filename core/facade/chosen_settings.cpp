@@ -125,8 +125,8 @@ class Choice {
     out_.integrator = best.setting.method;
     out_.tolerance = best.setting.tolerance;
     out_.steps = best.errors;
-    // The longest stable step as a number: the deck then seems to ask for it, and no warning says
-    // that it asked for more.
+    // The longest stable step as a number: it then counts as specified by the deck, without a
+    // warning about shortened steps.
     for (auto& [name, value] : recommended_sets(study))
       if (name == "stpMax") out_.sets.emplace_back(std::move(name), std::move(value));
     turn_ = study.turn;
@@ -152,7 +152,7 @@ class Choice {
     return out;
   }
 
-  /// What a later run has to be given for the same bytes: another study may choose otherwise.
+  /// Options that repeat a later run with the same bytes: another study may choose differently.
   [[nodiscard]] std::string again() const {
     std::string out = fmt::format("--integrator {} --tol {:g}", out_.integrator, out_.tolerance);
     for (const auto& [name, value] : out_.sets) out += fmt::format(" --set {}={}", name, value);
@@ -244,7 +244,7 @@ class Choice {
                              chosen.usual ? ", as without a choice" : "", noise_text(chosen));
   }
 
-  /// What hides behind errors of 0.
+  /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
     return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
   }

@@ -11,7 +11,7 @@ namespace adore::facade {
 namespace {
 
 enum class Change : unsigned char {
-  Unsaid,  ///< what a continuation is for
+  Unsaid,  ///< values that a continuation is meant to change
   Accepted,
   NoPart,        ///< read at the start of a new run only
   OtherBearing,  ///< refused, as the next one

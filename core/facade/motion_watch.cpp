@@ -121,7 +121,7 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
     cage_ = {stress, at.time, 0, cage_.steps, where()};
     cage_pressure_ = pressure;
   };
-  // The stress ratio is asked for once, for the contact of largest force: pockets are alike.
+  // The stress ratio is computed once, for the contact of largest force: all pockets are identical.
   const scene::PocketContactSnapshot* heaviest = nullptr;
   std::size_t element = 0;
   const auto take = [&](const std::vector<scene::PocketContactSnapshot>& pocket, std::size_t i) {

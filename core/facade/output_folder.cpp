@@ -64,7 +64,7 @@ std::string whoami() {
                   folder.string(), std::generic_category().message(error), elsewhere));
 }
 
-/// The names of the default files, this run's, and those that the earlier run says it wrote.
+/// The default file names, those of this run, and those that the earlier run lists.
 std::set<std::string> candidates(const Outputs& outputs) {
   std::set<std::string> out(outputs.names.begin(), outputs.names.end());
   out.insert(std::begin(kDefaultNames), std::end(kDefaultNames));
@@ -103,7 +103,7 @@ std::vector<std::string> earlier_results(const Outputs& outputs) {
   return out;
 }
 
-/// Does `name` look like what stands in `pattern`, X for any letter or digit?
+/// Does `name` match `pattern`, where X is any letter or digit?
 bool matches(const std::string& name, const std::string& pattern) {
   if (name.size() != pattern.size()) return false;
   const std::size_t stem = pattern.size() - 6;
@@ -165,7 +165,7 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
   const std::string who = whoami();
   if (::ftruncate(descriptor_, 0) != 0 ||
       ::pwrite(descriptor_, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size()))
-    return;  // a full disk: the lock holds all the same
+    return;  // a full disk: the lock still works
 }
 
 bool FolderLock::is_free(const fs::path& lock) noexcept {

@@ -48,9 +48,8 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants
-/// if that is asked for (decision 001). The free angle when nothing is
-/// loaded.
+/// Load-weighted mean contact angle of each race, at which a dynamic run freezes its Hertz
+/// constants if requested (decision 001). The free angle when no contact is loaded.
 std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
                                           double free_angle) {
   std::array<double, 2> out{free_angle, free_angle};
@@ -74,8 +73,8 @@ Finding warning(const std::string& text) {
   return issue;
 }
 
-/// The most that friction between ball and race can carry, over the load; empty where no traction
-/// law of the deck says so.
+/// Largest friction force between ball and race over the load; empty without a traction
+/// law in the deck.
 std::optional<double> available_friction(const deck::Deck& deck, const bearing::Bearing& bearing) {
   const double largest = tribology::largest_traction(bearing.race_traction);
   if (!deck.has("kTracType") || !(largest > 0.0)) return std::nullopt;
@@ -90,8 +89,8 @@ double timed(Action&& action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// What is to be said of a deck whose variables were set: the reader's remarks that still hold,
-/// what the sets brought in, and what the checks say now.
+/// Messages about a deck whose variables were set: remarks of the reader that still apply,
+/// messages about the sets, and results of the checks.
 std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck& changed,
                                       const std::vector<Issue>& read) {
   std::set<std::string> by_checks;
@@ -118,7 +117,7 @@ void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
   }
 }
 
-/// Whatever the library says of this deck is read by who wrote the deck.
+/// Remarks of the library on this deck are shown to the user as remarks on the deck.
 void say_in_deck_units(Prepared& out) {
   const deck::UnitSystem units = out.input.deck.units();
   remarks_to_deck_units(out.input.warnings, units);
@@ -135,8 +134,8 @@ void say_in_deck_units(Prepared& out) {
 }
 
 /// Nodes of balls in oil, unless the options ask for others: those made for films that follow the
-/// pressure point by point, or for films of whole strips (kTrac 8, 12; decision 328). Where one
-/// number is given the other one is that of pieces that are alike: 15 x 4, because two across see
+/// pressure point by point, or for films of whole strips (kTrac 8, 12; decision 328). If one
+/// number is given, the other is that of equal pieces: 15 x 4, because two across sample
 /// one pressure of a row and heat is up to a tenth off (decision 414), or 20 strips (decision 326).
 /// The laws of record 10.1 need 15 x 2.
 void choose_nodes(Prepared& prepared) {
@@ -183,8 +182,8 @@ void set_film_options(Prepared& out) {
                         tribology::kUserLimit)));
 }
 
-/// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
-/// known of it. @throws statics::DeckFault
+/// Reports where films, the oil at the cage and a churning medium are outside their known
+/// range. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
   const auto warn = [&](const std::string& text) {
@@ -264,7 +263,7 @@ void find_left_ranges(Prepared& out) {
     add_remark(out, make_finding("friction.spread", text));
 }
 
-/// Says where what flows around the elements is known by hearsay or guess.
+/// Reports where properties of the medium around the elements are recalled or estimated.
 void say_certainty(Prepared& out) {
   const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
     const char* const known = provenance == "estimated" ? "are estimates, at least in part"
@@ -294,7 +293,7 @@ void say_certainty(Prepared& out) {
   }
 }
 
-/// What contact damping leaves out, where it was asked for or switched off.
+/// Effect of contact damping being off, if specified.
 void say_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
@@ -609,9 +608,9 @@ Prepared prepare(const DeckRequest& request, std::stop_token stop) {
 
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
-  const deck::Deck deck = input.deck;  // for what is said of it
+  const deck::Deck deck = input.deck;  // for its messages
   const deck::UnitSystem units = deck.units();
-  (void)setup::build_run_options(input.option_values);  // what is wrong with them is not the deck's
+  (void)setup::build_run_options(input.option_values);  // their errors are not errors of the deck
   try {
     Prepared out = prepare_model(std::move(input));
     say_in_deck_units(out);
@@ -671,7 +670,7 @@ std::string stability_text(const Prepared& prepared) {
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
-/// What ends a run of this deck, in turns: its time, or its steps before that.
+/// End of a run of this deck, in revolutions: its time, or its steps before that.
 std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0) || speeds_vary(prepared))

@@ -11,7 +11,7 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Above kMissedLimit loads of some per cent beside the right ones come with an energy that closes:
+/// Above kMissedLimit loads may be some per cent off although the energy balance closes:
 /// at 1e-3 up to 5 % of loads, 7 % of heat and 20 % of life (tests/hardcases/silent_errors.py,
 /// decision 481).
 void warn_of_loose_tolerance(Prepared& prepared) {
@@ -29,7 +29,7 @@ void warn_of_loose_tolerance(Prepared& prepared) {
           .measure(control.tolerance, kMissedLimit));
 }
 
-/// The steps that the run takes. What was changed becomes a remark on the deck and part of its
+/// The steps that the run takes. A change becomes a remark on the deck and part of its
 /// plan.
 /// @throws InputError when the method is refused.
 StepLimits settle_steps(Prepared& prepared, double time_scale) {
@@ -41,7 +41,7 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
   return steps.limits;
 }
 
-/// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
+/// The deck's integrator. @throws InputError when it does not support the deck.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held,
                                                            bool rollers) {
@@ -68,7 +68,7 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
   return stepper;
 }
 
-/// Temperatures and geometry of the run that goes on; false: it has none.
+/// Temperatures and geometry of the continued run; false: it has none.
 bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& master) {
   std::error_code error;
   if (!fs::exists(master, error)) return false;
@@ -95,8 +95,8 @@ bool restore_growth(ReadyRun& run, Prepared& prepared) {
   return true;
 }
 
-/// Does something that may refuse the deck's method: names intMet, where no record is named and the
-/// request has no method in its place.
+/// Runs a function that may reject the deck's method: names intMet if no record is named and the
+/// request does not specify a method.
 template <class Check>
 auto of_method(const RunRequest& request, const deck::Deck& deck, Check&& check) {
   try {
@@ -145,8 +145,8 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);
-  // Times, limits and estimates above are those of the bearing of the deck, as they were when the
-  // run began: a run that was killed goes on in the same steps.
+  // Times, limits and estimates above are those of the bearing of the deck at the start of
+  // the run: a killed run continues with the same steps.
   thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   if (thermal_goes_on) system.emplace(make_system(prepared));

@@ -72,7 +72,7 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
   return out;
 }
 
-/// How to go on after a file could not be written.
+/// How to continue after a write error.
 std::string way_on(const fs::path& master) {
   std::error_code error;
   return fs::exists(master, error)
@@ -124,7 +124,7 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   input.stop = stop;
   if (progress) input.table_progress = table_meter(progress);
   if (input.deck.integer("kStif") > 0 && !request.go_on && input.deck.integer("kIcOpt") != 1) {
-    // The table may take minutes: a folder that is taken is refused before.
+    // The table may take minutes: an occupied folder is rejected before.
     check_room({output_folder(request, input.path) / request.below, {"PRINT.txt"}, {input.path}},
                request.overwrite);
   }

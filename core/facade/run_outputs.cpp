@@ -81,8 +81,8 @@ const char* status_word(RunStatus status) {
   return "failed";
 }
 
-/// What a run that starts anew from FINAL, where races are prescribed as `now`, takes from before:
-/// a free race only with its state, and turns of less than one.
+/// State that a new run from FINAL takes over if races are prescribed as `now`:
+/// a free race only with its state, and less than one revolution.
 dynamics::PrescribedRaces of_new_run(dynamics::PrescribedRaces races,
                                      const results::FinalState& from,
                                      const dynamics::PrescribedRaces& now) {
@@ -107,7 +107,7 @@ void add_ending(results::RunSummary& run) {
   if (code != nullptr) run.findings.insert(run.findings.begin(), make_finding(code, run.message));
 }
 
-/// The open files of one run and what they need to go on.
+/// The open files of one run and their data for a continuation.
 struct RunOutputs::Impl {
   const Prepared& prepared;
   std::string request;
@@ -458,7 +458,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (races)
       for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(make_finding("run.start_race_jump", jump));
-    // The shaft goes on from where it was.
+    // The shaft angle continues.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
     const double beyond = turned - system.shaft_rotation(out.time, out.y);
@@ -532,7 +532,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
       s.cage_positions.push_back(group.slice.first);
   s.cage_state.follow(system.layout());
   s.last_y = start.y;
-  // Should the process be killed, it says which run that was.
+  // If the process is killed, this identifies the run.
   results::RunSummary run = s.summary();
   run.status = "running";
   if (const auto left = s.ranges.findings(); !left.empty()) run.validity = validity_json(left);
@@ -625,7 +625,7 @@ void RunOutputs::evaluate_life(dynamics::System& system, const RunPoint& point) 
 void RunOutputs::follow_jump(const dynamics::System& system, bool stored) {
   Impl& s = *impl_;
   if (!s.files.all) return;
-  // What is stored is the side behind the jump.
+  // The state after the jump is stored.
   if (!stored) system.look(s.look);
   s.band.look(s.look);
 }
@@ -650,7 +650,7 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
       checkpoint(system, end.point, end.resume);
       break;
     case RunStatus::Interrupted: {
-      // The point at which somebody lost patience is shown, and gone when the run goes on.
+      // The point of an interruption is shown, and removed when the run continues.
       checkpoint(system, end.point, end.resume);
       RunPoint shown = end.point;
       if (end.resume.substeps > 0) ++shown.step;

@@ -13,7 +13,7 @@ namespace {
 using bearing::Bearing;
 using deck::Deck;
 
-/// Effects are asked for by their number in dynamic plans only; here all belong to the contacts.
+/// Effects have numbers in dynamic plans only; here all belong to the contacts.
 constexpr auto kContacts = scene::Effect::RaceContact;
 
 class Entries {

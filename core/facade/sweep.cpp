@@ -58,7 +58,7 @@ struct Row : RunEnding {
   bool known = false;  ///< taken over from an earlier sweep
 };
 
-/// The variable with its unit, then key results by id, in SI whatever the deck's units.
+/// The variable with its unit, then key results by id, in SI for any units of the deck.
 std::string sweep_csv(const std::string& variable, const std::string& unit,
                       const std::vector<Row>& rows) {
   std::vector<std::string_view> columns;
@@ -119,13 +119,13 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
   return row;
 }
 
-/// One run of a sweep that goes on: taken over, completed from its last checkpoint, or run again.
+/// One run of a continued sweep: reused, completed from its last checkpoint, or repeated.
 Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_token stop) {
   std::string digest;
   try {
     digest = request_digest(request, load_deck(request));
   } catch (const InputError&) {
-    // The run says it.
+    // The run reports it.
   }
   if (std::optional<Row> row = completed(request, value, digest)) return *row;
   const results::RunMark mark = results::read_run_mark(*request.out / request.below / "RUN.json");
@@ -158,7 +158,7 @@ std::vector<Finding> warnings_once(const std::string& variable, const std::vecto
   return out;
 }
 
-/// A table of motions that did not begin has loads and no motion: that has to be said.
+/// A table of motions without steps has loads but no motion: warn.
 std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
   std::size_t still = 0;
   for (const Row& row : rows)
@@ -253,7 +253,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     p.step = static_cast<long>(done);
     p.runs = static_cast<long>(count);
     p.elapsed = seconds(begin);
-    // What was known took no time, and tells nothing of the rest.
+    // Known runs took no time, so they do not count in the estimate.
     if (computed > 0)
       p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(computed);
     progress(p);
@@ -310,7 +310,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   mark.failed = out.failed;
   if (stop.stop_requested()) out.exit_code = kInterrupted;
-  // Runs whose files found no room have no result of their own yet.
+  // Runs whose files did not fit on the disk have no result yet.
   const bool unwritten =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
   mark.status = out.exit_code == kInterrupted || unwritten ? "interrupted" : "done";

@@ -71,7 +71,7 @@ Resume TimeRun::resume(bool failed) const {
   so_far.tight_time = tight_time_;
   so_far.tightest = tightest_;
   add_counters(so_far.counters, parts_.stepper.counters());
-  if (failed) return so_far;  // what the stepper remembers may be meaningless
+  if (failed) return so_far;  // the stepper's memory may be meaningless
   so_far.substeps = substeps_;
   so_far.memory = parts_.stepper.memory();
   return so_far;
@@ -314,7 +314,7 @@ void TimeRun::close(RunEnd& end) {
   try {
     output([&] { parts_.outputs.store_end(system(), end); });
   } catch (const SolverError& failure) {
-    // A routine of the user refuses a state that it took before: the last checkpoint stands.
+    // A user routine rejects a state that it accepted before: the last checkpoint remains.
     if (status_ != RunStatus::Failed) fail(deck::message_in_units(failure.what(), units));
   }
   const results::EnergyJudgement judgement = parts_.outputs.judge_energy();

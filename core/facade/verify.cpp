@@ -47,7 +47,7 @@ RunRequest repeated(const RunRequest& request, const Prepared& prepared,
                     const RunOutcome& outcome) {
   RunRequest out = request;
   out.go_on = false;
-  // The end that was reached, whatever decided it.
+  // The end that was reached, for any reason.
   out.until = fmt::format("{:.17g}s", outcome.time);
   if (prepared.control.start == setup::StartState::Continue)
     out.changes.emplace_back("kIcOpt", "0");

@@ -120,8 +120,8 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   RunRequest beside = run;
   for (auto& load : nearby_loads(prepared.input.deck, 1e-6)) beside.changes.push_back(load);
   const MeasuredRun other = measured(beside);
-  // Processor times change with what others do on the machine: each effect stands between two runs
-  // of the deck as it is, and what these differ by is told.
+  // Processor times depend on other programs on the machine: each effect is measured between two
+  // runs of the complete deck, and their difference is reported.
   double before = other.seconds;
   const auto beside_each = [&] {
     const double after = measured(run).seconds, mean = 0.5 * (before + after);
