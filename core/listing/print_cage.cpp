@@ -90,7 +90,7 @@ void mass(Report& report, const Bearing& bearing, bool given) {
   }
 }
 
-/// The play that a radially moving cage uses up first: of its lands or its pockets.
+/// The clearance that a radially moving cage uses up first: of its lands or its pockets.
 const CagePlay* least_play(const Bearing& bearing) {
   const CagePlay* out = nullptr;
   for (const CagePlay& play : bearing.operating->plays) {

@@ -176,7 +176,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
       for (const Part& part : some) {
         // The deck's records leave out what a part does not need: 0 there means not given.
         const double value = part.material->*property.member;
-        // Where no fatigue limit is known the material carries its yield stress in that place.
+        // Without a known fatigue limit the material has its yield stress instead.
         const int code = part.material->code;
         const bool no_limit = property.member == &bearing::Material::fatigue_limit_stress &&
                               code != 1 &&

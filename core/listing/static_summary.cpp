@@ -166,7 +166,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
                     rows);
 }
 
-/// Where the constants of a model are from: the original theory's is published, those of the three
+/// Origin of a model's constants: the original theory's is published, those of the three
 /// stress models are calibrated on it; the deck may give its own multipliers.
 std::string origin(const life::BearingLife& life, std::size_t model) {
   bool own = false, built_in = false;
@@ -220,7 +220,7 @@ void lives(Report& report, const life::BearingLife& life) {
 void remarks(Report& report, const std::vector<std::string>& warnings,
              const std::vector<std::string>& notes) {
   report.text(fmt::format("Warnings: {}. Notes: {}.", warnings.size(), notes.size()));
-  // Whole where there is room, cut where there is room for one line, which the last one keeps free.
+  // Complete if there is room, cut to one line otherwise; the last line is kept free.
   const auto shown = [&](const std::string& text) {
     constexpr std::size_t kWidth = 112;
     const int lines = static_cast<int>(text.size() / kWidth) + 1;

@@ -17,7 +17,7 @@ namespace {
 
 using Source = ChannelSource;
 
-/// All values of a channel by a loop of its own, in the order of StepRecord: Get is called with the
+/// All values of a channel in a separate loop, in the order of StepRecord: Get is called with the
 /// indices that its `Per` needs.
 template <Per P, int components, class Get>
 void fill(Source s, const Shape& shape, double* out) {

@@ -67,7 +67,7 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
   return out;
 }
 
-/// The checksum that RUN.json has of its own text.
+/// The checksum of RUN.json over its own text.
 FileCheck check_summary(const fs::path& path, const std::string& text, const Json& json) {
   FileCheck out{path, State::Unchecked, "it was written by an earlier version without a checksum"};
   const auto measured = json.find("measured");

@@ -94,7 +94,7 @@ GrowingFile::~GrowingFile() {
   try {
     flush();
   } catch (const std::exception&) {
-    // Nobody can be told from here; flush() reports.
+    // Errors cannot be reported here; flush() reports them.
   }
   ::close(descriptor_);
 }

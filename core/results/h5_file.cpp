@@ -178,7 +178,7 @@ void File::add_dataset(const std::string& path) {
   }
   info.dimensions = made.dimensions;
   info.id = read_text(dataset, "id");
-  // The series have no id of their own.
+  // The series have no separate id.
   const std::string id = info.id.empty() ? path : info.id;
   if (!datasets_.emplace(id, std::move(made)).second) damaged(fmt::format("{} is there twice", id));
   if (info.id.empty()) {

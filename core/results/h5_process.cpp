@@ -28,7 +28,7 @@
 #endif
 #endif
 
-/// There under the preset `coverage` alone: the child then ends by itself, and tells what it ran.
+/// Only with the preset `coverage`: the child then ends normally and writes its coverage.
 extern "C" void __gcov_dump() __attribute__((weak));
 
 namespace adore::results::h5 {

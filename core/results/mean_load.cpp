@@ -8,13 +8,13 @@
 namespace adore::results {
 namespace {
 
-/// How far the carried load is off the asked one along a direction with a given one [N].
+/// Difference between actual and specified load along a direction with a specified load [N].
 double off(const MeanLoad& load, std::size_t k) {
   const auto i = static_cast<Eigen::Index>(k);
   return load.given[k] ? std::abs(load.mean[i] - load.asked[i]) : 0.0;
 }
 
-/// The same across the asked load, along directions of which 0 is asked.
+/// The same across the specified load, along directions with a specified load of 0.
 double across(const MeanLoad& load) {
   double out = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -74,8 +74,8 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
 std::string load_warning(const MeanLoad& load, UnitSystem units) {
   const double departure = load.departure();
   if (departure <= (load.balanced ? kBalanceWarning : kLoadWarning)) return {};
-  // What is carried follows what is asked nearly in proportion, if it is not another load
-  // altogether.
+  // The actual load is nearly proportional to the specified one, unless the load is
+  // entirely different.
   scene::Vec3 instead = load.asked;
   bool scalable = true;
   for (int k = 0; k < 3; ++k) {
@@ -112,7 +112,7 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
            "under load, or incomplete periods, give a nonzero mean. Compare with a run without "
            "vibration before changing the load";
   constexpr double kMost =
-      0.5;  // of all that is off: another load along the asked one mends the rest
+      0.5;  // fraction of the difference: another load along the specified one corrects the rest
   if (across(load) > kMost * off(load))
     return out +
            "a dynamic run holds the inner race at its quasi-static position, and the moving "

@@ -21,7 +21,7 @@ constexpr double kTimeDigits = 1e-6;
 /// Is `stored` what SOL8 makes of `exact`? It keeps three digits behind 0. (e10.3), so that half of
 /// the last one is 0.2 to 0.5 % of the value.
 bool same_digits(double stored, double exact) {
-  constexpr double kHalf = 0.51e-3;  // with some room for the last bit
+  constexpr double kHalf = 0.51e-3;  // with a tolerance for the last bit
   return std::abs(stored - exact) <=
          kHalf * std::pow(10.0, std::floor(std::log10(std::abs(exact))) + 1.0);
 }
@@ -99,9 +99,9 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
       return std::nullopt;
     }
     const UnitSystem units = units_of(file);
-    // A few frames tell one run from another; the last one that both hold is among them.
-    // RESULTS.h5 of a run that was killed or goes on ends before SOL8: it is used as far as it
-    // goes.
+    // A few frames identify a run; the last one in both files is among them.
+    // RESULTS.h5 of a killed or unfinished run ends before SOL8: its available part is
+    // used.
     constexpr std::size_t kLooks = 16;
     const auto held = static_cast<std::size_t>(std::find_if(file.frames.begin(), file.frames.end(),
                                                             [&](const Sol8Frame& frame) {
@@ -109,7 +109,7 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                                      frame.step > numbers.back();
                                                             }) -
                                                file.frames.begin());
-    // Of a run that has just begun it may hold next to nothing of what SOL8 has.
+    // For a run that has just begun it may contain only a few frames of SOL8.
     if (2 * held < file.frames.size()) {
       why_not = fmt::format("RESULTS.h5 in the folder of the file has {} of its {} frames", held,
                             file.frames.size());

@@ -73,7 +73,7 @@ std::string text_of(const std::filesystem::path& path, std::string_view kind) {
   return read_text_file(path);
 }
 
-/// Reads "keyword value" lines in their fixed order and says where it goes wrong.
+/// Reads "keyword value" lines in their fixed order and reports the position of errors.
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::string_view kind)

@@ -256,7 +256,7 @@ struct H5Writer::Impl {
                   const FindingsText& findings);
 
   /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
-  /// comes last, so that its length tells of whole rows.
+  /// comes last, so that its length is the number of complete rows.
   template <class Use>
   void for_each(Use use) {
     for (std::size_t c = 0; c < channels().size(); ++c) {
@@ -360,7 +360,7 @@ struct H5Writer::Impl {
       ok = ok && (!is_last || (H5Dflush(one.dataset) >= 0 && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0));
       const int error = write_error(file);
       if (!ok || error != 0) {
-        broken = true;  // /step, written last, tells of the steps that all of them hold
+        broken = true;  // /step, written last, counts the steps that are in all of them
         throw WriteError(fmt::format(
             "{}: the file cannot be written further ({}); free some disk space or choose another "
             "disk",
@@ -389,7 +389,7 @@ H5Writer::~H5Writer() {
   try {
     if (!impl_->broken) flush();
   } catch (const std::exception&) {
-    // Nobody can be told from here; flush() reports.
+    // Errors cannot be reported here; flush() reports them.
   }
   impl_->series.clear();
   impl_->file.reset();
@@ -401,7 +401,7 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing,
   const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
   H5Pset_obj_track_times(creation, false);
   H5Pset_fapl_core(access, kGrowth, false);
-  // Of its own name: the library takes files in memory of one name for one file.
+  // With a unique name: the library treats files in memory with the same name as one file.
   const std::string alone = fmt::format("RESULTS.h5 in memory, {}", static_cast<const void*>(this));
   file = Handle(H5Fcreate(alone.c_str(), H5F_ACC_TRUNC, creation, access));
   if (!file.valid()) fail(path, "the file cannot be created");
@@ -466,7 +466,8 @@ H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearin
 
 namespace {
 
-/// Throws unless the file is of this run and has a dataset of the right sizes for every channel.
+/// Throws unless the file belongs to this run and has a dataset of the right sizes for every
+/// channel.
 void check_file(const H5Reader& file, const std::filesystem::path& path,
                 const bearing::Bearing& bearing, const ChannelTable& table) {
   check_run_id(path, file.run_id(), bearing.run_id);

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Reader of RESULTS.h5: what callers may ask for, checked here, read by a process of its own.
+/// Reader of RESULTS.h5: requests of callers are checked here and read by a separate process.
 namespace adore::results {
 
 struct H5Reader::Impl {

@@ -77,8 +77,8 @@ std::vector<Record> made(const CampaignRequest& request, const fs::path& folder,
   return out;
 }
 
-/// Runs the pilots, each in a process of its own. @throws InputError when none of them is worth
-/// anything.
+/// Runs the pilots, each in a separate process. @throws InputError when none of them gives a
+/// result.
 Pilot measure(const CampaignRequest& request, const fs::path& folder,
               const std::vector<Task>& tasks, bool keep_files, const std::stop_token& stop) {
   Pilot out;
@@ -172,7 +172,7 @@ std::size_t objective_place(const Study& study) {
   return 0;
 }
 
-/// Counts for the display, whatever the engine.
+/// Counts for the display, for every engine.
 class Meter {
  public:
   Meter(const StudySink& sink, const Plan& plan, long total, long done, long failed)

@@ -15,7 +15,7 @@
 namespace adore::studies {
 namespace {
 
-/// Words of a table of its own for each dimension.
+/// Words of a separate table for each dimension.
 RandomTable table_of(std::uint64_t seed, int dimension) {
   const RandomTable seeds(seed);
   return RandomTable(seeds.word(static_cast<std::uint64_t>(dimension)));
@@ -111,7 +111,7 @@ std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int
       for (std::size_t i = 0; i < n; ++i) out[i][k] = unit(table.word(i));
       continue;
     }
-    // Latin: sample i lies in the stratum that its place in a random order names.
+    // Latin: sample i is in the stratum given by its position in a random order.
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

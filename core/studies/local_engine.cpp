@@ -19,17 +19,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/// One process per core. A process that dies takes its run with it and nothing else: the run is
-/// made again by another one. A run whose process crashes by itself gets a record of that. A death
-/// from outside (SIGKILL, SIGTERM ...) says nothing about the run and never becomes a record: it is
-/// made again after the others, and one that is killed over and over stays unfinished. The system
-/// kills processes when memory ends, so that SIGKILL is met with fewer of them.
+/// One process per core. A process that dies takes only its run with it: another one repeats
+/// the run. A run whose process crashes gets a record of that. A kill
+/// from outside (SIGKILL, SIGTERM ...) is not caused by the run and never becomes a record: the run
+/// is repeated after the others, and one that is killed repeatedly stays unfinished. The system
+/// kills processes when memory is short, so after SIGKILL fewer of them are used.
 namespace adore::studies {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCrashes = 2;  ///< by itself (SIGSEGV ...): then the run has its record
+constexpr int kCrashes = 2;  ///< crashed (SIGSEGV ...): then the run has its record
 constexpr int kKills = 20;   ///< from outside: then it is left, so that no study runs for ever
 constexpr double kOfMemory = 0.8;  ///< of what is free may be planned for
 constexpr double kLeastMegabytes = 64.0;

@@ -37,7 +37,7 @@ class Channels {
     if (times_.empty()) return out;
     const double begin = times_.front(), span = times_.back() - begin;
     const double low = begin + from * span, high = begin + to * span;
-    // An instant at the very end belongs to it, whatever rounding says.
+    // An instant at the very end belongs to it, despite rounding.
     const double slack = 1e-12 * span;
     const auto first = std::lower_bound(times_.begin(), times_.end(), low - slack);
     const auto last = std::upper_bound(first, times_.end(), high + slack);
@@ -153,7 +153,7 @@ double percentile_of_sorted(const std::vector<double>& sorted, double percent) {
   const auto below = static_cast<std::size_t>(at);
   if (below + 1 >= sorted.size()) return sorted.back();
   const double share = at - static_cast<double>(below);
-  // Not a + share (b - a): an infinite life beside a finite one is no NaN.
+  // Not a + share (b - a): an infinite and a finite life would give NaN.
   return share == 0.0 ? sorted[below] : (1.0 - share) * sorted[below] + share * sorted[below + 1];
 }
 

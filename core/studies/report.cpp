@@ -97,7 +97,7 @@ void Reporter::no_part() {
           text_ +=
               fmt::format("note: {} varies but has no effect: {}\n", none.variable, none.because);
   } catch (const std::exception&) {
-    // The runs say what is wrong.
+    // The runs report the errors.
   }
 }
 

@@ -18,10 +18,10 @@
 #include <set>
 #include <thread>
 
-/// Job arrays: each element computes a piece of the list, run by run, and skips what has a record.
-/// So a piece that Slurm requeues (node failure) or that is submitted again (time limit, memory)
-/// loses at most its run in flight. What is done is seen by the records, never by what Slurm says;
-/// Slurm's word is asked for why a piece ended without them.
+/// Job arrays: each element computes a part of the list, run by run, and skips runs with a record.
+/// So a part that Slurm requeues (node failure) or that is submitted again (time limit, memory)
+/// loses at most its current run. Records show the progress, never the messages of Slurm;
+/// Slurm is only asked why a part ended without them.
 namespace adore::studies {
 namespace fs = std::filesystem;
 namespace {
@@ -55,7 +55,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// A death that says nothing about the run: it is no reason for a record. A shell says a signal as
+/// A death that is not caused by the run: it gives no record. A shell reports a signal as
 /// exit code 128 + signal.
 bool from_outside(const SlurmEnd& end) {
   constexpr int kOfShell = 128;
@@ -64,8 +64,8 @@ bool from_outside(const SlurmEnd& end) {
   return false;
 }
 
-/// The kernel says so to Slurm where control groups watch memory. Where Slurm watches it itself
-/// (OverMemoryKill) the job fails by SIGKILL, and only what it left as its last words tells.
+/// The kernel reports it to Slurm if control groups limit memory. If Slurm checks it itself
+/// (OverMemoryKill) the job fails by SIGKILL, and only its last output shows the cause.
 bool out_of_memory(const SlurmEnd& end, const std::string& said) {
   if (end.state == "OUT_OF_MEMORY") return true;
   return end.state == "FAILED" && (said.find("Exceeded job memory limit") != std::string::npos ||

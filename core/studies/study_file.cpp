@@ -334,7 +334,7 @@ void read_budget(const Json& json, const std::string& where, Study& out) {
   object.done();
 }
 
-/// What fits no kind, or not this one.
+/// Keys that fit no kind, or not this one.
 void check_kind(const Study& study, const std::string& name) {
   const auto refuse = [&](const std::string& text) { throw InputError(name + ": " + text); };
   const auto random = [](const Variable& v) { return v.law != Law::Values; };

@@ -66,7 +66,7 @@ double JsonObject::number(std::string_view key, std::string_view valid) {
 
 long JsonObject::whole(std::string_view key, long least, long most, std::string_view valid) {
   const auto& value = get(key, valid);
-  // 1e3 is written as a real number and is whole all the same.
+  // 1e3 is written as a real number but is whole.
   const double number = value.is_number() ? value.get<double>() : std::nan("");
   if (!(number == std::floor(number) && number >= static_cast<double>(least) &&
         number <= static_cast<double>(most)))
@@ -111,7 +111,7 @@ void JsonObject::done() const {
     known.insert(known.end(), asked_.begin(), asked_.end());
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
-    std::erase(known, key);  // known, and of no use beside the others
+    std::erase(known, key);  // known, but not used with the others
     const auto nearest =
         std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
           return edit_distance(a, key) < edit_distance(b, key);

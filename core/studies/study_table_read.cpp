@@ -88,7 +88,7 @@ StudyTable read_csv(const fs::path& file) {
   const std::string text = read_text_file(file, kMaxStudyTableBytes);
   StudyTable out;
   std::vector<std::string> head;
-  // Where a column's values go: run, exit, deck, case, message, or a number of a column.
+  // Target of a column's values: run, exit, deck, case, message, or a number of a column.
   std::vector<TableColumn*> places;
   std::size_t from = 0;
   while (from < text.size()) {
@@ -280,7 +280,7 @@ std::vector<TableColumn> columns_of(const Json& json) {
   return out;
 }
 
-/// In a process of its own: what a damaged file does to the HDF5 library stays there.
+/// In a separate process: effects of a damaged file on the HDF5 library stay there.
 StudyTable read_h5(const fs::path& file) {
   results::h5::Limits limits;
   limits.memory = std::size_t{2} << 30;
