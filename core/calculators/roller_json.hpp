@@ -5,7 +5,8 @@
 #include "contact/roller_profile.hpp"
 #include "contact/slice_contact.hpp"
 
-/// What the roller families share: inputs to values (keys in tests/reference/rollers_README.md).
+/// Common parts of the roller families: inputs to values (keys in
+/// tests/reference/rollers_README.md).
 namespace adore::calculators {
 
 [[nodiscard]] inline int side_of(const Json& j) {

@@ -13,13 +13,13 @@
 #include <cmath>
 #include <optional>
 
-/// What designations mean.
+/// Meaning of designations.
 namespace adore::deck {
 namespace {
 
 using Json = nlohmann::json;
 
-/// What stands before the two digits of the bore, and where its dimensions are.
+/// Prefix before the two digits of the bore, and the table of its dimensions.
 struct Series {
   std::string_view prefix;
   BearingType type;
@@ -177,7 +177,7 @@ bool says_tapered_bore(BearingType type, const std::string& suffix) {
   return false;
 }
 
-/// A clearance group that stands anywhere in a suffix ("-2RSC3", "ECP/C3"), taken out of it.
+/// A clearance group anywhere in a suffix ("-2RSC3", "ECP/C3"), removed from it.
 std::string take_group(std::string& suffix) {
   for (const std::string_view group : kGroups) {
     const std::size_t at = suffix.find(group);
@@ -213,7 +213,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
                       row[2].get<double>() * kMm};
       out.designation = std::string(series.prefix) + bore_code(bore);
       std::string suffix(rest.substr(2));
-      // First: the "C3" of "7208 C3" is no angle.
+      // First: the "C3" of "7208 C3" is not an angle.
       std::string group = take_group(suffix);
       if (series.type == BearingType::AngularContact) take_angle(out, suffix, designation);
       if (has_group(out.type, group))

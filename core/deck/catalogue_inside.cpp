@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-/// What is proposed for the inside of a bearing.
+/// Estimates of the internal geometry of a bearing.
 namespace adore::deck {
 namespace {
 

@@ -178,7 +178,7 @@ void check_lands(Checker& c) {
     c.warning("kGsHydro", "no race guides a land; the switch has no effect", "set it to 0");
 }
 
-/// Segments are alike: the same number of elements each, all cut the same way.
+/// Segments are identical: the same number of elements each, all cut the same way.
 void check_segments(Checker& c) {
   const auto segments = c.integer("nCseg");
   const auto elements = c.integer("nRe");

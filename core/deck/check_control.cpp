@@ -107,8 +107,9 @@ std::string without_blanks_behind(std::string text) {
   return text;
 }
 
-/// Why a file of results may not have this name; empty when it may. What a shell or another program
-/// would take for its own is refused: the first line of a result file holds the deck's words.
+/// Reason why a results file may not have this name; empty if it may. Names that a shell or another
+/// program would interpret are rejected: the first line of a results file contains text of the
+/// deck.
 std::string_view name_trouble(const std::string& file) {
   if (file.empty() || file.find_first_of("/\\") != std::string::npos || file == "." || file == "..")
     return "is not a valid file name in the output folder";

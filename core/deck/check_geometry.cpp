@@ -143,7 +143,7 @@ double inner_cone_for(double pitch_diameter, double diameter, double outer) {
   return 0.5 * (low + high);
 }
 
-/// The pitch diameter is no input: angles that do not belong together send it to infinity or into
+/// The pitch diameter is not an input: inconsistent angles make it infinite or smaller than
 /// the shaft (N38).
 void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, double inner) {
   const auto bore = c.si("brgBore");

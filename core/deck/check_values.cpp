@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-/// What the schema alone can tell: which records, and whether each value is of its kind.
+/// Checks that need only the schema: which records, and the type of each value.
 namespace adore::deck {
 namespace {
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestDeck = std::size_t{16} * 1024 * 1024;
 constexpr long kMostLines = 200'000;  ///< a deck has about a hundred, tables of user routines more
 
-/// Control characters mean that this is no text, and so many lines that it is no deck.
+/// A file with control characters is not text; a file with so many lines is not a deck.
 std::optional<Issue> find_no_deck(std::string_view text, const std::string& file_name) {
   const auto count = [&](char c) { return std::count(text.begin(), text.end(), c); };
   if (const auto lines = std::max(count('\n'), count('\r')); lines > kMostLines) {

@@ -9,7 +9,7 @@
 namespace adore::deck {
 namespace {
 
-/// What the chosen code means; empty for a variable without codes.
+/// Meaning of the chosen code; empty for a variable without codes.
 std::string_view meaning_of(const VariableSpec& variable, const std::string& code) {
   for (const OptionSpec& option : variable.options)
     if (option.code == code) return option.meaning;

@@ -79,7 +79,7 @@ std::string condition_of(std::span<const VariableRef> refs) {
   return text;
 }
 
-/// Where a record belongs among those that the deck has.
+/// Position of a record among those of the deck.
 std::vector<RecordData>::iterator place_of(std::vector<RecordData>& records, const RecordSpec& spec,
                                            int instance) {
   const RecordSpec* first = schema().data();
@@ -140,9 +140,9 @@ bool is_at(const RecordData& data, std::string_view id, int instance) {
   return data.instance == instance && data.id == id;
 }
 
-/// How a cage starts, in one piece (record 9.6) or in segments (9.6.k), has the same variables: a
-/// record of the one that was never given takes over what the deck says of the other, so that a
-/// cage that turns at its epicyclic speed still does when it is cut.
+/// The start of a cage, in one piece (record 9.6) or in segments (9.6.k), has the same variables: a
+/// record that was not given takes over the values of the other, so that a
+/// cage at its epicyclic speed keeps it when it is cut.
 /// @param replaced records that the deck is about to lose
 void take_over_cage_start(const Deck& deck, const std::vector<RecordData>& replaced,
                           RecordData& data) {
@@ -296,8 +296,8 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
   };
-  // In deck order, so that whatever decides whether a record is there, or how long it is, has its
-  // value before the record gets its own.
+  // In deck order, so that options that control the presence or length of a record have their
+  // values before the record.
   for (const RecordSpec& record : schema())
     for (const VariableSpec& variable : record.variables)
       for (Pending& item : pending) {
@@ -306,7 +306,7 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
         if (changed.has_record(record.id) || is_orbit_at_rest(changed, variable.name)) apply(item);
       }
   for (Pending& item : pending)
-    if (!item.done) apply(item);  // no record takes it: set() says why
+    if (!item.done) apply(item);  // no record has it: set() reports the reason
   if (!issues.empty()) throw InputError(std::move(issues));
   changed.complete();
   records = std::move(changed.records);

@@ -19,7 +19,7 @@ struct Counts {
   [[nodiscard]] bool operator==(const Counts&) const = default;
 };
 
-/// A part of the numbers that is of one kind, and how many of it there are before and after.
+/// A range of the numbers of one type of body, and its size before and after.
 struct Kind {
   long long first_before, before, first_after, after;
 };
@@ -50,7 +50,7 @@ Issue note(std::string message, std::string remedy) {
   return issue;
 }
 
-/// Increasing numbers, as the deck wants them.
+/// Increasing numbers, as the deck requires.
 bool in_order(const std::vector<Value>& values) {
   long long last = 0;
   for (const Value& value : values) {
@@ -116,7 +116,7 @@ std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
           *number < kind.first_before + kind.before)
         of = &kind;
     if (of == nullptr) {
-      after.push_back(value);  // wrong before: an error tells it, unless it is right by chance
+      after.push_back(value);  // wrong before: reported as an error, unless it is now valid
       if (const std::string name = number == nullptr ? "" : body_name(deck, *number); !name.empty())
         notes.push_back(
             note(fmt::format("{} was not the number of a body and is now the {}", *number, name),

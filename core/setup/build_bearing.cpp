@@ -230,7 +230,7 @@ bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynami
 bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* user) {
   bearing::Cage out =
       read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
-  // Guide faces count as windows of their least play.
+  // Guide faces count as windows of their smallest clearance.
   if (bearing.rollers() && deck.integer("kPocType") > 0) {
     out.pocket_faces = pocket_faces(deck);
     out.pocket_clearance_1 =

@@ -96,11 +96,12 @@ class Checker {
   std::vector<Issue> issues_;
 };
 
-/// Code that asks for a routine needs a plug-in that has it. Code is loaded on the command line
-/// alone: the deck cannot say where it is.
+/// A code for a user routine needs a plug-in that has it. Code is loaded from the command line
+/// only: the deck cannot name it.
 void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
   const bool dynamic = deck.integer("mode") >= 0;
-  const deck::ReportOnly quiet(deck, !dynamic);  // to be asked about is no part in an equilibrium
+  const deck::ReportOnly quiet(deck,
+                               !dynamic);  // reading this value is not an effect in an equilibrium
   for (const Request& request : kRequests) {
     const std::string variable(request.variable);
     if (!deck.has(variable) || deck.integer(variable) != request.code) continue;
@@ -316,7 +317,7 @@ void check_segments(const Deck& deck, Checker& check) {
                             most > 0.0 ? limit : "give more pocket clearance"));
 }
 
-/// What the motion of unequal elements leaves out.
+/// Limits of the motion of unequal elements.
 void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
   if (deck.integer("kReGeoImp") == 0) return;
   if (rollers)

@@ -138,7 +138,7 @@ class PocketCheck {
         return contact::roller_pocket_play(std::span(&face, 1), roller);
       };
       bearing::RollerPocketFace face = cage_.pocket_faces[f];
-      // A face beside the ends of the roller touches nothing.
+      // A face outside the ends of the roller cannot touch it.
       if (std::abs(face.centre[0]) - 0.5 * face.length > 0.5 * roller.length) continue;
       if (play_with(face) >= 0.0) continue;
       for (int a = 0; a < 3; ++a) {

@@ -124,7 +124,7 @@ void check_roller_shape(const Deck& deck, const RollerGeometry& rollers) {
   check.check_length();
   check.put(
       "bReCrn", "a crown radius", [](RollerProfile& p) -> double& { return p.crown_radius; }, true);
-  // Corners before end radii: the limit of an end is the one beside the corners that are there.
+  // Corners before end radii: the limit of an end depends on the corners.
   for (std::size_t end = 0; end < 2; ++end)
     check.put(
         fmt::format("bReCorRad{}", end + 1), "a corner",

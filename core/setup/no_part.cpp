@@ -11,7 +11,7 @@ namespace {
 
 using deck::Deck;
 
-/// What the reasons depend on.
+/// Conditions of the reasons.
 struct Scene {
   bool motion = false;      ///< mode >= 0
   bool heat = false;        ///< a thermal analysis
@@ -65,7 +65,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   const std::string_view record = value.record;
   const std::string_view name =
       std::string_view(value.variable).substr(0, value.variable.find('['));
-  // What is not there.
+  // Missing parts.
   if (starts_with_one_of(name, {"kFlngInd"})) return "a ball bearing has no roller flanges";
   if (is_one_of(name, {"kRFTrac", "kRFTracType"}) && !scene.flanges)
     return "no roller meets a flange";
@@ -91,7 +91,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "there is no such flange";
   if (record.starts_with("10.2") && !scene.flanges) return "no roller meets a flange";
-  // What an option holds or replaces.
+  // Values that an option fixes or replaces.
   if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
                        "appDispY", "appDispZ", "appMis12", "appMis22"}))
     return "for each direction kFS1 to kFS5 choose either load or displacement";

@@ -53,7 +53,7 @@ bool given_and_not_zero(const Deck& deck, const std::string& name) {
 
 double rpm(double speed) { return speed * 30.0 / std::numbers::pi; }
 
-/// What a free race starts from and does, in words.
+/// Start and motion of a free race, in words.
 std::string free_text(const bearing::FreeRace& free) {
   std::string out;
   const auto add = [&out](std::string_view before, const std::string& which) {
@@ -127,7 +127,7 @@ bearing::Inertia given_race_inertia(const Deck& deck, int race) {
   return given_inertia(deck, "race", race == 1 ? "1" : "2");
 }
 
-/// What is left out of record 6.1.
+/// Parts of record 6.1 that are not used.
 std::vector<Issue> check_element_inertia(const Deck& deck) {
   std::vector<Issue> out;
   const long long code = moves(deck) ? deck.integer("kReIP") : 0;

@@ -78,7 +78,7 @@ namespace {
 /// One option: how it is shown and how a text sets it.
 struct Option {
   OptionInfo info;
-  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is no valid value
+  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is not a valid value
 };
 
 template <class T>

@@ -313,7 +313,7 @@ void list_ladder(BearingHeat& heat) {
   heat.leaving.push_back({"bearing", "shaft", heat.flows.race[1]});
 }
 
-/// What a reader must know of the result.
+/// Notes on the result.
 void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   const bearing::ThermalInputs& in = *b.thermal;
   if (!(b.envelope.shaft_bore > 0.0))
@@ -479,7 +479,7 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
       change = std::max(change, std::abs(now[k] - before[k]));
     before = now;
     if (change < kTried) break;
-    // Nothing above absolute zero is left to evaluate properties at: runaway(), too_cold() say so.
+    // No properties exist below absolute zero: runaway() and too_cold() report it.
     if (!runaway(out.bulk).empty() || (flows && !(T_in > 0.0 && T_mean > 0.0))) break;
   }
   if (is_ladder) list_ladder(out);

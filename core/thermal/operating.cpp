@@ -134,7 +134,7 @@ void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const Mou
   balls.clearance = report.operating.clearance;
   balls.contact_angle = report.operating.contact_angle;
   balls.groove_plane = plane;
-  // The groove centres of groove_geometry must come to lie on the moved circles.
+  // The groove centers of groove_geometry must be on the moved circles.
   const double offset = (balls.groove_factor[0] - 0.5) * balls.diameter;
   balls.pitch_diameter =
       2.0 * (report.locus[0] + (balls.contact_angle > 0.0 ? offset * std::cos(balls.contact_angle)
@@ -176,7 +176,7 @@ void move_pocket(const std::string& name, double& clearance, double diameter, do
   report.plays.push_back(entry);
 }
 
-/// What the cage's motion and pockets follow from, of balls or rollers.
+/// Quantities that determine motion and pockets of the cage, for balls or rollers.
 struct ElementSizes {
   int count = 0;
   double diameter = 0.0, pitch_diameter = 0.0;  ///< [m]
@@ -218,7 +218,7 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
       statics::epicyclic_speeds(elements.count, elements.diameter, elements.pitch_diameter,
                                 elements.angle, free.speed[0], free.speed[1])
           .cage_speed;
-  // Segments are no ring that rotation could stretch.
+  // Segments are not a ring that rotation could stretch.
   const double stretched_at = cage.segments.several() ? 0.0 : report.cage_speed;
   const RingPart ring = part(free, cage.material, free.cage_temperature, 0.5 * cage.inner_diameter,
                              0.5 * cage.outer_diameter, stretched_at);
@@ -263,7 +263,8 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 
 void warn(OperatingFits& report, const Bearing& free) {
   const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
-  // The play of cones is the axial setting, which the bearing's place on the shaft decides.
+  // The clearance of cones is the axial setting, which the bearing's position on the shaft
+  // determines.
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "

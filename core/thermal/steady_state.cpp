@@ -34,7 +34,7 @@ Field less(const Field& a, const Field& b) {
   return out;
 }
 
-/// What one pass finds.
+/// Result of one pass.
 struct Pass {
   Bearing operating;
   statics::FrictionEstimate friction;
