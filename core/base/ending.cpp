@@ -22,7 +22,7 @@ void hold(int how) {
 }
 
 extern "C" void end_now(int) {
-  // A process that was forked from here, with this handler, has nothing to say or to remove.
+  // A process that was forked from here, with this handler, must not report or remove anything.
   if (getpid() != listener) _exit(kInterruptedCode);
   // Not where it would wait for the reader of a full pipe.
   constexpr char kWord[] = "\ninterrupted\n";

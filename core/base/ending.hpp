@@ -1,14 +1,14 @@
 #pragma once
 
-/// How a program ends that is asked to (Ctrl+C, SIGTERM, a closed terminal) where nothing is worth
-/// keeping: alike everywhere.
+/// End of a program on Ctrl+C, SIGTERM or a closed terminal, when there are no partial results to
+/// keep: the same for all programs.
 namespace adore {
 
 inline constexpr int kInterruptedCode = 130;
 
 /// From now on SIGINT, SIGTERM and SIGHUP end the program with the word "interrupted" and exit code
 /// 130,. Signals that were ignored when the program
-/// started (nohup) stay so. Who can keep what there is listens for himself.
+/// started (nohup) stay ignored. Programs that can save partial results install their own handler.
 void end_when_interrupted();
 
 /// While it lives, such signals wait; also over the start of another program in the place of this

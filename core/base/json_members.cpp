@@ -78,9 +78,9 @@ std::vector<std::string> JsonMembers::texts(std::string_view name) {
   std::vector<std::string> out;
   const Json* const value = find(name);
   if (value == nullptr) return out;
-  if (!value->is_array()) reject(fmt::format("member \"{}\" must be a list of texts", name));
+  if (!value->is_array()) reject(fmt::format("member \"{}\" must be a list of strings", name));
   for (const Json& one : *value) {
-    if (!one.is_string()) reject(fmt::format("member \"{}\" must be a list of texts", name));
+    if (!one.is_string()) reject(fmt::format("member \"{}\" must be a list of strings", name));
     out.push_back(one.get<std::string>());
   }
   return out;

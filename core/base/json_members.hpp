@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// Members of a JSON object that a schema describes: each is asked for by name and type, and
-/// finish() rejects those that nobody asked for.
+/// Members of a JSON object that a schema describes: each is read by name and type, and
+/// finish() rejects unread members.
 namespace adore {
 
 class JsonMembers {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// JSON that somebody else wrote: the one reader of it. Deep nesting is refused, because walking,
+/// The only reader of foreign JSON. Deep nesting is rejected, because walking,
 /// printing and comparing such a value is recursive and would end in the stack.
 namespace adore {
 

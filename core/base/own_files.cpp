@@ -27,7 +27,7 @@ bool has_version_after(std::string_view text, std::string_view name) {
          text[name.size()] <= '9';
 }
 
-/// Empty when it is no plain file, or cannot be read.
+/// Empty when it is not a plain file, or cannot be read.
 std::string first_bytes(const std::filesystem::path& path, std::size_t most) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// What a file is, by its first bytes: for messages such as "PRINT.txt is a listing, not a deck",
-/// and for knowing our own outputs again.
+/// Type of a file, by its first bytes: for messages such as "PRINT.txt is a listing, not a deck",
+/// and to recognize outputs of this program.
 namespace adore {
 
 enum class FileSort : unsigned char {
@@ -38,7 +38,7 @@ inline constexpr std::size_t kSortBytes = 1024;
 /// "a listing (PRINT.txt of a run)"; empty for Unknown.
 [[nodiscard]] std::string_view sort_name(FileSort sort);
 
-/// What the suite does with such a file: "plot it with `adore plot`". Empty for Unknown.
+/// Programs that use such a file: "plot it with `adore plot`". Empty for Unknown.
 [[nodiscard]] std::string_view sort_use(FileSort sort);
 
 }  // namespace adore

@@ -18,7 +18,7 @@ Grade grade_of(const std::string& word) {
   if (word == "note") return Grade::Note;
   if (word == "warning") return Grade::Warning;
   if (word == "untrusted") return Grade::Untrusted;
-  demand(word == "refused", "validity.json has a severity of unknown name");
+  demand(word == "refused", "validity.json has an unknown severity");
   return Grade::Refused;
 }
 
@@ -84,7 +84,7 @@ const Range& range(std::string_view id) {
   const auto all = ranges();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Range& r) { return r.id == id; });
-  demand(found != all.end(), "validity.json has no range of that id");
+  demand(found != all.end(), "validity.json has no range with that id");
   return *found;
 }
 

@@ -125,7 +125,8 @@ void WriteFolder::demand_own(const std::string& name, int descriptor) const {
   if (::fstat(descriptor, &status) != 0) fail(path_ / name, errno, "examining it");
   if (status.st_uid == ::geteuid() || status.st_uid == owner_) return;
   fail(path_ / name,
-       fmt::format("user {} owns it, neither you nor the owner of the folder above", status.st_uid),
+       fmt::format("it belongs to user {}, neither to you nor to the owner of the folder above",
+                   status.st_uid),
        "remove it, or choose another folder");
 }
 
@@ -136,7 +137,7 @@ WriteFolder WriteFolder::folder(const fs::path& below) const {
     if (name.empty() || name == ".") continue;  // "runs/"
     const fs::path path = out.path_ / name;
     if (!is_plain_name(name))
-      fail(path, "this is not a folder below the folder of the results", "choose another name");
+      fail(path, "this is not a folder below the results folder", "choose another name");
     int descriptor = ::openat(out.descriptor(), name.c_str(), kFolder | O_NOFOLLOW);
     if (descriptor < 0 && errno == ENOENT) {
       if (::mkdirat(out.descriptor(), name.c_str(), 0777) != 0 && errno != EEXIST)
@@ -204,8 +205,8 @@ int WriteFolder::open_own(const std::string& name) const {
     if (!S_ISREG(status.st_mode))
       fail(path, "this is not a regular file", "remove it, or choose another folder");
     if (status.st_nlink != 1)
-      fail(path, "the file has another name (a hard link), and would change there, too",
-           "put a copy in its place (cp FILE COPY; mv COPY FILE)");
+      fail(path, "the file has other hard links, which would change as well",
+           "replace it by a copy (cp FILE COPY; mv COPY FILE)");
     demand_own(name, file);
   } catch (...) {
     ::close(file);
@@ -259,7 +260,7 @@ void check_writable_file(const WritePath& place) {
     fail(shown, "this is a pipe or a device, not a file", "give the name of a file");
   if ((mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 ||
       ::faccessat(folder, place.name().c_str(), W_OK, 0) != 0)
-    fail(shown, "the file is write-protected and stays as it is",
+    fail(shown, "the file is write-protected and was not changed",
          "give another name, or make the file writable (chmod u+w)");
 }
 
@@ -375,7 +376,7 @@ int make_folders(const fs::path& named) {
     error = std::make_error_code(std::errc::file_exists);
   if (error)
     fail(named, fmt::format("the folder cannot be made ({})", error.message()),
-         "choose one that you may write to");
+         "choose a folder that you can write to");
   return missing;
 }
 
@@ -389,8 +390,8 @@ fs::path make_temporary_folder(const std::string& stem) {
   std::string pattern = (place / stem).string() + "XXXXXX";
   if (::mkdtemp(pattern.data()) == nullptr)
     throw WriteError(
-        fmt::format("{}: no temporary folder can be made ({}). Set the environment "
-                    "variable TMPDIR to another place.",
+        fmt::format("{}: a temporary folder cannot be created ({}). Set the environment variable "
+                    "TMPDIR to a writable folder.",
                     place.string(), std::generic_category().message(errno)));
   return pattern;
 }

@@ -11,7 +11,7 @@ struct ContactLosses {
   double impact_loss = 0.0;  ///< α: an impact at a small speed v returns at (1 - α v) v [s/m]
 };
 
-/// Losses of one material. A material that the deck or a routine gives has no losses of its own:
+/// Losses of one material. A material that the deck or a routine gives has no specific losses:
 /// those of AISI 52100 steel from E = 50 GPa on, of polyamide below [choice].
 [[nodiscard]] ContactLosses contact_losses(const Material& material);
 

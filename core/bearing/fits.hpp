@@ -44,17 +44,17 @@ struct Growth {
 struct ClearanceState {
   double clearance = 0.0;        ///< diametral, < 0 is preload [m]
   double contact_angle = 0.0;    ///< free contact angle of a ball bearing [rad]
-  double end_play = 0.0;         ///< free axial play 2 A sin α of a ball bearing [m]
+  double end_play = 0.0;         ///< free axial clearance 2 A sin α of a ball bearing [m]
   double centre_distance = 0.0;  ///< A of the curvature centres of a ball bearing [m]
 };
 
-/// A play of the cage.
+/// A clearance of the cage.
 struct CagePlay {
   std::string name;
   double free = 0.0, operating = 0.0;  ///< diametral [m]
 };
 
-/// What thermal::operating_bearing found; carried by the operating Bearing for the listings.
+/// Results of thermal::operating_bearing; stored in the operating Bearing for the listings.
 struct OperatingFits {
   bool changed =
       false;  ///< false: nothing grows or presses, the geometry is the input's bit by bit
@@ -65,7 +65,7 @@ struct OperatingFits {
   std::array<double, 2> raceway_radius{};   ///< groove bottom, free [m]
   double element_growth = 0.0;              ///< of the diameter [m]
   std::optional<double> axial_setting;      ///< cones: change of the axial setting, above 0 where
-                                            ///< the radial play shrank [m]
+                                            ///< the radial clearance shrank [m]
   ClearanceState free, mounted, operating;  ///< unmounted cold; mounted cold at rest; in operation
   std::array<double, 2> locus_free{}, locus{};  ///< radius of the circle of curvature centres [m]
   double pitch_free = 0.0, pitch = 0.0;         ///< pitch diameter [m]

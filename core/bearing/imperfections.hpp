@@ -29,15 +29,15 @@ struct TurnSeries {
   double least = 0.0, largest = 0.0;  ///< over the turn
 };
 
-/// What a routine of the user (ADRX6) says of a race.
+/// Race surface given by user routine ADRX6.
 struct GivenRace {
   TurnSeries radius;            ///< [m]
   TurnSeries taper;             ///< as RaceErrors::taper [rad]
   TurnSeries curvature_factor;  ///< added to f [-]
 };
 
-/// Errors of one race over the azimuth ψ of its own frame: from its z axis, positive about x (N79).
-/// What they do to the surface: contact/race_errors.hpp.
+/// Errors of one race over the azimuth ψ of its frame: from its z axis, positive about x (N79).
+/// Their effect on the surface: contact/race_errors.hpp.
 struct RaceErrors {
   enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
   std::shared_ptr<const GivenRace> given;  ///< in the place of all that follows
@@ -88,7 +88,7 @@ struct LandErrors {
   }
 };
 
-/// Where the deviations of the rolling elements come from (kReGeoImp).
+/// Source of the deviations of the rolling elements (kReGeoImp).
 enum class ElementErrors : unsigned char { None = 0, Random = 1, Listed = 2 };
 
 struct Imperfections {

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-/// What a deck and the run options say about fatigue life. An empty value means "not given": the
-/// life library then takes its own constant and prints where that comes from.
+/// Data of a deck and the run options on fatigue life. An empty value means "not given": the
+/// life library then takes its constant and prints the origin.
 namespace adore::bearing {
 
 /// One stress-capacity model on one component (records 8.6.1 to 8.6.3).

@@ -18,7 +18,7 @@ struct UserLubricant {
   double limit_softening = 0.003;
 };
 
-/// What a deck with kTrac > 0 says of the lubricant between elements and races.
+/// Data of a deck with kTrac > 0 on the lubricant between elements and races.
 struct Lubrication {
   int code = 0;                ///< kTrac
   double critical_film = 0.0;  ///< reRaceFilm: thinner films are metal contacts [m]
@@ -32,7 +32,7 @@ struct Lubrication {
   bool recommended = false;    ///< filmLaw: traction by the recommended law of the code's oil
 };
 
-/// What churns in the cavity of the bearing (kChrn, records 10.7A and 10.7B).
+/// Medium that churns in the cavity of the bearing (kChrn, records 10.7A and 10.7B).
 struct Churning {
   int code = 0;  ///< kChrn: 1 the lubricant, 2 given, 3 to 14 of the table of fluids
   double density = 0.0, viscosity = 0.0;              ///< code 2 [kg/m³, Pa s]

@@ -137,8 +137,8 @@ double hardness_from_hrc(double hrc) {
   const double vickers = a.vickers + (b.vickers - a.vickers) * (hrc - a.hrc) / (b.hrc - a.hrc);
   if (!(vickers > 0.0))
     throw InputError(
-        fmt::format("a Rockwell C hardness of {} has no indentation pressure; give a value "
-                    "between 0 and 100 (the scale is meant for 20 to 70)",
+        fmt::format("a Rockwell C hardness of {} cannot be converted to an indentation pressure; "
+                    "give a value between 0 and 100 (the scale is defined for 20 to 70)",
                     hrc));
   return kPascalPerVickers * vickers;
 }
@@ -150,9 +150,8 @@ double contact_modulus(const Material& a, const Material& b) {
                                    m->name.empty() ? "" : "of " + m->name + " ",
                                    m->elastic_modulus));
     if (!(m->poisson_ratio > -1.0 && m->poisson_ratio <= 0.5))
-      throw InputError(
-          fmt::format("Poisson's ratio {}is {}; it must lie above -1 and not above 0.5",
-                      m->name.empty() ? "" : "of " + m->name + " ", m->poisson_ratio));
+      throw InputError(fmt::format("Poisson's ratio {}is {}; it must be above -1 and at most 0.5",
+                                   m->name.empty() ? "" : "of " + m->name + " ", m->poisson_ratio));
   }
   const double compliance = (1.0 - a.poisson_ratio * a.poisson_ratio) / a.elastic_modulus +
                             (1.0 - b.poisson_ratio * b.poisson_ratio) / b.elastic_modulus;

@@ -155,7 +155,7 @@ const MaterialSheet& material_sheet(const std::string& key) {
   std::string keys;
   for (const auto& [name, sheet] : sheets()) keys += (keys.empty() ? "" : ", ") + name;
   throw InputError(
-      fmt::format("material \"{}\" is not in the material table; it holds {}", key, keys));
+      fmt::format("material \"{}\" is not in the material table; it contains {}", key, keys));
 }
 
 double thermal_strain(const Material& material, double T, bool laws) {

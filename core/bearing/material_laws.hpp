@@ -67,7 +67,7 @@ struct MaterialSheet {
 /// A law that ends before the temperature asked for; its value at the nearer bound stands in.
 struct ClampedLaw {
   std::string property;
-  double T_min = 0.0, T_max = 0.0;  ///< where it holds [K]
+  double T_min = 0.0, T_max = 0.0;  ///< range of the law [K]
 };
 
 /// Of material_at(material, T): elastic modulus, expansion, conductivity and specific heat. Empty

@@ -19,7 +19,7 @@ enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rect
 /// The inverse of it: kPocType of a cage.
 [[nodiscard]] int pocket_code(const Cage& cage, bool rollers) noexcept;
 
-/// Surfaces of a pocket that an element may touch, each with results of its own.
+/// Surfaces of a pocket that an element may touch, each with separate results.
 [[nodiscard]] int pocket_surfaces(const Cage& cage, bool rollers) noexcept;
 
 /// "cylindrical" ... "conical", as inputs and listings name it.

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-/// How races move beside their constant spin: freely under loads, or by laws of the time (records
-/// 2.2, 9.3, 9.4), and how the base frame itself moves (9.5). Plain values, SI and rad, base axes.
+/// Motion of the races beyond their constant spin: free under loads, or by laws of time (records
+/// 2.2, 9.3, 9.4), and motion of the base frame (9.5). Plain values, SI and rad, base axes.
 namespace adore::bearing {
 
 /// A race that moves under what acts on it; its inertia is Bearing::race_inertia.
@@ -66,7 +66,7 @@ struct RaceMotions {
   std::array<std::optional<SpeedVariation>, 2> variation;
   std::optional<FrameMotion> frame;
 
-  /// Does race j (0 outer, 1 inner) move by a law of the time beside its constant spin?
+  /// Does race j (0 outer, 1 inner) move by a law of time in addition to its constant spin?
   [[nodiscard]] bool excited(int j) const noexcept {
     const auto k = static_cast<std::size_t>(j);
     return turning_load || vibration[k] || ramp[k] || variation[k];

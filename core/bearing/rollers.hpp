@@ -37,7 +37,7 @@ struct Flange {
   double height = 0.0;  ///< along the perpendicular to the raceway
 };
 
-/// What the radius of a roller has more along its axis (routine ADRX5): at most 0, cubics between
+/// Additional radius of a roller along its axis (routine ADRX5): at most 0, cubics between
 /// places whose slopes are those of the parabola through each place and its neighbours; constant
 /// beyond the ends.
 struct RollerForm {
@@ -73,13 +73,13 @@ struct RollerForm {
   }
 };
 
-/// What one roller has more than the nominal one.
+/// Deviations of one roller from the nominal one.
 struct RollerDeviation {
   double diameter = 0.0, crown_radius = 0.0, length = 0.0, central_length = 0.0, land_offset = 0.0;
   std::shared_ptr<const RollerForm> form;  ///< null: none
 };
 
-/// What fits, temperatures and speeds make of one raceway.
+/// Change of one raceway by fits, temperatures and speeds.
 struct RacewayGrowth {
   double radial = 0.0;  ///< outward displacement of the raceway under the middle of the rollers
   double strain = 0.0;  ///< thermal strain of the race
@@ -105,7 +105,7 @@ struct RollerGeometry {
   double half_angle = 0.0;                ///< ν of the roller's own taper
   double axis_angle = 0.0;  ///< of the roller axis to the bearing axis: nominal tilt is -axis_angle
   double pitch_diameter = 0.0;  ///< d_m, of the roller middles
-  double clearance = 0.0;       ///< diametral play; cones have none (their play is axial position)
+  double clearance = 0.0;       ///< diametral; cones have none (theirs is the axial position)
   std::array<double, 2>
       race_angle{};  ///< contact angle at mid length by race: half cone angle, or of the row
   std::array<double, 2>

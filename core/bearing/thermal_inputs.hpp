@@ -17,7 +17,7 @@ struct Surroundings {
   std::optional<double> coolant_inlet;               ///< [K]
 };
 
-/// What a deck with kTherm = 1 says of its thermal analysis (records 3.5, 9.7, 9.8). SI, kelvin.
+/// Data of a deck with kTherm = 1 on its thermal analysis (records 3.5, 9.7, 9.8). SI, kelvin.
 struct ThermalInputs {
   int coolant = 0;                ///< kCoolant: 0 none, 1 the lubricant, 2 given, 3 to 14 a fluid
   int base = 0;                   ///< kBaseTemp: whose temperature is `base_temperature`

@@ -32,7 +32,7 @@ struct UserTables {
 
 /// Places of a surface and what a routine of the user (ADRX5, ADRX6) adds there.
 struct UserSurface {
-  int race = -1, element = -1;           ///< of which body; the other is -1
+  int race = -1, element = -1;           ///< body; the other is -1
   std::vector<double> axial, azimuth;    ///< [m, rad]
   std::vector<double> radius;            ///< larger radius [m]
   std::vector<double> curvature_factor;  ///< added to the groove factor [-]

@@ -6,7 +6,7 @@
 
 namespace adore::calculators {
 
-/// Of every family whose cases one component of a bearing answers by itself.
+/// Families whose cases need only one component of a bearing.
 [[nodiscard]] std::vector<Adapter> component_adapters();
 
 }  // namespace adore::calculators

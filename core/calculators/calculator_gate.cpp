@@ -401,7 +401,7 @@ std::string take_kind(Json& the_case, const std::vector<const SchemaKind*>& kind
   if (const auto kind = the_case.find("kind"); kind != the_case.end()) {
     if (!kind->is_string())
       throw InputError(
-          fmt::format("kind {} is not a text; give the name of a kind", dump_json(*kind)));
+          fmt::format("kind {} is not a string; give the name of a kind", dump_json(*kind)));
     if (own != inputs.end() && *own == *kind && find_input(family.inputs, "kind") == nullptr)
       inputs.erase("kind");
     return kind->get<std::string>();
@@ -430,9 +430,8 @@ void check_value(const SchemaFamily& family, std::string_view calculator, const 
         std::isfinite(number) && (row == family.results.end() || row->range.contains(number));
     if (!sound)
       throw InputError(
-          fmt::format("calculator {}: these inputs give {} = {:.4g}, which has no physical "
-                      "meaning; `adore calc "
-                      "{} --describe` lists the range of each input",
+          fmt::format("calculator {}: these inputs give {} = {:.4g}, which is physically "
+                      "impossible; `adore calc {} --describe` lists the range of each input",
                       calculator, path, number, calculator));
   }
 }

@@ -37,7 +37,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"flange-load", "rollers_flange", "flange_load",
        "load, slip, friction and heat of a roller end on a flange"},
       {"roller-inertia", "rollers_inertia", "",
-       "mass, mass centre and moments of a roller with crown, domes and corners"},
+       "mass, mass center and moments of a roller with crown, domes and corners"},
       {"tapered-geometry", "rollers_tapered", "tapered_geometry",
        "tapered bearing from roller diameter and the two cone angles"},
       {"tapered-speeds", "rollers_tapered", "tapered_speeds",
@@ -79,7 +79,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"pocket-film", "tribology_pocketFilm", "", "wedge and squeeze film in a cage pocket"},
       {"churning", "tribology_churning", "",
        "drag and torque of elements, rings and discs in a medium"},
-      {"pocket-frame", "cage_pockets", "pocket_frame", "centre and axes of a cage pocket"},
+      {"pocket-frame", "cage_pockets", "pocket_frame", "center and axes of a cage pocket"},
       {"ball-pocket", "cage_pockets", "ball_pocket",
        "gap, contact point and angles of a ball in its pocket"},
       {"pocket-law", "cage_pockets", "pocket_contact_law",
@@ -179,7 +179,7 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     throw InputError(misfit(name, error));
   } catch (const std::logic_error& error) {
     // The numbers go straight to the library, so a precondition that fails there is theirs.
-    throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
+    throw InputError(fmt::format("calculator {} does not accept these inputs ({}); {}", name,
                                  reason(error.what()), see_description(name)));
   }
   if (!result && named == table.end()) {
@@ -187,13 +187,13 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     for (const CalculatorInfo& info : table)
       if (info.family == family) members += (members.empty() ? "" : ", ") + std::string(info.name);
     throw InputError(
-        fmt::format("{} is a family of reference cases, and none of its kinds takes these inputs "
-                    "without saying its \"kind\"; its calculators by name: {}",
+        fmt::format("{} is a family of reference cases, and without \"kind\" none of its kinds "
+                    "accepts these inputs; its calculators by name: {}",
                     name, members.empty() ? "none" : members));
   }
   if (!result)
-    throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
-                                 name, see_description(name)));
+    throw InputError(
+        fmt::format("calculator {} cannot use these inputs; {}", name, see_description(name)));
   check_results(family, name, *result);
   nlohmann::json units = result_units(family, *result);
   if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);

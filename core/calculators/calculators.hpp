@@ -23,10 +23,10 @@ struct CalculatorInfo {
 [[nodiscard]] const std::vector<CalculatorInfo>& calculator_list();
 
 /// @param input the object of inputs, or a whole reference case with "inputs" (and "kind").
-/// @param more families that a name may mean beside those of the calculators
+/// @param more additional families that a name may mean
 /// @return the results, and under "units" the unit of each.
-/// @throws InputError naming the calculators, what the input lacks, or which of its keys are
-/// unknown.
+/// @throws InputError with the calculators, the missing inputs, or the unknown
+/// keys.
 [[nodiscard]] nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
                                        std::span<const Adapter> more = {});
 

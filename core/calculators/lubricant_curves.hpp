@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-/// What a lubricant of kTrac does in one contact, over slip, pressure and speed: the numbers behind
-/// `adore calc traction`, `adore plot --lubricant` and AdrInput's charts beside record 10. SI.
+/// Behavior of a lubricant of kTrac in one contact, over slip, pressure and speed: the numbers
+/// behind `adore calc traction`, `adore plot --lubricant` and AdrInput's charts of record 10. SI.
 ///
 /// The contact is a point between two bodies of radius `radius` along rolling and `across` over it,
-/// both of one modulus. Traction is what a disc machine reads: the ellipse slips by one speed
+/// both of one modulus. Traction is that of a disc machine: the ellipse slips by one speed
 /// everywhere, κ = F/Q with the film of that load, speed and slip; below the critical film the
 /// curve of record 10.1. Temperatures of inlet and walls are equal, as in motion.
 namespace adore::calculators {
@@ -63,7 +63,7 @@ struct LubricantCurves {
   std::string name;        ///< of the lubricant
   std::string provenance;  ///< weakest word for its numbers; "given" of kTrac 9
   std::string conditions;  ///< of the contact, a sentence
-  /// Some film stands where the heating of its inlet is held at its floor (thermal_reduction.hpp).
+  /// A film uses the lower limit of the inlet heating factor (thermal_reduction.hpp).
   bool beyond_heating = false;
   /// Of traction and viscosity beyond the measurements (lubricant_range.hpp); empty: within.
   std::string beyond_range;

@@ -5,7 +5,8 @@
 #include "contact/roller_profile.hpp"
 #include "contact/slice_contact.hpp"
 
-/// What the roller families share: inputs to values (keys in tests/reference/rollers_README.md).
+/// Common parts of the roller families: inputs to values (keys in
+/// tests/reference/rollers_README.md).
 namespace adore::calculators {
 
 [[nodiscard]] inline int side_of(const Json& j) {
@@ -23,11 +24,10 @@ namespace adore::calculators {
   if (j.contains("crown_radius")) p.crown_radius = get(j, "crown_radius");
   p.central_length = j.value("central_length", 0.0);
   p.land_offset = j.value("land_offset", 0.0);
-  require(
-      p.central_length <= p.length && std::abs(p.land_offset) <= 0.5 * p.length,
-      fmt::format("the land of the roller (central_length {} m, land_offset {} m) is outside of "
-                  "its length of {} m. Enter smaller values.",
-                  p.central_length, p.land_offset, p.length));
+  require(p.central_length <= p.length && std::abs(p.land_offset) <= 0.5 * p.length,
+          fmt::format("the land of the roller (central_length {} m, land_offset {} m) is outside "
+                      "its length of {} m. Enter smaller values.",
+                      p.central_length, p.land_offset, p.length));
   p.corner_radius = {j.value("corner_radius_1", 0.0), j.value("corner_radius_2", 0.0)};
   contact::check_roller_profile(p);
   return p;

@@ -310,7 +310,7 @@ std::optional<Json> published_case(const Json& the_case) {
     return multiples_of_shaft_speed(whole(in, "Z", 1, kMostElements), gamma);
   }
   if (kind == "timken_wide_inner_ring") {
-    // The catalogue's BSF is per turn of the shaft, d_m(1-γ²)/(2D) with γ = D/d_m.
+    // The catalogue's BSF is per revolution of the shaft, d_m(1-γ²)/(2D) with γ = D/d_m.
     return multiples_of_shaft_speed(whole(in, "Z", 1, kMostElements), get(in, "gamma"));
   }
   if (kind == "harris_rolling_bearing_analysis" && in.contains("thrust")) return thrust_bearing(in);

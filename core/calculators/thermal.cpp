@@ -334,8 +334,7 @@ Json material_case(const Json& in) {
   out["clamped"] = Json::object();
   for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
     out["clamped"][law.property] = fmt::format(
-        "T is outside of {} to {} K, where the law holds; this is its value at the "
-        "nearer end",
+        "T is outside {} to {} K, the range of the law; this is its value at the nearer end",
         law.T_min, law.T_max);
   out["thermal_strain_from_293K"] = sheet.at("cte", T) * (T - bearing::kStrainReference);
   return out;

@@ -13,13 +13,13 @@
 #include <cmath>
 #include <optional>
 
-/// What designations mean.
+/// Meaning of designations.
 namespace adore::deck {
 namespace {
 
 using Json = nlohmann::json;
 
-/// What stands before the two digits of the bore, and where its dimensions are.
+/// Prefix before the two digits of the bore, and the table of its dimensions.
 struct Series {
   std::string_view prefix;
   BearingType type;
@@ -71,7 +71,7 @@ std::string what_there_is() {
   return "give 60xx, 62xx, 63xx (deep groove), 70xx, 72xx, 73xx (angular contact; C, AC or B), "
          "NU10xx, NU2xx, NU3xx, 302xx or 222xx with a bore up to 100 mm, such as 6205, 7208 B, "
          "NU209, 30208 or 22210, or type (deep-groove, angular-contact, cylindrical, tapered, "
-         "spherical) and outside in millimetres, such as 'deep-groove 25x52x15'";
+         "spherical) and size in millimeters, such as 'deep-groove 25x52x15'";
 }
 
 [[noreturn]] void fail(std::string_view designation, const std::string& why) {
@@ -103,7 +103,7 @@ void take_angle(CatalogueBearing& bearing, std::string& suffix, std::string_view
     bearing.angle = given->second;
     suffix.erase(0, given->first.size());
   } else if (!suffix.empty() && std::isalpha(static_cast<unsigned char>(suffix[0])) != 0) {
-    fail(designation, "has a suffix that says no contact angle known here");
+    fail(designation, "has an unknown suffix for the contact angle");
   }
   bearing.designation += bearing.angle == 15.0 ? " C" : bearing.angle == 25.0 ? " AC" : " B";
 }
@@ -153,7 +153,7 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   if (type == kTypes.end()) return std::nullopt;
   const auto sizes = sizes_in(designation.substr(digit));
   if (!sizes || sizes->size() != 3)
-    fail(designation, "is no outside of a bearing: bore x outside diameter x width in millimetres");
+    fail(designation, "is not a bearing size; give bore x outside diameter x width in millimeters");
   CatalogueBearing out;
   out.type = type->type;
   out.designation =
@@ -163,7 +163,7 @@ std::optional<CatalogueBearing> find_by_size(std::string_view designation) {
   if (!(out.envelope.bore > 0.0) || !(out.envelope.outside > out.envelope.bore) ||
       !(out.envelope.width > 0.0) || out.envelope.outside > 10.0 || out.envelope.width > 5.0)
     fail(designation,
-         "is no outside of a bearing: the bore must be above 0 and below the outside diameter");
+         "is not a bearing size: the bore must be above 0 and below the outside diameter");
   return out;
 }
 
@@ -177,7 +177,7 @@ bool says_tapered_bore(BearingType type, const std::string& suffix) {
   return false;
 }
 
-/// A clearance group that stands anywhere in a suffix ("-2RSC3", "ECP/C3"), taken out of it.
+/// A clearance group anywhere in a suffix ("-2RSC3", "ECP/C3"), removed from it.
 std::string take_group(std::string& suffix) {
   for (const std::string_view group : kGroups) {
     const std::size_t at = suffix.find(group);
@@ -213,7 +213,7 @@ CatalogueBearing find_bearing(std::string_view designation) {
                       row[2].get<double>() * kMm};
       out.designation = std::string(series.prefix) + bore_code(bore);
       std::string suffix(rest.substr(2));
-      // First: the "C3" of "7208 C3" is no angle.
+      // First: the "C3" of "7208 C3" is not an angle.
       std::string group = take_group(suffix);
       if (series.type == BearingType::AngularContact) take_angle(out, suffix, designation);
       if (has_group(out.type, group))
@@ -234,7 +234,8 @@ CatalogueBearing find_bearing(std::string_view designation) {
         out.angle = usual_angle(series.type, out.envelope);
       return out;
     }
-    fail(designation, "is no size of the series " + std::string(series.prefix) + " known here");
+    fail(designation,
+         "is not a known size of the series " + std::string(series.prefix) + " known here");
   }
   fail(designation, "is not in the catalogue");
 }

@@ -35,14 +35,14 @@ struct CatalogueBearing {
   bool angle_given = false;      ///< by the designation or a standard, not by a habit
   std::string clearance = "CN";  ///< group of ISO 5753-1, of types that have one: "C3"
   bool tapered_bore = false;     ///< "K", of rollers: no deck has it; its groups are others
-  std::string left_out;          ///< what else the designation says, "-2RS": no deck has it
+  std::string left_out;          ///< remaining parts of the designation, "-2RS": not in the deck
 };
 
-/// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks and a maker's name; a
-/// clearance group ("6205-2RS C3") acts where the type has one, and what says something else about
-/// cage, seals or tolerances is kept as left out. Also an outside without a number: "deep-groove
-/// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimetres.
-/// @throws InputError naming what there is
+/// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks and a manufacturer; a
+/// clearance group ("6205-2RS C3") is used if the type has one, and suffixes for
+/// cage, seals or tolerances are listed as left out. Also a size without a number: "deep-groove
+/// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimeters.
+/// @throws InputError with the valid designations
 [[nodiscard]] CatalogueBearing find_bearing(std::string_view designation);
 
 /// Every designation that has a number, in order of type and size.
@@ -52,7 +52,7 @@ struct CatalogueBearing {
 struct InnerGeometry {
   /// Variables in SI: elements and their number, grooves or lands, clearance, shoulders or flanges.
   std::vector<std::pair<std::string, std::string>> sets;
-  std::string reasons;  ///< where the figures come from, in one sentence
+  std::string reasons;  ///< source of the values, in one sentence
 };
 /// @param group of the clearance (ISO 5753-1): C2, CN, C3, C4, of balls C5
 /// @param tapered_bore of spherical rollers, whose groups are others; unknown for cylindrical ones
@@ -65,8 +65,8 @@ struct InnerGeometry {
 /// spherical-tapered bearings, of which no proportions are known, and when nothing fits
 [[nodiscard]] InnerGeometry propose_inner(const Deck& deck);
 
-/// A runnable quasi-static deck in SI units, a record a line; the remarks say what is standard and
-/// what is an estimate. Load and speed are those of the example of the type, in proportion.
+/// A complete quasi-static deck in SI units, one record per line; the remarks mark standard values
+/// and estimates. Load and speed are scaled from the example of the type.
 [[nodiscard]] std::string catalogue_deck(const CatalogueBearing& bearing);
 
 /// Sentences for a person: dimensions, inside, and where both come from.

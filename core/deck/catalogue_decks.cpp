@@ -103,14 +103,14 @@ std::string catalogue_deck(const CatalogueBearing& bearing) {
       remark = "ESTIMATE of the inside";
     else if (id == "9.1.1")
       remark =
-          "forces on the inner race, displacements [N, m]: those of the example, by the "
-          "capacity of this size; put in your own" +
+          "forces on the inner race, displacements [N, m]: those of the example, scaled to the "
+          "capacity of this size; enter your own" +
           std::string(bearing.type == BearingType::Spherical
                           ? ", of one row: half of the bearing's radial load"
                           : "");
     else if (id == "9.1.2")
       remark =
-          "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: put in your own";
+          "moments, misalignments, speeds of outer and inner race [N.m, rad, rpm]: enter your own";
     if (remark.empty()) {
       out += lines[r] + "\n";
       continue;
@@ -142,38 +142,37 @@ std::vector<std::string> catalogue_story(const CatalogueBearing& bearing) {
         bearing.type == BearingType::Tapered ? "Cup half angle" : "Contact angle", bearing.angle,
         bearing.type == BearingType::Tapered && bearing.angle_given ? "ISO 355"
         : bearing.angle_given                                       ? "by the designation"
-        : bearing.type == BearingType::AngularContact ? "for want of a suffix; C is 15, AC 25, B 40"
-                                                      : "an estimate"));
+        : bearing.type == BearingType::AngularContact
+            ? "assumed, because the designation has no suffix; C is 15, AC 25, B 40"
+            : "an estimate"));
   out.push_back(
-      fmt::format("Inside, an ESTIMATE, since makers do not publish it: {} elements of {:.4g} mm "
-                  "on {:.4g} mm; {}.",
+      fmt::format("ESTIMATED internal geometry (manufacturers do not publish it): {} elements of "
+                  "{:.4g} mm on {:.4g} mm; {}.",
                   number(inner, "nRe"), number(inner, "bReDia") / kMm,
                   0.5 * (e.bore + e.outside) / kMm, inner.reasons));
   if (!bearing.left_out.empty())
-    out.push_back(
-        fmt::format("Not in the deck: {}. Of a designation, size, contact angle and the "
-                    "clearance group of deep groove, cylindrical and spherical bearings "
-                    "go into it.",
-                    bearing.left_out));
+    out.push_back(fmt::format(
+        "Not in the deck: {}. The deck contains size, contact angle and, for deep groove, "
+        "cylindrical and spherical bearings, the clearance group of a designation.",
+        bearing.left_out));
   if (bearing.tapered_bore && bearing.type == BearingType::Spherical)
-    out.push_back(
-        fmt::format("A tapered bore (K) has clearance groups of its own: the clearance is that of "
-                    "{} for tapered bores before mounting, and driving the bearing up its taper "
-                    "takes part of it away. The deck's bore is cylindrical: give its fit, or the "
-                    "clearance that is left.",
-                    bearing.clearance));
+    out.push_back(fmt::format(
+        "Bearings with a tapered bore (K) have separate clearance groups. The clearance is that of "
+        "{} for tapered bores before mounting; driving the bearing up its taper reduces it. The "
+        "bore in the deck is cylindrical: enter its fit, or the remaining clearance.",
+        bearing.clearance));
   else if (bearing.tapered_bore)
     out.push_back(
-        fmt::format("A tapered bore (K) has clearance groups of its own, which are not known here: "
-                    "the clearance is that of {} for cylindrical bores.",
+        fmt::format("Bearings with a tapered bore (K) have separate clearance groups, which are "
+                    "not known here. The clearance is that of {} for cylindrical bores.",
                     bearing.clearance));
   if (bearing.type == BearingType::Spherical)
     out.emplace_back(
-        "The deck is ONE row of the two: give it half of the bearing's radial load; the bearing's "
-        "life is below that of a row.");
+        "The deck is ONE of the two rows: enter half of the bearing's radial load. The life of the "
+        "bearing is shorter than that of one row.");
   out.emplace_back(
-      "Load and speed are those of the example of this type, in proportion: put in your own. The "
-      "deck is quasi-static (mode -1); mode 0 moves every element over time.");
+      "Load and speed are scaled from the example of this type: enter your own. The deck is "
+      "quasi-static (mode -1); mode 0 simulates the motion of every element.");
   return out;
 }
 

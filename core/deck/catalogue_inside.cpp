@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-/// What is proposed for the inside of a bearing.
+/// Estimates of the internal geometry of a bearing.
 namespace adore::deck {
 namespace {
 
@@ -92,11 +92,10 @@ InnerGeometry cylinders(const Envelope& e, std::string_view group) {
   sets.length("raceLandLmt2", 1.2 * length);
   sets.length("flngHt11", 0.2 * roller);
   sets.length("flngHt21", 0.2 * roller);
-  return {
-      sets.take(),
-      "D = L = 0.25 (OD - bore), rollers over 0.7 of the pitch circle as in the textbooks' 209; "
-      "crown and flanges typical, play: " +
-          clearance_reason(group)};
+  return {sets.take(),
+          "D = L = 0.25 (OD - bore), rollers over 0.7 of the pitch circle as in the textbooks' "
+          "209; crown and flanges typical, clearance: " +
+              clearance_reason(group)};
 }
 
 InnerGeometry cones(const Envelope& e, double cup) {
@@ -147,7 +146,7 @@ InnerGeometry barrels(const Envelope& e, double angle, std::string_view group, b
   sets.real("freeConAng", std::round(angle * 100.0) / 100.0);
   return {sets.take(),
           "D = 0.275 (OD - bore), L = 0.413 of the width, rollers over 0.87 of the pitch circle, "
-          "angle from the distance of the rows; play: " +
+          "angle from the distance of the rows; clearance: " +
               clearance_reason(group) + (tapered_bore ? " of tapered bores" : "")};
 }
 
@@ -175,10 +174,10 @@ InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double a
                             std::string_view group, bool tapered_bore) {
   const double section = envelope.outside - envelope.bore;
   if (!(envelope.bore > 0.0 && section > 0.0 && envelope.width > 0.0))
-    throw InputError(fmt::format(
-        "no elements fit: bore {} m, outside diameter {} m, width {} m; the bore must be above 0 "
-        "and below the outside diameter, the width above 0",
-        envelope.bore, envelope.outside, envelope.width));
+    throw InputError(
+        fmt::format("no elements fit into bore {} m, outside diameter {} m, width {} m; the bore "
+                    "must be above 0 and below the outside diameter, the width above 0",
+                    envelope.bore, envelope.outside, envelope.width));
   switch (type) {
     case BearingType::Cylindrical:
       return cylinders(envelope, group);
@@ -196,8 +195,8 @@ InnerGeometry propose_inner(const Deck& deck) {
   const long long kind = deck.integer("kBrg");
   if (kind < 1 || kind > 4)
     throw InputError(
-        fmt::format("kBrg = {}: an inside is proposed for ball, cylindrical, spherical and tapered "
-                    "bearings (1 to 4)",
+        fmt::format("kBrg = {}: internal geometry is estimated only for ball, cylindrical, "
+                    "spherical and tapered bearings (1 to 4)",
                     kind));
   constexpr std::array<BearingType, 4> kOfCode = {BearingType::DeepGroove, BearingType::Cylindrical,
                                                   BearingType::Spherical, BearingType::Tapered};

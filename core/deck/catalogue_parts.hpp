@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-/// What the files of the catalogue share: its table, types, and clearance groups.
+/// Common parts of the catalogue files: its table, types, and clearance groups.
 namespace adore::deck {
 
 /// resources/catalogue.json

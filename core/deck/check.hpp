@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-/// The checks behind check_deck(). Everything the reader has already complained about is passed
-/// along, so that nothing is said twice.
+/// The checks behind check_deck(). Errors that the reader has already reported are passed
+/// along, so that nothing is reported twice.
 namespace adore::deck {
 
 struct Reported {
@@ -37,7 +37,7 @@ class Checker {
   /// The value as the deck gives it.
   [[nodiscard]] std::optional<double> raw(std::string_view name, int instance = 1,
                                           int index = 1) const;
-  /// A code or count that is valid; an absent variable is no value here.
+  /// A valid code or count; an absent variable has no value here.
   [[nodiscard]] std::optional<long long> integer(std::string_view name, int index = 1) const;
   [[nodiscard]] bool is(std::string_view name, long long value) const {
     return integer(name) == value;

@@ -18,12 +18,12 @@ void check_pocket_code(Checker& c) {
   const auto type = c.integer("kBrg");
   if (!type) return;
   if (*type == 1 && c.is("kPocType", -1))
-    c.error("kPocType", "-1 is a pocket for rollers, but kBrg 1 is a ball bearing",
+    c.error("kPocType", "-1 is a roller pocket, but kBrg 1 is a ball bearing",
             "valid for balls are 0 (cylindrical), 1 (spherical), 2 (elongated), 3 (rectangular), 4 "
             "(conical)");
   if (*type != 1 && c.is("kPocType", 4))
     c.error(
-        "kPocType", "4 is a conical pocket for balls, but kBrg is a roller bearing",
+        "kPocType", "4 is a conical ball pocket, but kBrg is a roller bearing",
         "valid for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface pairs)");
 }
 
@@ -40,8 +40,7 @@ void check_pockets(Checker& c) {
   if (*type != 1 && *pocket > 0) return;  // guide surfaces: the clearance has no meaning
   const char* element = *type == 1 ? "ball" : "roller";
   if (*clearance < 0.0)
-    c.warning("bPocCls1",
-              fmt::format("the pocket is smaller than the {0}, which it therefore clamps", element),
+    c.warning("bPocCls1", fmt::format("the pocket is smaller than the {0} and clamps it", element),
               "give a clearance above 0");
   else if (*clearance > *diameter)
     c.warning("bPocCls1", fmt::format("the pocket is more than twice as large as the {}", element),
@@ -50,22 +49,21 @@ void check_pockets(Checker& c) {
   const auto width = c.si("cageWidth");
   if (*type != 1 && length && width && *length >= *width)
     c.warning("cageWidth",
-              fmt::format("the pockets of rollers {} long leave no rim at the sides of the cage",
+              fmt::format("pockets for rollers {} long leave no rim at the sides of the cage",
                           c.length(*length)),
               "give a width above bReLen");
   if (*type == 1 && *pocket == 0 && width && *clearance >= 0.0 && *clearance <= *diameter &&
       *diameter + *clearance >= *width)
     c.error("cageWidth",
-            fmt::format("the pockets, bReDia + bPocCls1 = {} long, do not fit in",
+            fmt::format("the pockets, bReDia + bPocCls1 = {} long, do not fit into the width",
                         c.length(*diameter + *clearance)),
             "give a larger width");
   if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);
   if (*count > 1 && web <= 0.0)
-    c.warning("nRe",
-              "neighbouring pockets overlap at the middle of the cage, so that no web is left",
-              "take fewer or smaller elements, or a smaller pocket clearance");
+    c.warning("nRe", "adjacent pockets overlap at the middle of the cage, so that no web is left",
+              "use fewer or smaller elements, or a smaller pocket clearance");
 }
 
 /// The cage runs in the gap between the rings: below the outer shoulder, above the inner one; where
@@ -77,16 +75,17 @@ void check_cage_between_races(Checker& c) {
   const auto outside = c.si("brgOD");
   if (!outer || !inner) return;
   if (outside && *outside > 0.0 && *outer >= *outside)
-    return c.error("cageDia1",
-                   fmt::format("the cage stands outside the races: the bearing's outside diameter "
-                               "brgOD is {}",
-                               c.length(*outside)),
-                   "give less than the diameter of the outer race's shoulder");
+    return c.error(
+        "cageDia1",
+        fmt::format(
+            "the cage is outside the races: the outside diameter brgOD of the bearing is {}",
+            c.length(*outside)),
+        "give less than the shoulder diameter of the outer race");
   if (bore && *inner <= *bore)
     return c.error("cageDia2",
-                   fmt::format("the cage lies inside the inner race: the bearing's bore is {}",
+                   fmt::format("the cage is inside the inner race: the bore of the bearing is {}",
                                c.length(*bore)),
-                   "give more than the diameter of the inner race's shoulder");
+                   "give more than the shoulder diameter of the inner race");
   const auto pitch = c.si("pitchDia");
   const auto diameter = c.si("bReDia");
   if (!pitch || !diameter || *outer > kHardlyMetres) return;
@@ -96,14 +95,14 @@ void check_cage_between_races(Checker& c) {
   const double floor = inner_shoulder > 0.0 ? inner_shoulder : *pitch - *diameter;
   if (*outer > roof * (1.0 + kRounding))
     c.warning("cageDia1",
-              fmt::format("the cage reaches into the outer race, whose {} has a diameter of {}",
+              fmt::format("the cage overlaps the outer race, whose {} has a diameter of {}",
                           outer_shoulder > 0.0 ? "shoulder" : "raceway", c.length(roof)),
-              "give less, unless the cage is narrower than the race and stands beside it");
+              "give less, unless the cage is narrower than the race and runs next to it");
   if (*inner < floor * (1.0 - kRounding))
     c.warning("cageDia2",
-              fmt::format("the cage reaches into the inner race, whose {} has a diameter of {}",
+              fmt::format("the cage overlaps the inner race, whose {} has a diameter of {}",
                           inner_shoulder > 0.0 ? "shoulder" : "raceway", c.length(floor)),
-              "give more, unless the cage is narrower than the race and stands beside it");
+              "give more, unless the cage is narrower than the race and runs next to it");
 }
 
 void check_cage_body(Checker& c) {
@@ -119,7 +118,7 @@ void check_cage_body(Checker& c) {
   else if (outer && inner && diameter && pitch &&
            (*inner >= *pitch + *diameter || *outer <= *pitch - *diameter))
     c.error("cageDia1",
-            "the cage does not reach the elements, so that they cannot touch its pockets",
+            "the cage does not reach the elements, so that its pockets cannot touch them",
             "choose the diameters around the pitch diameter");
   else
     check_cage_between_races(c);
@@ -145,17 +144,19 @@ void check_lands(Checker& c) {
     const auto land_width = c.si("cageGsWidth", land);
     const auto position = c.si("cageGsPos", land);
     if (guide && *guide == 1 && diameter && outer && *diameter > *outer * (1.0 + kRounding))
-      c.warning("cageGsDia", "an outer race guided land stands above the cage's outer diameter",
+      c.warning("cageGsDia",
+                "a land guided by the outer race is above the outer diameter of the cage",
                 "check cageGsDia and cageDia1", land);
     if (guide && *guide == 2 && diameter && inner && *diameter < *inner * (1.0 - kRounding))
-      c.warning("cageGsDia", "an inner race guided land lies below the cage's inner diameter",
+      c.warning("cageGsDia",
+                "a land guided by the inner race is below the inner diameter of the cage",
                 "check cageGsDia and cageDia2", land);
     const bool guides = guide && *guide > 0;
     if (guides && diameter && outside && *outside > 0.0 && *diameter >= *outside)
-      c.error("cageGsDia", "the land lies outside the bearing",
+      c.error("cageGsDia", "the land is outside the bearing",
               fmt::format("give less than brgOD = {}", c.length(*outside)), land);
     else if (guides && diameter && bore && *diameter <= *bore)
-      c.error("cageGsDia", "the land lies inside the bore of the bearing",
+      c.error("cageGsDia", "the land is inside the bore of the bearing",
               fmt::format("give more than brgBore = {}", c.length(*bore)), land);
     if (clearance && *clearance < 0.0)
       c.warning("cageGsCls", "a negative clearance clamps the cage on its race",
@@ -165,18 +166,19 @@ void check_lands(Checker& c) {
               fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
               "give a width at most cageWidth", land);
     else if (width && position && land_width && std::abs(*position) - *land_width >= 0.5 * *width)
-      c.error("cageGsPos", "puts the whole land beside the cage",
-              fmt::format("give at most half of cageWidth, {}, either way", c.length(0.5 * *width)),
+      c.error("cageGsPos", "puts the whole land outside the cage",
+              fmt::format("give an absolute value of at most half of cageWidth, {}",
+                          c.length(0.5 * *width)),
               land);
     else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
-      c.warning("cageGsPos", "the outer edge of the land lies outside the cage",
+      c.warning("cageGsPos", "the outer edge of the land is outside the cage",
                 "give a distance of at most half the cage width", land);
   }
   if (!guided && c.is("kGsHydro", 1))
-    c.warning("kGsHydro", "no land is guided by a race, so that this has no effect", "set it to 0");
+    c.warning("kGsHydro", "no race guides a land; the switch has no effect", "set it to 0");
 }
 
-/// Segments are alike: the same number of elements each, all cut the same way.
+/// Segments are identical: the same number of elements each, all cut the same way.
 void check_segments(Checker& c) {
   const auto segments = c.integer("nCseg");
   const auto elements = c.integer("nRe");
@@ -188,8 +190,8 @@ void check_segments(Checker& c) {
   if (!elements) return;
   if (*elements % *segments != 0) {
     c.error("nCseg",
-            fmt::format("{} cannot be shared by {} equal segments", counted(*elements, "element"),
-                        *segments),
+            fmt::format("{} cannot be divided into {} equal segments",
+                        counted(*elements, "element"), *segments),
             "let nCseg divide nRe");
     return;
   }
@@ -207,8 +209,8 @@ void check_segments(Checker& c) {
     const auto first = c.integer("lSeg", 1);
     if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
       c.error("lSeg",
-              fmt::format("the segments must be alike: {} in each, all cut the same way, "
-                          "but segment {} starts at {}",
+              fmt::format("the segments must be identical: {} in each, all cut the same way, but "
+                          "segment {} starts at {}",
                           counted(share, "element"), i, *start),
               fmt::format("give {} here", *first > 0 ? last + share : -(last + share)));
       return;
@@ -226,11 +228,11 @@ void check_cage_start(Checker& c, long long segments) {
   for (int k = 1; k <= segments; ++k) {
     const auto ratio = c.raw("avRatio", k);
     if (!ratio || (*ratio > 0.0 && *ratio <= kFastestStart)) continue;
-    const std::string_view how = *ratio == 0.0  ? "at rest among elements that orbit"
-                                 : *ratio < 0.0 ? "against the way in which the elements orbit"
-                                                : "far ahead of the elements that orbit";
+    const std::string_view how = *ratio == 0.0  ? "at rest among orbiting elements"
+                                 : *ratio < 0.0 ? "against the orbital motion of the elements"
+                                                : "much faster than the orbiting elements";
     return c.warning("avRatio",
-                     fmt::format("lets the {} start {}, which strike it hard",
+                     fmt::format("starts the {} {}, which causes hard impacts",
                                  segments > 1 ? "segment" : "cage", how),
                      "1 starts it with them", k);
   }

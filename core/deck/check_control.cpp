@@ -22,19 +22,17 @@ void check_run_mode(Checker& c) {
   const auto mode = c.integer("mode");
   if (mode && *mode < 0) {
     if (c.is("kDCR", 1))
-      c.warning("kDCR", "has no effect, because mode is negative and nothing moves",
+      c.warning("kDCR", "has no effect: mode is negative, so that nothing moves",
                 "set kDCR to 0 and drop record 2.2");
     if (c.is("kFnOpt", 1))
-      c.warning("kFnOpt", "has no effect, because mode is negative and no data files are written",
+      c.warning("kFnOpt", "has no effect: mode is negative, so that no data files are written",
                 "set kFnOpt to 0 and drop record 2.3");
     if (c.is("kIcOpt", 1) || c.is("kIcOpt", -1))
-      c.warning("kIcOpt",
-                "has no effect, because mode is negative and there is no run to go on with",
+      c.warning("kIcOpt", "has no effect: mode is negative, so that there is no run to continue",
                 "set kIcOpt to 0");
   }
   if (c.is("kRaceFlex", 1))
-    c.error("kRaceFlex",
-            "a flexible outer race is announced by the format, but cannot be simulated",
+    c.error("kRaceFlex", "the deck format has a flexible outer race, but it cannot be simulated",
             "set it to 0");
 }
 
@@ -43,9 +41,9 @@ void check_light_loads(Checker& c) {
   const auto ratio = c.raw("qFac");
   if (c.is("mode", 0) && ratio && *ratio >= 1.0)
     c.warning("qFac",
-              "holds every element up to the largest load that is applied, so that nearly all of "
-              "them stand in force balance at all times, as with mode = 1",
-              "give a small part of 1, such as 0.01, or set mode to 1");
+              "keeps every element up to the largest applied load in force balance, so that nearly "
+              "all of them always are, as with mode = 1",
+              "give a small fraction such as 0.01, or set mode to 1");
 }
 
 void check_steps(Checker& c) {
@@ -60,10 +58,11 @@ void check_steps(Checker& c) {
   if (!first) return;
   if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
     c.error("stpInit",
-            "0 reuses the last step of a continued run, but kIcOpt does not continue one",
+            "0 reuses the last step of a continued run, but kIcOpt does not continue a run",
             "give a first step, for instance 0.05");
   else if (*first != 0.0 && largest && *first > *largest)
-    c.warning("stpInit", fmt::format("is above stpMax = {:.10g} and will be cut to it", *largest),
+    c.warning("stpInit",
+              fmt::format("is above stpMax = {:.10g} and will be lowered to it", *largest),
               "give a smaller first step");
   else if (*first != 0.0 && smallest && largest && *smallest <= *largest && *first < *smallest)
     c.warning("stpInit",
@@ -78,10 +77,11 @@ void check_race_constraints(Checker& c) {
     const auto about_y = c.integer(second);
     const auto about_z = c.integer(third);
     if (about_y && about_z && *about_y != *about_z)
-      c.error(third,
-              fmt::format("must equal {} = {}: the rotations about y and z are constrained alike",
-                          second, *about_y),
-              fmt::format("set both to {}", *about_y));
+      c.error(
+          third,
+          fmt::format("must equal {} = {}: the rotations about y and z have the same constraint",
+                      second, *about_y),
+          fmt::format("set both to {}", *about_y));
     const auto mode = c.integer("mode");
     if (!mode || (*mode != 1 && *mode != 2)) continue;
     for (const int axis : {1, 2, 3}) {
@@ -107,16 +107,17 @@ std::string without_blanks_behind(std::string text) {
   return text;
 }
 
-/// Why a file of results may not have this name; empty when it may. What a shell or another program
-/// would take for its own is refused: the first line of a result file holds the deck's words.
+/// Reason why a results file may not have this name; empty if it may. Names that a shell or another
+/// program would interpret are rejected: the first line of a results file contains text of the
+/// deck.
 std::string_view name_trouble(const std::string& file) {
   if (file.empty() || file.find_first_of("/\\") != std::string::npos || file == "." || file == "..")
-    return "is no name of a file in the output folder";
+    return "is not a valid file name in the output folder";
   const auto plain = [](unsigned char ch) {
     return std::isalnum(ch) != 0 || ch == '.' || ch == '_' || ch == '-' || ch == '+';
   };
   if (!std::all_of(file.begin(), file.end(), plain))
-    return "has characters that files of results do not have in their names";
+    return "has characters that are not allowed in names of results files";
   if (std::isalnum(static_cast<unsigned char>(file.front())) == 0)
     return "begins with a character that hides a file or starts an option";
   constexpr std::string_view kPrograms[] = {
@@ -129,9 +130,9 @@ std::string_view name_trouble(const std::string& file) {
   const std::size_t dot = name.rfind('.');
   if (dot != std::string::npos && std::find(std::begin(kPrograms), std::end(kPrograms),
                                             name.substr(dot + 1)) != std::end(kPrograms))
-    return "is a name of programs, scripts, settings or other data";
+    return "is a name for programs, scripts, settings or other data";
   if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
-    return "is a name of programs, scripts, settings or other data";
+    return "is a name for programs, scripts, settings or other data";
   return {};
 }
 
@@ -144,7 +145,7 @@ void check_file_names(Checker& c) {
       {"DATA.TXT", "the deck"},         {"PRINT.TXT", "the listing"},
       {"SOL9", "user routine ADRX9"},   {"RUN.JSON", "the run report"},
       {"RESULTS.H5", "the results"},    {"ADORE.JSON", "the run options"},
-      {"SWEEP.CSV", "a sweep's table"}, {"SWEEP.JSON", "what a sweep goes on by"}};
+      {"SWEEP.CSV", "a sweep's table"}, {"SWEEP.JSON", "the state of a sweep"}};
   const std::string& path = c.deck().file;
   if (!path.empty())
     seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");
@@ -158,7 +159,7 @@ void check_file_names(Checker& c) {
     }
     const auto [earlier, fresh] = seen.emplace(upper(file), std::string(name));
     if (!fresh)
-      c.error(name, fmt::format("this name is already taken by {}", earlier->second),
+      c.error(name, fmt::format("this name is already used by {}", earlier->second),
               "give every file its own name");
   }
 }
@@ -170,7 +171,8 @@ void check_monitored_bodies(Checker& c) {
   const auto segments = c.integer("nCseg");
   if (!count) return;
   if (*count > 6)
-    c.warning("kNumPltElem", "the classic plot files SOL1 to SOL6 hold only the first six bodies",
+    c.warning("kNumPltElem",
+              "the classic plot files SOL1 to SOL6 contain only the first six bodies",
               "monitor at most six bodies");
   const long long bodies = elements && segments ? *elements + *segments + 2 : 0;
   long long last = 0;
@@ -187,8 +189,7 @@ void check_monitored_bodies(Checker& c) {
   }
   if (bodies > 0 && last > bodies)
     c.error("kPltElemInd",
-            fmt::format("there is no body {}: with {} and {} the last one, "
-                        "the inner race, is {}",
+            fmt::format("there is no body {}: with {} and {} the last body, the inner race, is {}",
                         last, counted(*elements, "element"), counted(*segments, "cage segment"),
                         bodies),
             fmt::format("give numbers from 1 to {}", bodies));
@@ -225,8 +226,8 @@ void check_types(Checker& c) {
   const auto elements = c.integer("nRe");
   if (c.is("kReGeoImp", 2) && elements && *elements > 40)
     c.error("kReGeoImp",
-            fmt::format("the list of diameters holds 40 elements, but there are {}", *elements),
-            "use 3, the user routine ADRX8, or 1, random errors");
+            fmt::format("the list of diameters has 40 elements, but the bearing has {}", *elements),
+            "use 3 (user routine ADRX8) or 1 (random errors)");
   if (c.is("kReGeoImp", 2) && elements)
     for (long long i = *elements + 1; i <= 40; ++i) {
       const std::string name = fmt::format("reDiaVar{}", i);
@@ -236,8 +237,7 @@ void check_types(Checker& c) {
     }
   const auto lubricant = c.integer("kTrac");
   if (lubricant && *lubricant <= 0) {
-    constexpr std::string_view kMessage =
-        "1 means the lubricant of kTrac, but kTrac = {} names none";
+    constexpr std::string_view kMessage = "1 is the lubricant of kTrac, but kTrac = {} has none";
     constexpr std::string_view kRemedy = "choose a lubricant with kTrac, or another medium here";
     if (c.is("kChrn", 1)) c.error("kChrn", fmt::format(kMessage, *lubricant), std::string(kRemedy));
     if (c.is("kCoolant", 1))
@@ -250,7 +250,7 @@ void check_types(Checker& c) {
         "set it to 0");
   if (c.is("kCoolant", 0) && (c.is("kBaseTemp", 2) || c.is("kBaseTemp", 3)))
     c.error("kBaseTemp",
-            "the reference temperature cannot be that of the coolant: kCoolant is 0, there is none",
+            "the reference temperature cannot be that of the coolant: kCoolant is 0 (no coolant)",
             "choose another place or a coolant");
 }
 

@@ -32,9 +32,8 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
       std::numbers::pi / std::asin(std::min(1.0, element_diameter / pitch_diameter));
   c.error(
       "nRe",
-      fmt::format("{} elements do not fit on the pitch circle: their centres are {} apart, "
-                  "less than the diameter of "
-                  "{}",
+      fmt::format("{} elements do not fit on the pitch circle: their centers are {} apart, less "
+                  "than the diameter of {}",
                   *count, c.length(pitch), c.length(element_diameter)),
       "give at most " + counted(static_cast<long long>(fitting * (1.0 + kRounding)), "element"));
 }
@@ -45,7 +44,7 @@ void check_pitch_circle(Checker& c, double pitch_diameter, double element_diamet
   if (bore && outside && *bore < *outside) {
     if (pitch_diameter <= *bore || pitch_diameter >= *outside)
       c.error("pitchDia",
-              fmt::format("the pitch circle must lie between bore ({}) and outside diameter ({})",
+              fmt::format("the pitch circle must be between bore ({}) and outside diameter ({})",
                           c.length(*bore), c.length(*outside)),
               "check pitchDia, brgBore and brgOD");
     else if (pitch_diameter - element_diameter <= *bore ||
@@ -69,7 +68,7 @@ void check_plausible_lengths(Checker& c) {
     const auto height = c.si(name);
     if (height && *height > 1e-4)
       c.warning(name, fmt::format("a roughness of {} is very large", c.length(*height)),
-                "lengths are in m (SI) or in (English), not micrometres");
+                "lengths are in m (SI) or in (English), not µm");
   }
 }
 
@@ -85,7 +84,7 @@ void check_angle_and_clearance(Checker& c, double diameter) {
     if (*clearance == 0.0)
       c.warning("freeIntCls",
                 "both contact angle and clearance are zero: a line-to-line radial bearing",
-                "give freeConAng or freeIntCls when that is not meant");
+                "if this is not intended, give freeConAng or freeIntCls");
     if (*clearance > room)
       c.error(
           "freeIntCls",
@@ -97,9 +96,8 @@ void check_angle_and_clearance(Checker& c, double diameter) {
   const double implied = room * (1.0 - std::cos(*angle));
   if (*clearance != 0.0 && std::abs(*clearance - implied) > 0.05 * implied)
     c.warning("freeIntCls",
-              fmt::format(
-                  "is not used, because freeConAng is above 0; the angle implies a clearance of {}",
-                  c.length(implied)),
+              fmt::format("is not used: freeConAng is above 0, and implies a clearance of {}",
+                          c.length(implied)),
               "set it to 0, or freeConAng to 0");
 }
 
@@ -110,7 +108,8 @@ void check_open_grooves(Checker& c) {
     const auto factor = c.raw(name);
     if (factor && *factor >= kOpen)
       c.warning(name, "the groove radius is larger than the ball: the contact is nearly round",
-                "bearings have 0.515 to 0.53; keep it when the race was ground for larger balls");
+                "the usual range is 0.515 to 0.53; keep the value if the race was ground for "
+                "larger balls");
   }
 }
 
@@ -144,7 +143,7 @@ double inner_cone_for(double pitch_diameter, double diameter, double outer) {
   return 0.5 * (low + high);
 }
 
-/// The pitch diameter is no input: angles that do not belong together send it to infinity or into
+/// The pitch diameter is not an input: inconsistent angles make it infinite or smaller than
 /// the shaft (N38).
 void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, double inner) {
   const auto bore = c.si("brgBore");
@@ -152,16 +151,16 @@ void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, d
   if (!bore || !outside || *bore >= *outside) return;
   constexpr double kDegree = std::numbers::pi / 180.0;
   const auto angle = [&](double rad) { return fmt::format("{:.5g} deg", rad / kDegree); };
-  const std::string formula = fmt::format(
-      "the pitch diameter that follows, D sin(mean angle)/tan(half the difference), is {}",
-      c.length(pitch));
+  const std::string formula =
+      fmt::format("the resulting pitch diameter, D sin(mean angle)/tan(half the difference), is {}",
+                  c.length(pitch));
   const bool wide = pitch >= *outside;
   if (wide || pitch <= *bore) {
     const double first = inner_cone_for(*bore + diameter, diameter, outer);
     const double last = inner_cone_for(*outside - diameter, diameter, outer);
     const std::string remedy =
         *bore + diameter < *outside - diameter
-            ? fmt::format("with this outer cone, an inner one of {} to {} fits; or change both",
+            ? fmt::format("with this outer cone, an inner cone of {} to {} fits; or change both",
                           angle(first), angle(last))
             : "check bReDia, brgBore and brgOD";
     c.error("raceTaper2",
@@ -185,9 +184,10 @@ void check_cones(Checker& c, double diameter) {
   const auto inner = c.si("raceTaper2");
   if (!outer || !inner) return;
   if (*outer <= *inner)
-    return c.error("raceTaper1",
-                   "the outer cone must be wider than the inner one, or the roller has no taper",
-                   "give raceTaper1 above raceTaper2");
+    return c.error(
+        "raceTaper1",
+        "the outer cone must be wider than the inner one; otherwise the roller has no taper",
+        "give raceTaper1 above raceTaper2");
   const double pitch = cone_pitch_diameter(diameter, *outer, *inner);
   check_cone_pitch(c, pitch, diameter, *outer, *inner);
   check_fit_on_circle(c, pitch, diameter);
@@ -209,13 +209,13 @@ void check_flanges(Checker& c) {
       c.error(height, "the flange has no height and cannot touch a roller",
               "give a height above 0, " + off);
     if (angle && (*angle < 0.0 || *angle > 89.0))
-      c.error(layback, "the face of a flange leans back, away from the roller end",
+      c.error(layback, "the flange face leans away from the roller end",
               "give 0 to 89 deg, " + off);
   }
   if (*type == 4 && c.is("kFlngInd11", 0) && c.is("kFlngInd12", 0))
     c.error("kFlngInd12",
-            "tapered rollers need a flange at their large end (negative x side): without it any "
-            "load squeezes them out",
+            "tapered rollers need a flange at their large end (negative x side); without it any "
+            "load pushes them out",
             "give the inner race its rib: kFlngInd12 = 1 and record 5F");
 }
 
@@ -233,7 +233,7 @@ void check_roller_profile(Checker& c, double diameter) {
   if (corner1 && corner2 && *corner1 + *corner2 >= *length)
     c.error(
         "bReCorRad1",
-        fmt::format("both corners together take the whole roller length of {}", c.length(*length)),
+        fmt::format("the two corner radii use up the whole roller length of {}", c.length(*length)),
         "give smaller corner radii");
   for (const std::string_view name : {"bReCorRad1", "bReCorRad2"}) {
     const auto corner = c.si(name);
@@ -260,12 +260,11 @@ void check_envelope(Checker& c) {
             fmt::format("the shaft would have no wall: its bore must be below {}", c.length(*bore)),
             "give a smaller shaft bore, 0 for a solid shaft");
   if (outside && housing && *housing == 0.0)
-    c.warning("hsngOD",
-              "the housing has no wall, so that an outer race fit has nothing to press against",
+    c.warning("hsngOD", "the housing has no wall to carry an outer race fit",
               "give the outside diameter of the housing");
   else if (outside && housing && above(*outside, *housing))
     c.error("hsngOD",
-            fmt::format("the housing must be larger than the bearing, which measures {}",
+            fmt::format("the housing must be larger than the bearing, whose outside diameter is {}",
                         c.length(*outside)),
             "check hsngOD and brgOD");
   check_flanges(c);
@@ -295,10 +294,10 @@ void check_ball_geometry(Checker& c) {
     c.warning("shoulderDia1", "the outer shoulder is not larger than the inner one",
               "check shoulderDia1 and shoulderDia2");
   else if (pitch && outer_shoulder && *outer_shoulder > 0.0 && *outer_shoulder < *pitch)
-    c.warning("shoulderDia1", "the outer shoulder stands higher than the centres of the balls",
+    c.warning("shoulderDia1", "the outer shoulder is higher than the ball centers",
               "give more than pitchDia");
   else if (pitch && inner_shoulder && *inner_shoulder > *pitch)
-    c.warning("shoulderDia2", "the inner shoulder stands higher than the centres of the balls",
+    c.warning("shoulderDia2", "the inner shoulder is higher than the ball centers",
               "give less than pitchDia");
 }
 

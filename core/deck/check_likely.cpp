@@ -35,7 +35,7 @@ bool says_cryogenic(const Checker& c) {
   return false;
 }
 
-/// The temperatures below kColdest share one remark: whoever writes deg C writes it everywhere.
+/// The temperatures below kColdest share one remark: a user who writes deg C writes it everywhere.
 void check_celsius(Checker& c) {
   std::string_view first;
   std::string others;
@@ -52,7 +52,7 @@ void check_celsius(Checker& c) {
   const char* scale = english(c) ? "deg F" : "deg C";
   const double absolute = english(c) ? raw + 459.67 : raw + kFreezingPoint;
   c.warning(first,
-            fmt::format("is {:.0f} deg C, colder than anything but a cryogenic bearing{}",
+            fmt::format("is {:.0f} deg C, a temperature of cryogenic bearings only{}",
                         *c.si(first) - kFreezingPoint,
                         others.empty() ? std::string() : " (so are " + others + ")"),
             fmt::format("temperatures are absolute: for {:g} {} write {:.6g} {}", raw, scale,
@@ -95,7 +95,7 @@ void check_gravity(Checker& c) {
       return;
     }
   if (size > 100.0 * right)
-    c.warning(largest, fmt::format("is {:.0f} times the gravity of the earth", size / right),
+    c.warning(largest, fmt::format("is {:.0f} times the gravity of Earth", size / right),
               fmt::format("the deck's unit is {}, in which gravity is {:.5g}",
                           inches ? "in/s^2" : "m/s^2", right));
 }
@@ -113,7 +113,7 @@ void check_radians(Checker& c) {
     const auto angle = c.raw(name);
     if (!angle || std::abs(*angle) < 0.1) continue;
     c.warning(name,
-              fmt::format("is a misalignment of {:.3g} deg; this one is in rad",
+              fmt::format("is a misalignment of {:.3g} deg; the unit here is rad",
                           *angle * 180.0 / 3.14159265358979),
               fmt::format("for {:g} deg write {:.6g}", *angle, *angle * 3.14159265358979 / 180.0));
   }
@@ -127,17 +127,16 @@ bool check_unit_system(Checker& c) {
   const bool rankine = !english(c) && *room > 490.0 && *room < 580.0;
   if (kelvin)
     c.warning("kUnit",
-              fmt::format("asks for English units, but roomTemp = {:g} is a room in K; in R it is "
-                          "{:.0f} deg C",
+              fmt::format("selects English units, but roomTemp = {:g} is a room temperature in K; "
+                          "in R it is {:.0f} deg C",
                           *room, *room / 1.8 - kFreezingPoint),
               "set kUnit to 1 when the deck is in SI, or give temperatures in R");
   if (rankine)
-    c.warning(
-        "kUnit",
-        fmt::format("asks for SI units, but roomTemp = {:g} is a room in R; in K it is {:.0f} "
-                    "deg C",
-                    *room, *room - kFreezingPoint),
-        "set kUnit to 2 when the deck is in English units, or give temperatures in K");
+    c.warning("kUnit",
+              fmt::format("selects SI units, but roomTemp = {:g} is a room temperature in R; in K "
+                          "it is {:.0f} deg C",
+                          *room, *room - kFreezingPoint),
+              "set kUnit to 2 when the deck is in English units, or give temperatures in K");
   return kelvin || rankine;
 }
 
@@ -170,8 +169,8 @@ void check_loads(Checker& c) {
   const auto mode = c.integer("mode");
   if (!mode) return;
   c.warning("appLoadX",
-            "no load, moment or displacement acts on the inner race, so that nothing "
-            "presses the elements to the races",
+            "the inner race has no load, moment or displacement that presses the elements against "
+            "the races",
             "give a load on record 9.1.1, or a displacement with kFS1 to kFS5 = 1");
 }
 
@@ -183,9 +182,10 @@ void check_speeds(Checker& c) {
   if (!mode || (varied && *varied != 0)) return;
   if (*mode < 0 && table && *table > 0) return;  // the stiffness table brings its own speeds
   if (*mode < 0 && *inner == 0.0) {              // at rest the equilibrium alone is a fair question
-    c.add(c.deck().issue(Severity::Note, "rpm2",
-                         "no race turns: this is the equilibrium at rest, without a life in hours",
-                         "give a speed on record 9.1.2 when that is not meant"));
+    c.add(c.deck().issue(
+        Severity::Note, "rpm2",
+        "no race turns: the result is the equilibrium at rest, without a life in hours",
+        "if this is not intended, give a speed on record 9.1.2"));
     return;
   }
   c.warning("rpm2",

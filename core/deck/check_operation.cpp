@@ -21,7 +21,8 @@ void check_inertia(Checker& c, std::string_view prefix, std::string_view suffix)
     const auto d = c.si(names[(i + 2) % 3]);
     if (a && b && d && *b > 0.0 && *d > 0.0 && *a > (*b + *d) * (1.0 + 1e-6))
       c.error(names[i],
-              "is larger than the other two principal moments together, which no body can have",
+              "is larger than the sum of the other two principal moments, which is not possible "
+              "for a rigid body",
               "check the three moments of inertia");
   }
 }
@@ -41,7 +42,7 @@ void check_constraints(Checker& c) {
     const auto value = c.raw(load);
     if (mode && *mode >= 0 && c.is("kDCR", 1) && (c.is(free[0], 0) || c.is(free[1], 0))) continue;
     if (c.is(flag, 1) && value && *value != 0.0)
-      c.warning(load, fmt::format("is not used, because {} is 1 and asks for a displacement", flag),
+      c.warning(load, fmt::format("is not used, because {} is 1 (displacement given)", flag),
                 fmt::format("set it to 0, or {} to 0", flag));
   }
 }
@@ -65,7 +66,7 @@ void check_temperatures(Checker& c) {
   const auto coolant = c.integer("kCoolant");
   const auto flow = c.raw("cFlowRate");
   if (coolant && *coolant > 0 && flow && *flow == 0.0)
-    c.warning("cFlowRate", "the coolant does not flow, so that it carries no heat away",
+    c.warning("cFlowRate", "the coolant does not flow and carries no heat away",
               "give a flow, or set kCoolant to 0");
 }
 
@@ -74,7 +75,7 @@ void check_hardness(Checker& c) {
   for (const std::string_view name : {"reH", "raceH1", "raceH2"}) {
     const auto hardness = c.raw(name);
     if (hardness && (*hardness < 20.0 || *hardness > 70.0))
-      c.warning(name, "lies outside of the 20 to 70 that the Rockwell C scale is meant for",
+      c.warning(name, "is outside the range of the Rockwell C scale, 20 to 70",
                 "hardness is in HRC, not HV or Pa");
   }
 }
@@ -122,8 +123,8 @@ void check_asymptote(Checker& c, std::string_view stem) {
   const bool constant = rise == 0.0 && *slope == 0.0;
   if (!constant && !(*slope * rise > 0.0))
     c.error(slope_name,
-            fmt::format("a curve with this slope never reaches its asymptote: it has to go from "
-                        "{0}1 = {1:.6g} to {0}2 = {2:.6g}",
+            fmt::format("a curve with this slope never reaches its asymptote: it has to change "
+                        "from {0}1 = {1:.6g} to {0}2 = {2:.6g}",
                         stem, *at_zero, *at_infinity),
             rise > 0.0   ? "give a positive slope"
             : rise < 0.0 ? "give a negative slope"
@@ -142,7 +143,7 @@ void check_curves(Checker& c) {
     if (c.is(type, 2) && not_negative(c, stem, 2)) check_asymptote(c, stem);
     const auto rate = c.raw(fmt::format("{}3", stem));
     if (c.is(type, -1) && rate && *rate < 0.0)
-      c.error(fmt::format("{}3", stem), "a negative C lets the traction grow without limit",
+      c.error(fmt::format("{}3", stem), "with a negative C the traction grows without limit",
               "give a value of at least 0");
   }
 }

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-/// What the schema alone can tell: which records, and whether each value is of its kind.
+/// Checks that need only the schema: which records, and the type of each value.
 namespace adore::deck {
 namespace {
 
@@ -54,7 +54,7 @@ class ValueCheck {
       report(Severity::Error, 0, {},
              fmt::format("has {}, but {} due", counted(elements.size(), "element"),
                          counted(expected, "is", "are")),
-             "give as many as the count says");
+             "give as many values as the count requires");
       return;
     }
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -80,7 +80,7 @@ class ValueCheck {
     if (std::holds_alternative<std::monostate>(value)) {
       const bool label = variable_.name == "recID";
       report(label ? Severity::Warning : Severity::Error, element, {},
-             "there is no value, and no default for it",
+             "the value is missing and has no default",
              label ? fmt::format("write 'Rec {}'", data_.id) : suggestion());
       return;
     }
@@ -135,7 +135,7 @@ class ValueCheck {
       return static_cast<unsigned char>(c) < 0x20 && c != '\t';
     });
     if (!printable)
-      report(Severity::Error, element, {}, "holds a line break or another control character",
+      report(Severity::Error, element, {}, "contains a line break or another control character",
              "keep the text on one line");
     const auto longest = static_cast<std::size_t>(variable_.max_length);
     if (longest == 0 || text.size() <= longest) return;
@@ -179,8 +179,8 @@ void check_layout(Checker& checker, const Reported& reported) {
         checker.add(record_issue(
             deck, spec.id, data.line,
             count > 0
-                ? fmt::format("there are more of these records than `{}` asks for", spec.repeat)
-                : fmt::format("the record is not needed, because `{}` does not hold",
+                ? fmt::format("there are more of these records than `{}` specifies", spec.repeat)
+                : fmt::format("the record is not needed, because the condition `{}` is not met",
                               spec.condition),
             "remove it, or change the option"));
     }

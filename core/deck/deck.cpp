@@ -41,8 +41,8 @@ double Deck::real(std::string_view name, int instance, int index) const {
     if (const long long* integer = std::get_if<long long>(value))
       return static_cast<double>(*integer);
   }
-  throw InternalError(
-      fmt::format("the deck holds no number {}[{}] (instance {})", name, index, instance));
+  throw InternalError(fmt::format("the deck does not contain {}[{}] (instance {}) as a number",
+                                  name, index, instance));
 }
 
 double Deck::si(std::string_view name, int instance, int index) const {

@@ -40,7 +40,7 @@ struct RecordData {
   }
 };
 
-/// Which values of a deck were asked for: what nobody asked for played no part.
+/// Values of a deck that were read: a value that is never read has no effect.
 class ReadLog {
  public:
   void add(const RecordData& record, std::size_t variable, std::size_t element) {
@@ -60,13 +60,13 @@ class ReadLog {
 
 class Deck {
  public:
-  std::string file;                     ///< where it was read from; messages only
+  std::string file;                     ///< file that it was read from; for messages only
   std::vector<RecordData> records;      ///< in deck order
   std::vector<std::string> user_lines;  ///< raw lines after the last required record (12.x)
   /// Records that were given but that the options do not ask for: set() and complete() take them
   /// back when the options change. Neither written nor part of equality.
   std::vector<RecordData> shelf;
-  /// When there is one, integer(), real(), si() and text() enter what they were asked for. Copies
+  /// If set, integer(), real(), si() and text() record the variables that they read. Copies
   /// share it. Not part of equality.
   std::shared_ptr<ReadLog> reads;
 
@@ -97,9 +97,9 @@ class Deck {
   /// @throws InputError naming close matches for an unknown variable, or the type that is expected.
   void set(std::string_view name, std::string_view value);
   /// Sets several variables as one change, name and value as in set(): the options among them act
-  /// before the records that they decide, in whatever order they are given, and the deck comes out
+  /// before the records that they control, in any order, and the deck is then
   /// complete(). When it throws, the deck is unchanged.
-  /// @throws InputError with every mistake: also for a variable of a record that the changed deck
+  /// @throws InputError with every error: also for a variable of a record that the changed deck
   /// does not have, and for one that is given two values.
   void set_all(std::span<const std::pair<std::string, std::string>> sets);
   /// Adds required records that are missing (from the shelf, else default values; 0 / "" where
@@ -141,7 +141,7 @@ ReadResult read_deck_text(std::string_view text, std::string file_name);
 /// @throws InputError when the file cannot be read (missing, a folder, larger than 16 MiB, binary).
 ReadResult read_deck(const std::filesystem::path& path);
 
-/// One line per record, comma delimited, decimal point whatever the locale; reads back to an equal
+/// One line per record, comma delimited, decimal point in every locale; reads back to an equal
 /// deck.
 std::string write_deck(const Deck& deck);
 /// Replaces the file atomically. @throws InputError when it cannot be written.

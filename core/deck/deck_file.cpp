@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestDeck = std::size_t{16} * 1024 * 1024;
 constexpr long kMostLines = 200'000;  ///< a deck has about a hundred, tables of user routines more
 
-/// Control characters mean that this is no text, and so many lines that it is no deck.
+/// A file with control characters is not text; a file with so many lines is not a deck.
 std::optional<Issue> find_no_deck(std::string_view text, const std::string& file_name) {
   const auto count = [&](char c) { return std::count(text.begin(), text.end(), c); };
   if (const auto lines = std::max(count('\n'), count('\r')); lines > kMostLines) {
     Issue issue;
     issue.file = file_name;
-    issue.message = fmt::format("the file has {} lines, so it is no data deck", lines);
+    issue.message = fmt::format("the file has {} lines and is not a data deck", lines);
     issue.remedy = fmt::format("give the deck (DATA.txt); it has at most {} lines", kMostLines);
     return issue;
   }
@@ -66,7 +66,7 @@ std::string read_text(const fs::path& path) {
   while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
     text.append(block, 0, static_cast<std::size_t>(in.gcount()));
     if (text.size() > kLargestDeck)
-      fail(path, "the file is larger than 16 MiB, so it is no data deck",
+      fail(path, "the file is larger than 16 MiB and is not a data deck",
            "give the deck (DATA.txt), not an output file");
   }
   if (in.bad()) fail(path, "the file cannot be read to its end", "check the disk");

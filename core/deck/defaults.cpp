@@ -9,7 +9,7 @@
 namespace adore::deck {
 namespace {
 
-/// What the chosen code means; empty for a variable without codes.
+/// Meaning of the chosen code; empty for a variable without codes.
 std::string_view meaning_of(const VariableSpec& variable, const std::string& code) {
   for (const OptionSpec& option : variable.options)
     if (option.code == code) return option.meaning;
@@ -109,11 +109,11 @@ std::vector<Issue> added_defaults(const Deck& before, const Deck& after) {
     issue.file = after.file;
     issue.line = record.line;
     issue.record = record_name(*spec, record);
-    issue.message = fmt::format("{}: {}",
-                                given == nullptr ? "was added with default values, because the "
-                                                   "changed options need it and the deck has none"
-                                                 : "took default values for what it lacks",
-                                values);
+    issue.message = fmt::format(
+        "{}: {}",
+        given == nullptr ? "was added with default values, because the changed options need it"
+                         : "got default values for missing variables",
+        values);
     issue.remedy = "set them too, or write them into the deck";
     list.push_back(std::move(issue));
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What differs between two decks, in words.
+/// Differences between two decks, in words.
 namespace adore::deck {
 
 struct Difference {

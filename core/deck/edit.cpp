@@ -62,7 +62,7 @@ Target parse_target(std::string_view text) {
 
 [[noreturn]] void fail_unknown(std::string_view name, std::string_view value) {
   if (name == "recID")
-    fail(name, value, "every record has one, so that the name alone does not say which",
+    fail(name, value, "every record has a label, so the name alone is ambiguous",
          "edit the label in the deck");
   std::string list;
   for (const std::string_view similar : similar_variables(name))
@@ -79,7 +79,7 @@ std::string condition_of(std::span<const VariableRef> refs) {
   return text;
 }
 
-/// Where a record belongs among those that the deck has.
+/// Position of a record among those of the deck.
 std::vector<RecordData>::iterator place_of(std::vector<RecordData>& records, const RecordSpec& spec,
                                            int instance) {
   const RecordSpec* first = schema().data();
@@ -96,7 +96,8 @@ Value parse_text(std::string_view name, std::string_view text) {
   if (std::any_of(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
       }))
-    fail(name, {}, "holds a line break or another control character", "keep the text on one line");
+    fail(name, {}, "contains a line break or another control character",
+         "keep the text on one line");
   const bool quoted = text.size() >= 2 && (text.front() == '\'' || text.front() == '"') &&
                       text.back() == text.front();
   if (!quoted) return std::string(text);
@@ -139,9 +140,9 @@ bool is_at(const RecordData& data, std::string_view id, int instance) {
   return data.instance == instance && data.id == id;
 }
 
-/// How a cage starts, in one piece (record 9.6) or in segments (9.6.k), has the same variables: a
-/// record of the one that was never given takes over what the deck says of the other, so that a
-/// cage that turns at its epicyclic speed still does when it is cut.
+/// The start of a cage, in one piece (record 9.6) or in segments (9.6.k), has the same variables: a
+/// record that was not given takes over the values of the other, so that a
+/// cage at its epicyclic speed keeps it when it is cut.
 /// @param replaced records that the deck is about to lose
 void take_over_cage_start(const Deck& deck, const std::vector<RecordData>& replaced,
                           RecordData& data) {
@@ -213,24 +214,25 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   if (repeated && !target.indices.empty()) place.instance = target.indices[0];
   place.ref = find_or_add(deck, refs, place.instance);
   if (place.ref == nullptr && place.instance > 1 && find_or_add(deck, refs, 1) != nullptr)
-    fail(name, value, fmt::format("there is no instance {} of it in this deck", place.instance),
-         "give a smaller number, or raise the count");
+    fail(name, value, fmt::format("the deck does not have instance {} of it", place.instance),
+         "give a smaller number, or increase the count");
   if (place.ref == nullptr)
-    fail(name, value, "this deck has no such record",
-         fmt::format("it belongs to {}; set that option too", condition_of(refs)));
+    fail(name, value, "the deck does not have this record",
+         fmt::format("it requires {}; set that option too", condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
   if (count > 1 && target.indices.empty())
     fail(name, value, fmt::format("there are {} of them", count),
-         fmt::format("say which: {}[1]", target.name));
+         fmt::format("give the number of one of them: {}[1]", target.name));
   const std::size_t used = record.repeat.empty() || target.indices.empty() ? 0 : 1;
   const bool is_array = place.ref->spec().length != "1";
   if (target.indices.size() > used) {
     const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
     if (target.indices[used] > length)
       fail(name, value, is_array ? "it has " + counted(length, "element") : "it is a single value",
-           is_array ? "give an index up to that, or raise the count first" : "leave out the index");
+           is_array ? "give an index up to that, or increase the count first"
+                    : "leave out the index");
     place.element = static_cast<std::size_t>(target.indices[used]) - 1;
   } else if (!is_array) {
     place.element = 0;
@@ -294,8 +296,8 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
   };
-  // In deck order, so that whatever decides whether a record is there, or how long it is, has its
-  // value before the record gets its own.
+  // In deck order, so that options that control the presence or length of a record have their
+  // values before the record.
   for (const RecordSpec& record : schema())
     for (const VariableSpec& variable : record.variables)
       for (Pending& item : pending) {
@@ -304,7 +306,7 @@ void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
         if (changed.has_record(record.id) || is_orbit_at_rest(changed, variable.name)) apply(item);
       }
   for (Pending& item : pending)
-    if (!item.done) apply(item);  // no record takes it: set() says why
+    if (!item.done) apply(item);  // no record has it: set() reports the reason
   if (!issues.empty()) throw InputError(std::move(issues));
   changed.complete();
   records = std::move(changed.records);
@@ -341,11 +343,11 @@ void Deck::set(std::string_view name, std::string_view value) {
     const std::vector<std::string_view> parts = split_at_commas(value);
     if (elements.empty())
       fail(name, value, "this deck has none of them",
-           fmt::format("their number is {}; raise that first", spec.length));
+           fmt::format("their number is {}; increase it first", spec.length));
     if (parts.size() != elements.size())
       fail(name, value, "it has " + counted(elements.size(), "element"),
-           fmt::format("give {} with commas, or one as {}[1]", counted(elements.size(), "value"),
-                       target.name));
+           fmt::format("give {} with commas, or a single one as {}[1]",
+                       counted(elements.size(), "value"), target.name));
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }
   records = std::move(changed.records);

@@ -18,8 +18,8 @@ struct Exchange {
   std::string by;
 };
 
-/// Values of a record that differ, each as the exchange of one word; nothing when one of them has
-/// no word of its own.
+/// Values of a record that differ, each as the exchange of one word; nothing when one of them is
+/// not a separate word.
 std::optional<std::vector<Exchange>> exchanges(std::string_view text, const Scanner& start,
                                                const RecordData& before, const RecordData& after) {
   std::vector<Exchange> out;
@@ -61,7 +61,7 @@ std::optional<std::string> exchanged(std::string_view text, const Deck& before, 
       return std::nullopt;
     auto list = exchanges(text, start, was, is);
     if (!list) return std::nullopt;
-    std::reverse(list->begin(), list->end());  // what is before stays where it is
+    std::reverse(list->begin(), list->end());  // the text before it does not change
     for (const Exchange& e : *list) out.replace(e.at, e.length, e.by);
   }
   return out;

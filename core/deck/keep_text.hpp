@@ -10,7 +10,7 @@
 
 namespace adore::deck {
 
-/// The text of a deck with other values, everything else as it stands: remarks behind the values,
+/// The text of a deck with other values and everything else unchanged: remarks after the values,
 /// blanks, spelling of numbers, a byte-order mark.
 struct KeptText {
   std::string text;

@@ -13,7 +13,7 @@
 /// reader that lost its way can trust them.
 namespace adore::deck {
 
-/// What one label says.
+/// Content of one label.
 struct LabelHint {
   std::size_t record = 0;  ///< index in schema()
   int instance = 0;        ///< of a repeated record, 0 when the label does not say

@@ -22,7 +22,7 @@ const Value* find_value(const Deck& deck, std::string_view name, int instance = 
 /// Conditions evaluated on what the deck holds; not entered in the deck's ReadLog.
 ConditionScope scope_of(const Deck& deck);
 
-/// Number of elements of an array variable; never below 0 and, whatever the deck says, bounded.
+/// Number of elements of an array variable; never below 0, and bounded for any deck.
 int array_length(const Deck& deck, const VariableSpec& variable);
 
 /// How often a record has to occur when its condition holds; bounded like array_length.
@@ -48,7 +48,7 @@ std::string describe_codes(const VariableSpec& variable);
 /// "above 0.5 m and at most 1.0 m"
 std::string describe_range(const Range& range, std::string_view unit);
 
-/// What complete() writes where the user said nothing.
+/// Value that complete() writes if the user gave none.
 Value default_value(const VariableSpec& variable);
 
 /// "Rec 5A", "Rec 7.2.1"

@@ -19,7 +19,7 @@ struct Counts {
   [[nodiscard]] bool operator==(const Counts&) const = default;
 };
 
-/// A part of the numbers that is of one kind, and how many of it there are before and after.
+/// A range of the numbers of one type of body, and its size before and after.
 struct Kind {
   long long first_before, before, first_after, after;
 };
@@ -50,7 +50,7 @@ Issue note(std::string message, std::string remedy) {
   return issue;
 }
 
-/// Increasing numbers, as the deck wants them.
+/// Increasing numbers, as the deck requires.
 bool in_order(const std::vector<Value>& values) {
   long long last = 0;
   for (const Value& value : values) {
@@ -116,10 +116,11 @@ std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
           *number < kind.first_before + kind.before)
         of = &kind;
     if (of == nullptr) {
-      after.push_back(value);  // wrong before: an error tells it, unless it is right by chance
+      after.push_back(value);  // wrong before: reported as an error, unless it is now valid
       if (const std::string name = number == nullptr ? "" : body_name(deck, *number); !name.empty())
-        notes.push_back(note(fmt::format("{} stood for no body and is the {} now", *number, name),
-                             "see whether that is the one that is meant"));
+        notes.push_back(
+            note(fmt::format("{} was not the number of a body and is now the {}", *number, name),
+                 "check whether this is the intended body"));
       continue;
     }
     const long long place = *number - of->first_before + 1;
@@ -132,9 +133,9 @@ std::vector<Issue> follow_bodies(Deck& deck, const Deck& before) {
     if (const long long heir = free_number(*kind, after); heir > 0)
       after.emplace_back(heir);
     else
-      notes.push_back(
-          note(fmt::format("the {} is gone and is no longer monitored", body_name(before, number)),
-               "choose another body, or undo the change"));
+      notes.push_back(note(fmt::format("the {} no longer exists and is no longer monitored",
+                                       body_name(before, number)),
+                           "choose another body, or undo the change"));
   }
   if (in_order(given)) std::sort(after.begin(), after.end());
   write(*record, std::move(after));
@@ -157,9 +158,9 @@ std::vector<Issue> set_all_and_follow(Deck& deck,
   for (const long long number : now) names.push_back(fmt::format("{}", number));
   notes.insert(notes.begin(),
                note(fmt::format("the monitored bodies stay the same with nRe = {} and nCseg = {}: "
-                                "their numbers are {} now",
+                                "their numbers are now {}",
                                 deck.integer("nRe"), deck.integer("nCseg"), fmt::join(names, ", ")),
-                    "set kPltElemInd, too, to choose others"));
+                    "to choose other bodies, set kPltElemInd too"));
   return notes;
 }
 

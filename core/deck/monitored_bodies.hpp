@@ -21,14 +21,14 @@ namespace adore::deck {
 /// Sets kPltElemInd and kNumPltElem; nothing where the deck has no such record.
 void monitor(Deck& deck, const std::vector<long long>& bodies);
 
-/// kPltElemInd of `deck`, which holds the numbers of `before`, becomes the numbers of the same
-/// bodies. An element or segment that is no more gives its place to the last one that is not
-/// monitored; what has no heir is left out. Returns notes of what is not the same any more: bodies
-/// left out, and numbers that stood for no body and now stand for one.
+/// kPltElemInd of `deck`, which has the numbers of `before`, becomes the numbers of the same
+/// bodies. An element or segment that no longer exists is replaced by the last one that is not
+/// monitored, or left out if there is none. Returns notes on changes: bodies
+/// left out, and numbers that had no body and now have one.
 std::vector<Issue> follow_bodies(Deck& deck, const Deck& before);
 
-/// Deck::set_all(), where monitored bodies stay the same unless `sets` names them; notes say which
-/// numbers they have now. @throws InputError as set_all()
+/// Deck::set_all(), where monitored bodies stay the same unless `sets` names them; notes list
+/// their new numbers. @throws InputError as set_all()
 std::vector<Issue> set_all_and_follow(Deck& deck,
                                       std::span<const std::pair<std::string, std::string>> sets);
 

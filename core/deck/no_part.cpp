@@ -72,7 +72,8 @@ std::vector<NoPart> values_not_read(const Deck& deck) {
         if (variable.length != "1") name += fmt::format("[{}]", k + 1);
         out.push_back(
             {std::string(spec.id), std::move(name), value_text(value),
-             fmt::format("the record is not needed, because `{}` does not hold", spec.condition),
+             fmt::format("the record is not needed, because the condition `{}` is not met",
+                         spec.condition),
              !variable.options.empty() || !variable.option_table.empty()});
       }
   }

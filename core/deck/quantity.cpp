@@ -162,7 +162,7 @@ class Parser {
   }
   Unit unit_alone() {
     Unit out = units();
-    if (at_ < text_.size()) fail("is no unit", kExample);
+    if (at_ < text_.size()) fail("is not a unit", kExample);
     return out;
   }
 
@@ -185,11 +185,11 @@ class Parser {
       const double sign = text_[at_++] == '+' ? 1.0 : -1.0;
       const Amount next = term(depth);
       if (out.unit.has_value() != next.unit.has_value())
-        fail("has a unit in one term only", "give every term its unit, or none");
+        fail("has a unit in only some of its terms", "give every term a unit, or none");
       if (out.unit && out.unit->dimension != next.unit->dimension)
         fail("adds different kinds of quantities", kExample);
       if (out.point || next.point)
-        fail("adds temperatures of a scale with its own zero", "give one temperature");
+        fail("adds temperatures of a scale with an offset zero", "give one temperature");
       out.value += sign * next.value;
     }
     return out;
@@ -208,7 +208,7 @@ class Parser {
       const int sign = text_[at_++] == '*' ? 1 : -1;
       const Amount next = factor(depth);
       if (out.point || next.point)
-        fail("multiplies a temperature of a scale with its own zero", "give one temperature");
+        fail("multiplies a temperature of a scale with an offset zero", "give one temperature");
       if (sign < 0 && next.value == 0.0) fail("divides by zero", "give a divisor");
       out.value = sign > 0 ? out.value * next.value : out.value / next.value;
       if (next.unit) out.unit = product(out.unit.value_or(Unit{}), *next.unit, sign);
@@ -306,7 +306,7 @@ class Parser {
       ++end;
     const std::string_view name = text_.substr(at_, end - at_);
     const Unit* unit = word(name);
-    if (unit == nullptr) fail(fmt::format("has the unit '{}', which is not known", name), kExample);
+    if (unit == nullptr) fail(fmt::format("has the unknown unit '{}'", name), kExample);
     at_ = end;
     int exponent = 1;
     if (text_.substr(at_).starts_with("\u00b2") || text_.substr(at_).starts_with("\u00b3")) {
@@ -372,8 +372,8 @@ NumberProblem parse_quantity(std::string_view text, const UnitPair& unit, UnitSy
     if (amount.unit) {
       const Dimension dimension = wanted ? wanted->dimension : kPureNumber;
       if (amount.unit->dimension != dimension)
-        return {"is in a unit of another kind of quantity",
-                wanted ? fmt::format("give it in {}, or in a unit that can be converted to that",
+        return {"has a unit of another quantity",
+                wanted ? fmt::format("give it in {}, or in a unit that can be converted to it",
                                      system == UnitSystem::English ? unit.en : unit.si)
                        : std::string("give a pure number")};
       value = amount.value / factor_of(unit, system);
@@ -398,7 +398,7 @@ std::string number_in(double value, const UnitPair& unit, UnitSystem system,
                       std::string_view wanted) {
   const Unit to = Parser(wanted).unit_alone();
   demand(unit_of(unit) && unit_of(unit)->dimension == to.dimension,
-         fmt::format("{} is no unit of {}", wanted, unit.si));
+         fmt::format("{} is not a unit of {}", wanted, unit.si));
   const double si = value * factor_of(unit, system);
   const double exact = (si - to.offset) / to.factor;
   for (int digits = 1; digits <= kDigits; ++digits) {

@@ -66,7 +66,7 @@ ReadResult Reader::read() {
     more.file = state_.deck().file;
     more.message =
         counted(state_.issues_dropped, "more problem is", "more problems are") + " not listed";
-    more.remedy = "mend the ones above first";
+    more.remedy = "correct those above first";
     issues.push_back(std::move(more));
   }
   return std::move(state_.result);
@@ -156,10 +156,9 @@ bool Reader::pass_over_numbers() {
     count += std::min(next.repeat, kEnough);
   if (count == state_.expected_values(*state_.spec)) return false;
   state_.report(Severity::Error, first.line, "recID", first.text,
-                "a record label in quotes is due here, not a number; either the record above has "
-                "too many values or the "
-                "label is missing",
-                "remove the surplus values or start the record with its label");
+                "a record label in quotes is expected here, not a number; either the record above "
+                "has too many values or the label is missing",
+                "remove the extra values or start the record with its label");
   do {
     state_.scanner.go_to_line(state_.scanner.position().line + 1);
   } while (state_.scanner.start_record() && state_.label_here() == nullptr);
@@ -183,15 +182,16 @@ void Reader::skip_record() {
     state_.report(Severity::Error, line, "", "", "this record was there before",
                   "remove one of them");
   else if (is_doubtful(extra.condition))
-    state_.report(Severity::Warning, line, "", "", "this record cannot be placed and is ignored",
-                  "mend the errors above first");
+    state_.report(Severity::Warning, line, "", "", "this record cannot be assigned and is ignored",
+                  "correct the errors above first");
   else if (evaluate(extra.condition, scope_of(state_.deck())))
     state_.report(
         Severity::Warning, line, "", "",
         extra.repeat.empty()
             ? "this record is out of order and is ignored"
-            : fmt::format("there are more of these records than `{}` asks for; this one is ignored",
-                          extra.repeat),
+            : fmt::format(
+                  "there are more of these records than `{}` specifies; this one is ignored",
+                  extra.repeat),
         "remove it, or change the options");
   else
     needless = true;
@@ -200,8 +200,9 @@ void Reader::skip_record() {
   if (needless && !acts_on_shelf(extra))
     state_.report(
         Severity::Warning, line, "", "",
-        fmt::format("this record is not needed and is ignored, because `{}` does not hold",
-                    extra.condition),
+        fmt::format(
+            "this record is not needed and is ignored, because the condition `{}` is not met",
+            extra.condition),
         "remove it, or change the options");
   state_.spec = expected;
   const Label* next = state_.labels.after_line(label.line);
@@ -237,10 +238,10 @@ void Reader::note_missing(Step step, bool doubtful) {
       state_.reported.doubtful.insert(std::string(variable.name));
   if (step != Step::Missing || doubtful) return;
   const Label* label = state_.label_here();
-  state_.report(Severity::Error, static_cast<int>(state_.scanner.position().line) + 1, "", "",
-                fmt::format("the record ({}) is missing; the deck goes on with '{}'", spec.title,
-                            label->text),
-                fmt::format("insert record {} before this line", spec.id));
+  state_.report(
+      Severity::Error, static_cast<int>(state_.scanner.position().line) + 1, "", "",
+      fmt::format("the record ({}) is missing; the next record is '{}'", spec.title, label->text),
+      fmt::format("insert record {} before this line", spec.id));
 }
 
 void Reader::report_missing_at_end() {
@@ -276,7 +277,7 @@ void Reader::keep_user_lines() {
       fmt::format("{} after the last required record{} {} kept as input of user routines",
                   counted(kept.size(), "line"), last.empty() ? "" : fmt::format(" ({})", last),
                   kept.size() == 1 ? "is" : "are"),
-      "remove them when no user routine reads them");
+      "remove them if no user routine reads them");
   state_.spec = nullptr;
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMostIssues = 500;
 
 std::string quote_problem(const Token& token) {
   return token.unterminated ? "the quote is not closed on its line"
-                            : "text follows the closing quote directly";
+                            : "text follows directly after the closing quote";
 }
 
 bool is_bad_quote(const Token& token) {
@@ -114,7 +114,7 @@ void RecordReader::read_label(RecordData& data) {
       !parse_real(token.text, number)) {  // the line holds just the values
     complain(
         Severity::Error, token, "the record has no label",
-        fmt::format("start it with a text in single quotes, such as 'Rec {}'", state_.spec->id));
+        fmt::format("start it with a label in single quotes, such as 'Rec {}'", state_.spec->id));
     state_.scanner.set_position(start);
     return;
   }
@@ -131,7 +131,7 @@ void RecordReader::read_label(RecordData& data) {
                          default_label(*state_.spec, data.instance)));
   if (is_bad_quote(token)) {
     complain(Severity::Error, token, quote_problem(token),
-             "put the label between two single quotes, then a comma");
+             "put the label between single quotes, then a comma");
     broken_ = true;
   } else if (token.repeat != 1) {
     complain(Severity::Error, token, "a label cannot be repeated", "write it without r*");
@@ -161,7 +161,7 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
   }
   if (pending_.repeat == 0) {
     state_.report(Severity::Error, pending_.line, variable.name, "0*" + pending_.text,
-                  "a repeat count of 0 has no meaning", "write r*value with r of 1 or more");
+                  "a repeat count of 0 has no meaning", "write r*value with r of at least 1");
     return false;
   }
   pending_uses_ = pending_.repeat;
@@ -186,7 +186,7 @@ bool RecordReader::read_value(const VariableSpec& variable, std::size_t position
 bool RecordReader::store(const VariableSpec& variable, const Token& token, Value& value) {
   if (is_bad_quote(token)) {
     state_.report(Severity::Error, token.line, variable.name, token.text, quote_problem(token),
-                  "put the text between two single quotes; a quote inside is written twice");
+                  "put the text between single quotes; write a quote inside twice");
     broken_ = true;
     return false;
   }
@@ -257,8 +257,8 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
 void RecordReader::note_bare_end() {
   if (!state_.scanner.at_bare_end()) return;
   state_.report(Severity::Note, state_.deck().records.back().line, "", "",
-                "the file ends right after this value, without a line end; it may have been cut",
-                "compare the last value with what you meant, and end the line");
+                "the file ends right after this value, without a line end; it may be truncated",
+                "check the last value and end the line");
 }
 
 /// What stands between the last value and the next one, on the same line.
@@ -285,11 +285,11 @@ void RecordReader::warn_about_value_apart() {
   const std::size_t word = rest.find_first_not_of(" \t");
   if (word == std::string_view::npos || std::isalpha(static_cast<unsigned char>(rest[word])) == 0)
     return;
-  state_.report(
-      Severity::Warning, apart_token_.line, state_.spec->variables[apart_].name, apart_token_.text,
-      "was read as a value, but it stands apart from the others and before text, like the "
-      "beginning of a comment",
-      "put a comma before it when it is meant; else give the value that is missing");
+  state_.report(Severity::Warning, apart_token_.line, state_.spec->variables[apart_].name,
+                apart_token_.text,
+                "was read as a value, but it is set apart from the others and followed by text, "
+                "like the start of a comment",
+                "put a comma before it if it is a value; otherwise add the missing value");
 }
 
 /// Text after the last value is ignored by the rules, but a number after a comma is likely a
@@ -297,7 +297,7 @@ void RecordReader::warn_about_value_apart() {
 void RecordReader::warn_about_rest() {
   if (pending_uses_ > 0) {
     state_.report(Severity::Warning, pending_.line, "", "",
-                  fmt::format("a repeat count gives more values than the record takes; {} ignored",
+                  fmt::format("a repeat count gives more values than the record has; {} ignored",
                               pending_uses_ == 1 ? "1 is" : fmt::format("{} are", pending_uses_)),
                   "lower the repeat count");
     return;
@@ -312,9 +312,9 @@ void RecordReader::warn_about_rest() {
   if (word.empty() || parse_real(word, number)) return;
   state_.report(Severity::Warning, static_cast<int>(state_.scanner.position().line) + 1, "",
                 std::string(word),
-                fmt::format("the record takes {}; what follows is ignored",
+                fmt::format("the record has {}; the rest is ignored",
                             counted(state_.expected_values(*state_.spec) + 1, "value")),
-                "remove the surplus values, or write a decimal comma as a point");
+                "remove the extra values, or write a decimal comma as a point");
 }
 
 /// Conditions must not be trusted where they ask for a value that is missing or wrong.

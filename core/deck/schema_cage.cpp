@@ -36,9 +36,8 @@ RecordSpec cage_options() {
                {"2", "balls: elongated cylindrical, rollers: two surface pairs"},
                {"3", "balls: rectangular, rollers: three surface pairs"},
                {"4", "balls: conical"}},
-              "Shape of the pockets; what a code means depends on kBrg. For rollers a positive "
-              "value is the number of guide "
-              "surface pairs on records 7.3.i."),
+              "Shape of the pockets; the codes depend on kBrg. For rollers a positive value is the "
+              "number of guide surface pairs on records 7.3.i."),
        choice("kCagePocImp",
               {{"0", "ideal"},
                {"1", "pocket 1 only"},
@@ -56,10 +55,10 @@ RecordSpec cage_options() {
                          "0"),
                   "@materials"),
        choice("kCageIP", {{"0", "from ideal geometry"}, {"1", "record 7.7"}},
-              "Where mass and inertia of the cage come from.", "0"),
+              "Source of mass and inertia of the cage.", "0"),
        counted("nGL", between(0, 4),
                {{"0", "not race guided"}, {"n", "number of guide lands, at most 4"}},
-               "Number of lands on which the cage is guided by a race, at most 4; 0 for none."),
+               "Number of cage lands that are guided by a race, at most 4; 0 for none."),
        array(choice("iCageGuide", {{"0", "no guidance"}, {"1", "outer race"}, {"2", "inner race"}},
                     "Race that guides each land."),
              "nGL")});
@@ -71,20 +70,20 @@ RecordSpec cage_geometry() {
                  real("cageDia2", kLength, kSize, "Inner diameter of the cage."),
                  real("cageWidth", kLength, kSize, "Width of the cage."),
                  real("cageCls1", kLength, kAny,
-                      "Diametral clearance between cage and outer race away from the guide lands; "
-                      "lands have their own on records 7.2.i."),
+                      "Diametral clearance between cage and outer race outside the guide lands; "
+                      "lands have separate clearances on records 7.2.i."),
                  real("cageCls2", kLength, kAny,
-                      "Diametral clearance between cage and inner race away from the guide lands; "
-                      "lands have their own on records 7.2.i."),
+                      "Diametral clearance between cage and inner race outside the guide lands; "
+                      "lands have separate clearances on records 7.2.i."),
                  real("bPocCls1", kLength, kAny,
                       "Pocket clearance I: pocket size minus element diameter around the "
                       "circumference; axial for elongated ball pockets, "
                       "inner opening minus ball diameter for conical ones. Unused for rollers with "
                       "guide surface pairs."),
                  real("bPocCls2", kLength, kAny,
-                      "Pocket clearance II: centre offset of elongated, axial clearance of "
-                      "rectangular, outer opening minus ball diameter "
-                      "of conical ball pockets. Zero for the others and for rollers."),
+                      "Pocket clearance II: center offset of elongated, axial clearance of "
+                      "rectangular, outer opening minus ball diameter of conical ball pockets. "
+                      "Zero for other pockets and for rollers."),
                  real("cageAngCut", kAngle, between(0.0, 360.0),
                       "Angular width of the cut between two segments; 0 for a one-piece cage."),
                  real("cageConeAng", kAngle, kTilt,
@@ -96,7 +95,7 @@ RecordSpec guide_lands() {
                   {real("cageGsDia", kLength, kSize, "Diameter of the land on the cage."),
                    real("cageGsWidth", kLength, kSize, "Width of the land."),
                    real("cageGsPos", kLength, kAny,
-                        "Axial distance from the cage centre to the outer edge of the land; "
+                        "Axial distance from the cage center to the outer edge of the land; "
                         "negative on the negative x side."),
                    real("cageGsCls", kLength, kAny,
                         "Diametral clearance between the land and the race that guides it.")});
@@ -109,16 +108,15 @@ RecordSpec pocket_surfaces() {
     spec.variables.push_back(real(
         keep(fmt::format("bPocGsAng{}", axis - 'x' + 1)), kAngle, kAny,
         keep(fmt::format(
-            "Rotation about {} that turns the pocket frame into the frame of the guide surface.",
-            axis))));
+            "Rotation about {} from the pocket frame to the frame of the guide surface.", axis))));
   spec.variables.push_back(
-      real("bPocGsCen1", kLength, kAny, "x of the surface centre from the pocket centre."));
-  spec.variables.push_back(real("bPocGsCen2", kLength, kAny,
-                                "y of the surface centre from the pocket centre, on the positive "
-                                "side; its mate is the mirror "
-                                "image in the pocket's x-z plane."));
+      real("bPocGsCen1", kLength, kAny, "x of the surface center from the pocket center."));
   spec.variables.push_back(
-      real("bPocGsCen3", kLength, kAny, "z of the surface centre from the pocket centre."));
+      real("bPocGsCen2", kLength, kAny,
+           "y of the surface center from the pocket center, on the positive side; the second "
+           "surface is its mirror image in the x-z plane of the pocket."));
+  spec.variables.push_back(
+      real("bPocGsCen3", kLength, kAny, "z of the surface center from the pocket center."));
   spec.variables.push_back(
       real("bPocGsLen1", kLength, kSize, "Extent of the surface along z (width)."));
   spec.variables.push_back(
@@ -135,9 +133,9 @@ RecordSpec pocket_errors() {
             "Deviation of pocket clearance II; its rms value when kCagePocImp is 3."),
        real("bPocThknsVar", kLength, kAny,
             "Deviation of the pocket thickness from outer minus inner cage radius."),
-       real("bPocCenVar1", kLength, kAny, "Axial shift of the pocket centre."),
+       real("bPocCenVar1", kLength, kAny, "Axial shift of the pocket center."),
        real("bPocCenVar2", kAngle, kAny,
-            "Angular shift of the pocket centre along the pitch circle."),
+            "Angular shift of the pocket center along the pitch circle."),
        real("bPocAngVar1", kAngle, kAny, "Tilt of the pocket frame, first angle (about x)."),
        real("bPocAngVar2", kAngle, kAny,
             "Tilt of the pocket frame, second angle (about the new y)."),
@@ -151,10 +149,9 @@ RecordSpec land_errors(std::string_view id, std::string_view title, std::string_
                        std::string_view prefix, std::string_view code, std::string_view where) {
   VariableSpec second =
       real(keep(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
-           keep(fmt::format(
-               "{0} land: half z axis minus nominal radius when {1} is 1, number of waves per "
-               "turn (no unit) when it is 2.",
-               where, code)));
+           keep(fmt::format("{0} land: half z axis minus nominal radius when {1} is 1, number of "
+                            "waves per revolution (no unit) when it is 2.",
+                            where, code)));
   second.unitless_when = keep(fmt::format("{} == 2", code));
   return repeated(
       id, title, condition, "nGL",
@@ -183,13 +180,14 @@ void add_inertia_records(std::vector<RecordSpec>& out) {
 
 void add_cage_records(std::vector<RecordSpec>& out) {
   out.push_back(cage_options());
-  out.push_back(
-      record("7.0.1", "Cage segmentation", "nCseg > 1",
-             {array(integer("lSeg", between(-10000, 10000),
-                            "Rolling element at the start of each segment. Positive cuts the cage "
-                            "just before that "
-                            "element, negative cuts through its pocket; absolute values increase."),
-                    "nCseg")}));
+  out.push_back(record(
+      "7.0.1", "Cage segmentation", "nCseg > 1",
+      {array(
+          integer(
+              "lSeg", between(-10000, 10000),
+              "Rolling element at the start of each segment. A positive number cuts the cage just "
+              "before that element, a negative one through its pocket; absolute values increase."),
+          "nCseg")}));
   out.push_back(cage_geometry());
   out.push_back(guide_lands());
   out.push_back(pocket_surfaces());

@@ -20,18 +20,16 @@ RecordSpec run_mode() {
               {{"-n", "as -1"},
                {"-1", "quasi-static solution only"},
                {"0", "full six-degree-of-freedom dynamics"},
-               {"1", "elements in radial balance, balls and tapered rollers axially too"},
-               {"2", "as 1 and the races are held in force balance too"}},
+               {"1", "elements in radial balance; balls and tapered rollers also axially"},
+               {"2", "as 1, and the races in force balance too"}},
               "Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast "
-              "contact vibration by "
-              "equilibrium and so allow larger steps; any negative value stops after the static "
-              "solution."),
+              "contact vibration by equilibrium and so allow larger steps; a negative value stops "
+              "after the static solution."),
        choice("kDCR",
               {{"0", "built-in race constraints (prescribed displacement)"},
                {"1", "flags given on record 2.2"}},
-              "Where the dynamic constraints of the races come from. The built-in ones let both "
-              "races keep the position "
-              "of the static solution and turn at their given speeds.",
+              "Source of the dynamic constraints of the races. With the built-in ones both races "
+              "keep the position of the static solution and turn at their given speeds.",
               "0"),
        choice("kDOF",
               {{"0", "nothing extra suppressed"},
@@ -41,16 +39,14 @@ RecordSpec run_mode() {
                {"4", "as 3 and no rotation about y and z"},
                {"5", "all six accelerations of rolling elements zero"},
                {"6", "chosen in user routine ADRX1"}},
-              "Degrees of freedom suppressed on top of mode. A suppressed one keeps its initial "
-              "velocity: its "
-              "acceleration is zero, no force balance is solved."),
+              "Degrees of freedom suppressed in addition to mode. A suppressed one keeps its "
+              "initial velocity: its acceleration is zero, and no force balance is solved."),
        choice("kIcOpt",
               {{"-1", "start state from file FINAL, new files, time zero"},
                {"0", "start from the quasi-static solution"},
                {"1", "continue the run of MASTER and FINAL, else as -1"}},
-              "Where a dynamic run starts. Use -1 for a fresh study from an old end state, 1 to "
-              "append to a run that "
-              "was stopped.",
+              "Initial state of a dynamic run. Use -1 for a new study from an old final state, 1 "
+              "to continue a stopped run.",
               "0"),
        choice("kFnOpt", {{"0", "default file names"}, {"1", "names given on record 2.3"}},
               "Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8.", "0"),
@@ -60,9 +56,8 @@ RecordSpec run_mode() {
                {"0", "sections 2, 3 and 4"},
                {"1", "all sections, every element"},
                {"n", "all sections, every n-th rolling element"}},
-              "How much of each printed step goes to PRINT.txt. Its sections are 1 rolling "
-              "elements, 2 races and cage, "
-              "3 applied parameters, 4 summary of the step."),
+              "Contents of each printed step in PRINT.txt. Its sections are 1 rolling elements, 2 "
+              "races and cage, 3 applied parameters, 4 summary of the step."),
        choice("kPrtFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
               "Step interval of printed output; step 0 is time zero."),
@@ -70,7 +65,7 @@ RecordSpec run_mode() {
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
               "Step interval at which records are stored in the plot files SOL1 to SOL7."),
        choice("kAGraf", {{"0", "no animation file"}, {"n", "store every n-th step"}},
-              "Whether and at which step interval animation data is stored in SOL8."),
+              "Step interval at which animation data are stored in SOL8; 0 stores none."),
        choice("kLifeFreq",
               {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
               "Step interval at which the fatigue life at the present loads is computed for SOL7. "
@@ -84,9 +79,8 @@ RecordSpec run_mode() {
                "Largest number of counted steps; the run ends at this or at fTime, whichever comes "
                "first."),
        integer("nStps", kCount,
-               "Integration steps inside one counted step, of which only the last is counted and "
-               "stored. 0 and 1 mean "
-               "that every step counts."),
+               "Integration steps within one counted step; only the last one is counted and "
+               "stored. With 0 and 1 every step counts."),
        choice("intMet",
               {{"1", "explicit Runge-Kutta-Fehlberg, order 1"},
                {"2", "explicit, order 2"},
@@ -124,21 +118,19 @@ RecordSpec step_control() {
             "continuation reuses the last step kept in MASTER.",
             "0.050"),
        real("stpMin", unit::kPure, range::kPositive,
-            "Smallest step, dimensionless. A step of this size is accepted whatever its error and "
-            "counted; equal to "
-            "stpMax it asks for a constant step.",
+            "Smallest step, dimensionless. A step of this size is accepted and counted even if its "
+            "error is too large; stpMin = stpMax gives a constant step.",
             "5.0e-04"),
        real("stpMax", unit::kPure, range::kPositive,
-            "Largest step, dimensionless. It bounds how coarse plots get.", "0.50"),
+            "Largest step, dimensionless. It limits the resolution of plots.", "0.50"),
        real("fTime", unit::kPure, range::kNotNegative, "End time, dimensionless.", "1000"),
        real("tol", unit::kPure, Range{0.0, 1.0, true},
-            "Error allowed per step, relative to the scales of the problem. Smaller is more "
-            "accurate and slower.",
+            "Error allowed per step, relative to the scales of the problem. A smaller value is "
+            "more accurate and slower.",
             "1.0e-06"),
        real("qFac", unit::kPure, range::kNotNegative,
-            "Contact load over largest applied load at or below which an element is held in force "
-            "balance although mode "
-            "is 0. 0 never does.")});
+            "Ratio of contact load to largest applied load at or below which an element is kept in "
+            "force balance in mode 0. 0 never does this.")});
 }
 
 RecordSpec race_constraints() {
@@ -151,9 +143,8 @@ RecordSpec race_constraints() {
           choice(keep(fmt::format("kFD{}{}", axis + 1, race)),
                  {{"0", "race accelerates under the prescribed force"},
                   {"1", "race position fixed or from equilibrium or from prescribed acceleration"}},
-                 keep(fmt::format("Translation constraint of the {} race along {}. 0 sets the race "
-                                  "free to move under its "
-                                  "load.",
+                 keep(fmt::format("Translation constraint of the {} race along {}. With 0 the race "
+                                  "moves freely under its load.",
                                   race_name, kAxes[axis])),
                  "1"));
   for (const auto& [race, race_name] : kRaces)
@@ -162,9 +153,8 @@ RecordSpec race_constraints() {
           choice(keep(fmt::format("kMD{}{}", axis + 1, race)),
                  {{"0", "race accelerates under a moment given in ADRX1"},
                   {"1", "fixed speed or prescribed angular acceleration"}},
-                 keep(fmt::format("Rotation constraint of the {} race about {}. 0 lets moments "
-                                  "turn it; without ADRX1 the "
-                                  "external moment is zero.",
+                 keep(fmt::format("Rotation constraint of the {} race about {}. With 0 moments "
+                                  "turn it; without ADRX1 the external moment is zero.",
                                   race_name, kAxes[axis])),
                  "1"));
   return spec;
@@ -225,14 +215,13 @@ RecordSpec bearing_type() {
                {"3", "spherical roller, one radially loaded row"},
                {"4", "tapered roller"},
                {"5", "spherical tapered roller"}},
-              "Bearing type. It decides which geometry record (5A to 5E) follows."),
+              "Bearing type. It determines which geometry record (5A to 5E) follows."),
        integer("nRe", between(1, 10000),
-               "Number of rolling elements. The classic limit of 40 does not apply, though some "
-               "classic file formats "
-               "end at 88."),
+               "Number of rolling elements. The classic limit of 40 does not apply; some classic "
+               "file formats end at 88."),
        counted("nCseg", between(0, 1000),
                {{"0", "no cage"}, {"1", "one-piece cage"}, {"n", "cage cut in n equal segments"}},
-               "Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut in n equal "
+               "Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut into n equal "
                "segments.",
                "1"),
        choice("kRaceFlex", {{"0", "rigid"}, {"1", "flexible (announced, not available)"}},
@@ -242,7 +231,7 @@ RecordSpec bearing_type() {
                {"1", "random, normally distributed"},
                {"2", "diameters listed one by one"},
                {"3", "user routine ADRX8"}},
-              "Geometry errors of the rolling elements. A list of diameters holds 40 elements."),
+              "Geometry errors of the rolling elements. A list of diameters has 40 elements."),
        race_imperfection(1, "outer"), race_imperfection(2, "inner"),
        flange(1, 1, "outer race, negative"), flange(2, 1, "outer race, positive"),
        flange(1, 2, "inner race, negative"), flange(2, 2, "inner race, positive")});
@@ -252,12 +241,10 @@ VariableSpec static_constraint(std::string_view name, std::string_view direction
   if (rotation)
     return choice(
         name, {{"0", "moment given"}, {"1", "misalignment given"}},
-        keep(fmt::format("Whether the static solution is given the moment or the tilt {}.",
-                         direction)));
-  return choice(
-      name, {{"0", "force given"}, {"1", "displacement given"}},
-      keep(fmt::format("Whether the static solution is given the force or the displacement {}.",
-                       direction)));
+        keep(fmt::format("Given quantity of the static solution: moment or tilt {}.", direction)));
+  return choice(name, {{"0", "force given"}, {"1", "displacement given"}},
+                keep(fmt::format("Given quantity of the static solution: force or displacement {}.",
+                                 direction)));
 }
 
 VariableSpec material(std::string_view name, std::string_view default_material,
@@ -288,7 +275,7 @@ RecordSpec statics_and_materials() {
               "others."),
        counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
                "Number of speeds in the table of stiffness against speed; 0 for no table."),
-       with_table(choice("kChrn", {}, "Medium that churns and drags on elements and cage."),
+       with_table(choice("kChrn", {}, "Medium that churns and causes drag on elements and cage."),
                   "@churning"),
        material("kReMat", "AISI 52100 steel", "record 8.1", "rolling elements"),
        material("kRaceMat1", "AISI 52100 steel", "record 8.2.1", "outer race"),
@@ -296,7 +283,7 @@ RecordSpec statics_and_materials() {
        material("kHsngMat", "mild steel", "housing record 8.4", "housing"),
        material("kShftMat", "mild steel", "shaft record 8.3", "shaft"),
        choice("kLifeCons", {{"0", "built-in constants"}, {"1", "records 8.6.0 to 8.6.3"}},
-              "Where the constants of the fatigue life models come from.", "0")});
+              "Source of the constants of the fatigue life models.", "0")});
 }
 
 RecordSpec time_variation() {
@@ -311,32 +298,33 @@ RecordSpec time_variation() {
               {{"0", "steady"},
                {"1", "constant acceleration in a time window (record 9.4A)"},
                {"2", "sinusoidal (record 9.4B)"}},
-              "How race speeds vary in time."),
+              "Variation of race speeds over time."),
        choice("kRotFrame",
               {{"0", "base frame fixed in space"}, {"1", "base frame orbits (record 9.5)"}},
-              "Whether the bearing as a whole is carried round, as in a planetary gear.", "0"),
+              "Orbital motion of the whole bearing, as in a planetary gear.", "0"),
        choice("kReIP",
               {{"0", "from ideal geometry"},
                {"1", "record 6.1 for element 1 only"},
                {"2", "record 6.1 for all"},
                {"3", "user routine ADRX8"}},
-              "Where mass and inertia of the rolling elements come from.", "0"),
+              "Source of mass and inertia of the rolling elements.", "0"),
        choice("kRaceIP1", {{"0", "standard"}, {"1", "record 6.2.1"}},
-              "Where mass and inertia of the outer race come from; needed only when that race is "
-              "free to move.",
+              "Source of mass and inertia of the outer race; needed only when that race is free to "
+              "move.",
               "0"),
        choice("kRaceIP2", {{"0", "standard"}, {"1", "record 6.2.2"}},
-              "Where mass and inertia of the inner race come from; needed only when that race is "
-              "free to move.",
+              "Source of mass and inertia of the inner race; needed only when that race is free to "
+              "move.",
               "0"),
        integer("kNumPltElem", between(0, 12000),
                "Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 "
                "hold six."),
-       array(integer("kPltElemInd", between(1, 12000),
-                     "Bodies whose motion is stored, in increasing order: 1 to nRe are rolling "
-                     "elements, then come the "
-                     "nCseg cage segments, the outer race and the inner race."),
-             "kNumPltElem")});
+       array(
+           integer(
+               "kPltElemInd", between(1, 12000),
+               "Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, "
+               "followed by the nCseg cage segments, the outer race and the inner race."),
+           "kNumPltElem")});
 }
 
 RecordSpec thermal_options() {
@@ -352,18 +340,18 @@ RecordSpec thermal_options() {
                {"3", "coolant inlet"},
                {"4", "inner race at shaft interface"},
                {"5", "shaft bore"}},
-              "Place where the reference temperature of record 9.7 is known."),
+              "Location of the reference temperature of record 9.7."),
        choice("kHTC", {{"0", "computed"}, {"1", "given on record 9.7"}},
-              "Where the convection coefficients of rolling elements and cage come from."),
+              "Source of the convection coefficients of rolling elements and cage."),
        choice("kGeoMod",
               {{"0", "geometry not changed"},
                {"1", "changed at each thermal step"},
                {"n", "changed at every n-th thermal step"}},
-              "How often thermal growth changes the geometry."),
+              "Frequency of geometry changes by thermal growth."),
        choice("kMatPropMod",
               {{"0", "constant properties"},
-               {"1", "properties follow temperature before geometry is changed"}},
-              "Whether material properties follow the temperature.")});
+               {"1", "properties follow temperature before the geometry changes"}},
+              "Temperature dependence of the material properties.")});
 }
 
 }  // namespace

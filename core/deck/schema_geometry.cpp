@@ -26,12 +26,10 @@ constexpr std::string_view kAnyFlange =
     "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
 
 VariableSpec roughness(int race, std::string_view name) {
-  return real(
-      keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
-      keep(fmt::format(
-          "Composite rms roughness of element and {} race: the root of the sum of both squares. It "
-          "decides how thin a film may get.",
-          name)));
+  return real(keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
+              keep(fmt::format("Composite rms roughness of element and {} race: the root of the "
+                               "sum of both squares. It determines when a film is thin.",
+                               name)));
 }
 
 RecordSpec envelope() {
@@ -41,10 +39,10 @@ RecordSpec envelope() {
        real("brgOD", kLength, kSize, "Outside diameter of the bearing."),
        real("shftID", kLength, kNotNegative,
             "Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by "
-            "a small bore "
-            "and says so."),
-       real("hsngOD", kLength, kNotNegative,
-            "Outside diameter of the housing. It decides how far a fit shrinks the outer race."),
+            "a small bore and reports it."),
+       real(
+           "hsngOD", kLength, kNotNegative,
+           "Outside diameter of the housing. It determines how much a fit shrinks the outer race."),
        real("raceWidth1", kLength, kSize, "Width of the outer race."),
        real("raceWidth2", kLength, kSize, "Width of the inner race.")});
 }
@@ -53,10 +51,10 @@ RecordSpec ball_geometry() {
   return record(
       "5A", "Ball bearing geometry", "kBrg == 1",
       {real("bReDia", kLength, kSize, "Nominal ball diameter."),
-       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the ball centres."),
+       real("pitchDia", kLength, kSize, "Pitch diameter: diameter of the circle of ball centers."),
        real("freeConAng", kAngle, range::kBallAngle,
-            "Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 "
-            "derives it from freeIntCls; 90 is a thrust bearing."),
+            "Free contact angle. If it is above 0, the clearance follows from it; 0 computes it "
+            "from freeIntCls; 90 is a thrust bearing."),
        real("freeIntCls", kLength, range::kPlay,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
@@ -68,12 +66,12 @@ RecordSpec ball_geometry() {
            "raceCurFac2", kPure, kGroove,
            "Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to "
            "0.53."),
-       real(
-           "shoulderDia1", kLength, kNotNegative,
-           "Shoulder diameter of the outer race; only tells how far the contact is from the edge."),
-       real(
-           "shoulderDia2", kLength, kNotNegative,
-           "Shoulder diameter of the inner race; only tells how far the contact is from the edge."),
+       real("shoulderDia1", kLength, kNotNegative,
+            "Shoulder diameter of the outer race; used only for the distance of the contact from "
+            "the edge."),
+       real("shoulderDia2", kLength, kNotNegative,
+            "Shoulder diameter of the inner race; used only for the distance of the contact from "
+            "the edge."),
        real("shimThickness1", kLength, kNotNegative,
             "Grinding shim of a split outer race (gothic arch); 0 when not split."),
        real("shimThickness2", kLength, kNotNegative,
@@ -84,8 +82,8 @@ RecordSpec ball_geometry() {
 VariableSpec corner_radius(int end, std::string_view where) {
   return real(
       keep(fmt::format("bReCorRad{}", end)), kLength, kNotNegative,
-      keep(fmt::format(
-          "Corner radius at the {}; it shortens the part of the roller that can touch.", where)));
+      keep(fmt::format("Corner radius at the {}; it shortens the contact length of the roller.",
+                       where)));
 }
 
 /// Records 5B.2 and 5D.2 are alike.
@@ -96,12 +94,12 @@ std::vector<VariableSpec> straight_raceways() {
         keep(fmt::format("raceLandLmt{}", race)), kLength, kSize,
         keep(fmt::format(
             "Usable surface width of the {} race along the roller, undercuts excluded.", name))));
-    variables.push_back(
-        real(keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
-             keep(fmt::format("Width of the flat land in the middle of a crowned {} race; counts "
-                              "with a crown only.",
-                              name)),
-             "0"));
+    variables.push_back(real(
+        keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
+        keep(fmt::format(
+            "Width of the flat land in the middle of a crowned {} race; used only with a crown.",
+            name)),
+        "0"));
     variables.push_back(real(
         keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
         keep(fmt::format("Radius of the crown of the {} race beyond its flat land, receding from "
@@ -142,12 +140,10 @@ VariableSpec roller_groove(int race, std::string_view name) {
 }
 
 VariableSpec cone_angle(int race, std::string_view name) {
-  return real(
-      keep(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
-      keep(fmt::format(
-          "Half cone angle of the {} race. The pitch diameter follows from both cones, which share "
-          "their apex.",
-          name)));
+  return real(keep(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
+              keep(fmt::format("Half cone angle of the {} race. The pitch diameter follows from "
+                               "both cones, which have a common apex.",
+                               name)));
 }
 
 VariableSpec end_radius(int end, std::string_view where) {
@@ -161,33 +157,35 @@ RecordSpec cylindrical_roller() {
       "5B.1", "Cylindrical roller geometry", "kBrg == 2",
       {real("bReDia", kLength, kSize, "Nominal roller diameter."), crown_radius(), roller_length(),
        central_land(), corner_radius(1, "negative x end"), corner_radius(2, "positive x end"),
-       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the roller centres."),
-       real("freeIntCls", kLength, range::kPlay, "Free diametral play; negative means preload.")});
+       real("pitchDia", kLength, kSize,
+            "Pitch diameter: diameter of the circle of roller centers."),
+       real("freeIntCls", kLength, range::kPlay,
+            "Free diametral clearance; negative means preload.")});
 }
 
 RecordSpec spherical_roller() {
-  return record(
-      "5C", "Spherical roller bearing geometry", "kBrg == 3",
-      {real("bReDia", kLength, kSize, "Nominal roller diameter at its largest section."),
-       spherical_crown_radius(), roller_length(), corner_radius(1, "negative x end"),
-       corner_radius(2, "positive x end"),
-       real("pitchDia", kLength, kSize, "Pitch diameter: the circle of the roller centres."),
-       real("freeIntCls", kLength, range::kPlay, "Free diametral play; negative means preload."),
-       roller_groove(1, "outer"), roller_groove(2, "inner"),
-       real("freeConAng", kAngle, kContactAngle,
-            "Nominal contact angle of the row, from the radial plane: the tilt of the inner race "
-            "surface from the shaft axis."),
-       roughness(1, "outer"), roughness(2, "inner")});
+  return record("5C", "Spherical roller bearing geometry", "kBrg == 3",
+                {real("bReDia", kLength, kSize, "Nominal roller diameter at its largest section."),
+                 spherical_crown_radius(), roller_length(), corner_radius(1, "negative x end"),
+                 corner_radius(2, "positive x end"),
+                 real("pitchDia", kLength, kSize,
+                      "Pitch diameter: diameter of the circle of roller centers."),
+                 real("freeIntCls", kLength, range::kPlay,
+                      "Free diametral clearance; negative means preload."),
+                 roller_groove(1, "outer"), roller_groove(2, "inner"),
+                 real("freeConAng", kAngle, kContactAngle,
+                      "Nominal contact angle of the row, from the radial plane: tilt of the inner "
+                      "race surface from the shaft axis."),
+                 roughness(1, "outer"), roughness(2, "inner")});
 }
 
 RecordSpec tapered_roller() {
-  return record(
-      "5D.1", "Tapered roller geometry", "kBrg == 4",
-      {real("bReDia", kLength, kSize, "Roller diameter at mid length."), crown_radius(),
-       roller_length(), central_land(), end_radius(1, "large end"), end_radius(2, "small end"),
-       corner_radius(1, "negative x end, which is the large end"),
-       corner_radius(2, "positive x end, which is the small end"), cone_angle(1, "outer"),
-       cone_angle(2, "inner")});
+  return record("5D.1", "Tapered roller geometry", "kBrg == 4",
+                {real("bReDia", kLength, kSize, "Roller diameter at mid length."), crown_radius(),
+                 roller_length(), central_land(), end_radius(1, "large end"),
+                 end_radius(2, "small end"), corner_radius(1, "negative x end (large end)"),
+                 corner_radius(2, "positive x end (small end)"), cone_angle(1, "outer"),
+                 cone_angle(2, "inner")});
 }
 
 RecordSpec spherical_tapered_roller() {
@@ -219,11 +217,11 @@ RecordSpec flanges() {
              keep(fmt::format("Height of the flange on the {}; used when kFlngInd{} is 1.",
                               place.where, place.code))));
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}})
-    spec.variables.push_back(real(keep(fmt::format("flngCls{}", race)), kLength, kAny,
-                                  keep(fmt::format("Total free axial travel of a roller between "
-                                                   "the two flanges of the {0} race; used when "
-                                                   "kFlngInd1{1} and kFlngInd2{1} are both 1.",
-                                                   name, race))));
+    spec.variables.push_back(
+        real(keep(fmt::format("flngCls{}", race)), kLength, kAny,
+             keep(fmt::format("Total free axial travel of a roller between the two flanges of the "
+                              "{0} race; used if kFlngInd1{1} and kFlngInd2{1} are both 1.",
+                              name, race))));
   return spec;
 }
 

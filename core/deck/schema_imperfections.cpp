@@ -49,11 +49,11 @@ void add_listed_diameters(std::vector<RecordSpec>& out) {
                keep(fmt::format("Listed diameter deviations, elements {} to {}", first, first + 9)),
                "kReGeoImp == 2", {});
     for (int element = first; element < first + 10; ++element)
-      spec.variables.push_back(real(
-          keep(fmt::format("reDiaVar{}", element)), kLength, kAny,
-          keep(fmt::format("Diameter of rolling element {} minus the nominal diameter; leave 0 "
-                           "when there is no such element.",
-                           element))));
+      spec.variables.push_back(
+          real(keep(fmt::format("reDiaVar{}", element)), kLength, kAny,
+               keep(fmt::format("Diameter of rolling element {} minus the nominal diameter; 0 if "
+                                "there is no such element.",
+                                element))));
     out.push_back(std::move(spec));
   }
 }
@@ -67,11 +67,11 @@ struct RaceNames {
 std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& unit,
                                std::string_view what, Range amplitude = kAny) {
   const auto name = [&](int i) { return keep(fmt::format("{}{}{}", stem, i, race)); };
-  return {
-      real(name(1), unit, amplitude,
-           keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
-      real(name(2), kWaves, kNotNegative, keep(fmt::format("Waves per turn w of the {}.", what))),
-      real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
+  return {real(name(1), unit, amplitude,
+               keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
+          real(name(2), kWaves, kNotNegative,
+               keep(fmt::format("Waves per revolution w of the {}.", what))),
+          real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
 }
 
 std::vector<VariableSpec> roundness(bool elliptical, const RaceNames& race) {

@@ -31,7 +31,7 @@ VariableSpec curve_form(std::string_view name, std::string_view pair, std::strin
 VariableSpec curve_source(std::string_view name, std::string_view pair,
                           std::string_view more = "") {
   return choice(name, {{"-1", "user routine ADRX7"}, {"0", "hypothetical curve"}},
-                keep(fmt::format("Where the traction coefficient comes from, {}.{}", pair, more)));
+                keep(fmt::format("Source of the traction coefficient, {}.{}", pair, more)));
 }
 
 RecordSpec traction_options() {
@@ -41,7 +41,7 @@ RecordSpec traction_options() {
            choice("kTrac", {}, "Traction model or lubricant between rolling elements and races."),
            "@lubricants"),
        curve_form("kTracType", "element to race",
-                  " It is always needed: it takes over where the film is thinner than reRaceFilm."),
+                  " It is always needed: it applies where the film is thinner than reRaceFilm."),
        curve_source("kCPTrac", "element to cage"), curve_form("kCPTracType", "element to cage"),
        curve_source("kCRTrac", "cage to race"), curve_form("kCRTracType", "cage to race"),
        curve_source("kRFTrac", "roller to flange"), curve_form("kRFTracType", "roller to flange"),
@@ -107,7 +107,7 @@ void add_user_lubricant(std::vector<RecordSpec>& out) {
                    "Viscosity at the reference temperature and low pressure."),
               real("prVisCoeff", unit::kPerStress, kNotNegative, "Pressure-viscosity coefficient."),
               real("tempVisCoeff", unit::kTemperature, kNotNegative,
-                   "Temperature-viscosity coefficient b of the law exp(b (1/T - 1/T0))."),
+                   "Temperature coefficient of viscosity b in the law exp(b (1/T - 1/T0))."),
               real("lubTherCond", unit::kConductivity, kPositive,
                    "Thermal conductivity (a real, although its name starts with l)."),
               real("lubDen", unit::kDensity, kPositive,
@@ -136,9 +136,8 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
       {real("reRaceFilm", unit::kLength, kNotNegative,
             "Film thickness below which the hypothetical curve replaces the lubricant model."),
        real("strParam", kPure, kNotNegative,
-            "Distance of the oil meniscus from the contact edge over the contact half width: 10 or "
-            "more is "
-            "flooded, 1 or less heavily starved.")}));
+            "Distance of the oil meniscus from the contact edge divided by the contact half width: "
+            "10 or more is flooded, 1 or less heavily starved.")}));
   add_user_lubricant(out);
   add_traction_curves(out, "10.5.1", "reCageTC", "Element to cage traction", "element to cage",
                       "nCseg > 0", "kCPTracType");
@@ -154,14 +153,14 @@ void add_lubrication_records(std::vector<RecordSpec>& out) {
                              "Effective viscosity of the oil at the guide lands.")}));
   out.push_back(record("10.7A", "Churning medium, given properties", "kChrn == 2",
                        {real("chnDen", unit::kDensity, kPositive,
-                             "Effective density of the oil-air mixture that drags."),
+                             "Effective density of the oil-air mixture that causes drag."),
                         real("chnVis", unit::kViscosity, kPositive,
-                             "Effective viscosity of the oil-air mixture that drags.")}));
+                             "Effective viscosity of the oil-air mixture that causes drag.")}));
   out.push_back(record("10.7B", "Churning medium, ratios to built-in data",
                        "kChrn == 1 || kChrn > 2",
                        {real("denRatio", kPure, kNotNegative,
-                             "Effective density of the medium divided by its built-in value; an "
-                             "oil mist has far less than 1."),
+                             "Effective density of the medium divided by its built-in value; far "
+                             "below 1 for an oil mist."),
                         real("visRatio", kPure, kNotNegative,
                              "Effective viscosity of the medium divided by its built-in value.")}));
 }

@@ -58,12 +58,11 @@ std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_vi
                 "1.0");
   };
   const auto exponent = [&](std::string_view stem, std::string_view what, std::string_view model) {
-    return real(
-        name(stem), kPure, kNotNegative,
-        keep(fmt::format("{} exponent of the {} model, {}.{}", what, model, part,
-                         what == "Depth"
-                             ? " 0 beside a shear stress exponent of 0 takes the built-in one."
-                             : " 0 takes the built-in one.")));
+    return real(name(stem), kPure, kNotNegative,
+                keep(fmt::format(
+                    "{} exponent of the {} model, {}.{}", what, model, part,
+                    what == "Depth" ? " 0 with a shear stress exponent of 0 takes the built-in one."
+                                    : " 0 takes the built-in one.")));
   };
   constexpr std::string_view kLp = "updated Lundberg-Palmgren";
   constexpr std::string_view kGz = "Gupta-Zaretsky";
@@ -102,9 +101,9 @@ std::vector<VariableSpec> life_factors(const LifeFactorNames& names, std::string
              "0.0050 down to 0.003. The "
              "spread of these published values is suspicious: check before relying on it.",
              "0.077"),
-      factor(names.material_stle, "STLE material factor", " 1 leaves the life as it is."),
-      factor(names.process_stle, "STLE process factor", " 1 leaves the life as it is."),
-      factor(names.hardness_stle, "STLE hardness factor", " 1 leaves the life as it is.")};
+      factor(names.material_stle, "STLE material factor", " 1 does not change the life."),
+      factor(names.process_stle, "STLE process factor", " 1 does not change the life."),
+      factor(names.hardness_stle, "STLE hardness factor", " 1 does not change the life.")};
 }
 
 RecordSpec race_life_factors(std::string_view id, int race, std::string_view name) {

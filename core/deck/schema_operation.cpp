@@ -34,13 +34,12 @@ RecordSpec room_and_fits() {
             "Diametral fit of the inner race on the shaft, mounted at room temperature; "
             "positive is interference."),
        real("angVelOrient", kAngle, kAny,
-            "Angle from the x axis of the axis that a ball spins about, relative to its "
-            "orbit, in the plane through ball and bearing axis; used only when kAngVel is "
-            "2. The end of the axis towards -x rises outwards when the angle is "
-            "positive: at the contact angle the ball rolls without spin. With an inner "
-            "race that turns positively the spin points to -x, so that theta in the "
-            "listing, of the whole angular velocity with the orbit in it, is somewhat "
-            "below 180 degrees less this angle."),
+            "Angle of the ball spin axis from the x axis, relative to the orbit, in the plane "
+            "through ball and bearing axis; used only when kAngVel is 2. For a positive angle the "
+            "end of the axis towards -x rises outwards: at the contact angle the ball rolls "
+            "without spin. If the inner race turns positively, the spin points to -x. The listing "
+            "gives theta of the whole angular velocity, orbit included, which is slightly below "
+            "180 degrees minus this angle."),
        real("res1", unit::kStress, kResidual,
             "Residual stress of the outer race in operation, tension positive; enters "
             "the STLE life factor."),
@@ -48,9 +47,8 @@ RecordSpec room_and_fits() {
             "Residual stress of the inner race in operation, tension positive; enters "
             "the STLE life factor."),
        real("facStrLimit", kPure, kNotNegative,
-            "Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear "
-            "stress that belongs to the von Mises "
-            "stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
+            "Multiplier on the fatigue limit stress. 1 corresponds to the octahedral shear stress "
+            "of the von Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
             "1.0")});
 }
 
@@ -66,15 +64,14 @@ RecordSpec loads() {
   for (const auto& [axis, number] : kAxes)
     spec.variables.push_back(
         real(keep(fmt::format("appDisp{}", axis)), kLength, range::kShift,
-             keep(fmt::format(
-                 "Displacement of the inner race relative to the outer along {1} when kFS{0} "
-                 "is 1; first guess when kFS{0} is 0, where 0 asks for an estimate. Measured from "
-                 "{2} of the unmounted bearing at room temperature and rest: fits, growth and "
-                 "speed act against it.",
-                 number, static_cast<char>(axis - 'A' + 'a'),
-                 axis == 'X' ? "where all balls just touch at freeConAng by +x, or cones just "
-                               "touch, or else mid planes coincide,"
-                             : "the coaxial position"))));
+             keep(fmt::format("Displacement of the inner race relative to the outer along {1} when "
+                              "kFS{0} is 1; first guess when kFS{0} is 0, where 0 selects an "
+                              "estimate. Measured from {2} of the unmounted bearing at room "
+                              "temperature and rest: fits, growth and speed act against it.",
+                              number, static_cast<char>(axis - 'A' + 'a'),
+                              axis == 'X' ? "where all balls just touch at freeConAng by +x, or "
+                                            "cones just touch, or else mid planes coincide,"
+                                          : "the coaxial position"))));
   return spec;
 }
 
@@ -146,20 +143,21 @@ RecordSpec race_vibration() {
 std::vector<VariableSpec> cage_start(std::string_view body) {
   return {
       real("pocLubFilm", kLength, kNotNegative,
-           "Largest lubricant film in the pockets; elements closer than this to the pocket wall "
-           "feel the film."),
+           "Largest lubricant film in the pockets; the film acts on elements closer than this to "
+           "the pocket wall."),
       real("wvRatio", kPure, range::kSpeedRatio,
-           keep(fmt::format(
-               "Whirl speed of the {} mass centre at the start, divided by the {}'s angular speed.",
-               body, body))),
+           keep(fmt::format("Whirl speed of the {} mass center at the start, divided by the "
+                            "angular speed of the {}.",
+                            body, body))),
       real("avRatio", kPure, range::kSpeedRatio,
            keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic speed.",
                             body)),
            ""),
       array(real("cageGcPos", kLength, kAny,
                  keep(fmt::format(
-                     "x, y, z of the {} at the start, from the locus of element centres.",
-                     body == "segment" ? "segment's point on the cage axis" : "cage mass centre"))),
+                     "x, y, z of the {} at the start, from the circle of element centers.",
+                     body == "segment" ? "point of the segment on the cage axis"
+                                       : "cage mass center"))),
             "3"),
       array(real("cageAngPos", kAngle, kAny,
                  keep(fmt::format(
@@ -224,13 +222,13 @@ void add_operation_records(std::vector<RecordSpec>& out) {
             "Frequency of the inner race speed.")}));
   out.push_back(record(
       "9.5", "Rotating base frame", "mode >= 0 && kRotFrame == 1",
-      {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing centre."),
-       real("brgAngPos", kAngle, kAny, "Angle of the bearing centre on its orbit at the start."),
-       real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing centre."),
+      {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing center."),
+       real("brgAngPos", kAngle, kAny, "Angle of the bearing center on its orbit at the start."),
+       real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing center."),
        real("brgLoadFrac1", kPure, kAny,
-            "Part of the outer race's inertia load that the bearing carries."),
+            "Fraction of the outer race's inertia load that the bearing carries."),
        real("brgLoadFrac2", kPure, kAny,
-            "Part of the inner race's inertia load that the bearing carries.")}));
+            "Fraction of the inner race's inertia load that the bearing carries.")}));
   out.push_back(record("9.6", "Cage initial state, one-piece", "nCseg == 1", cage_start("cage")));
   out.push_back(repeated("9.6.k", "Cage initial state, per segment", "nCseg > 1", "nCseg",
                          cage_start("segment")));
@@ -257,7 +255,7 @@ void add_final_records(std::vector<RecordSpec>& out) {
   RecordSpec user{"12", "User routine inputs", "user() > 0", "user()", {}};
   user.variables.push_back(
       text("userLine", 0,
-           "One raw line per record 12.1 to 12.n, as the active user routine asks for it."));
+           "One raw line per record 12.1 to 12.n, as the active user routine requires it."));
   out.push_back(std::move(user));
 }
 

@@ -33,9 +33,8 @@ VariableSpec text(std::string_view name, int max_length, std::string_view help,
 
 VariableSpec record_label() {
   return text("recID", 12,
-              "Label of the record, at most 12 characters in single quotes. It is only echoed in "
-              "the listing; the "
-              "record's number, such as 'Rec 5A', helps readers to find their way.");
+              "Label of the record, at most 12 characters in single quotes. It is only printed in "
+              "the listing; the record number, such as 'Rec 5A', helps readers.");
 }
 
 VariableSpec integer(std::string_view name, Range range, std::string_view help,
@@ -113,19 +112,17 @@ std::vector<VariableSpec> inertia_variables(std::string_view prefix, std::string
         real(name(fmt::format("MI{}", axis)), unit::kInertia, range::kPositive,
              keep(fmt::format("Principal moment of inertia of the {} about its {}.", body, what))));
   for (const char axis : {'X', 'Y', 'Z'})
-    variables.push_back(real(
-        name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
-        keep(fmt::format(
-            "{} component of the vector from the mass centre to the geometric centre of the {}, in "
-            "{}. Zero when the body is balanced.",
-            axis, body, frame))));
+    variables.push_back(
+        real(name(fmt::format("GeoCen{}", axis)), unit::kLength, range::kAny,
+             keep(fmt::format("{} component of the vector from the mass center to the geometric "
+                              "center of the {}, in {}. Zero for a balanced body.",
+                              axis, body, frame))));
   for (const char axis : {'X', 'Y', 'Z'})
-    variables.push_back(real(
-        name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
-        keep(fmt::format(
-            "{} angle of the turn from the principal axes of inertia to the geometric frame of the "
-            "{}. Zero when both coincide.",
-            axis, body))));
+    variables.push_back(
+        real(name(fmt::format("Frame{}", axis)), unit::kAngle, range::kAny,
+             keep(fmt::format("{} angle of the rotation from the principal axes of inertia to the "
+                              "geometric frame of the {}. Zero when both coincide.",
+                              axis, body))));
   return variables;
 }
 

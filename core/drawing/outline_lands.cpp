@@ -161,7 +161,7 @@ Drawing draw_lands(const Deck& deck) {
   for (std::size_t i = 0; i < cage->lands.size(); ++i) {
     if (!(cage->lands[i].width > 0.0) || !(cage->lands[i].diameter > 0.0)) {
       out.remarks.push_back(
-          fmt::format("Land {} is left out: it has no width or no diameter.", i + 1));
+          fmt::format("Land {} is not drawn: it has no width or no diameter.", i + 1));
       continue;
     }
     add_land(deck, *cage, i, factor, pane);

@@ -85,8 +85,7 @@ void demand_rollers(const Deck& deck, Type type) {
 
 void check_pitch(const Deck& deck, const OutlineModel& m) {
   if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
-    refuse(deck, "pitchDia", "leaves the elements no circle to run on",
-           "give a value above bReDia");
+    refuse(deck, "pitchDia", "leaves no circle for the elements", "give a value above bReDia");
 }
 
 void read_rollers(const Deck& deck, OutlineModel& m) {
@@ -130,9 +129,7 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
     if (m.ring_width[j] > 0.0 && m.ring_width[j] < 50.0 * m.diameter) continue;
     m.ring_width[j] = 1.2 * m.length;
     m.remarks.push_back(
-        fmt::format("raceWidth{} is no width to draw; 1.2 element lengths stand "
-                    "in for it.",
-                    j + 1));
+        fmt::format("raceWidth{} cannot be drawn; 1.2 element lengths are drawn instead.", j + 1));
   }
   const double shaft = 0.5 * value_or_zero(deck, "shftID");
   m.shaft_bore = shaft > 0.0 && shaft < m.ring_radius[1] ? shaft : 0.0;
@@ -142,7 +139,7 @@ void read_envelope(const Deck& deck, OutlineModel& m) {
   const double most = m.ring_radius[0] + 4.0 * m.diameter;
   if (m.housing > most) {
     m.housing = most;
-    m.remarks.emplace_back("The housing is larger than the picture; it is cut off.");
+    m.remarks.emplace_back("The housing is larger than the picture and is cut off.");
   }
 }
 
@@ -183,19 +180,19 @@ OutlineModel outline_model(const Deck& deck) {
   OutlineModel m;
   const long long code = deck.integer("kBrg");
   if (code < 1 || code > 5)
-    refuse(deck, "kBrg", "is no bearing type", "choose 1 to 5 to see a drawing");
+    refuse(deck, "kBrg", "is not a bearing type", "choose 1 to 5 to see a drawing");
   m.type = static_cast<Type>(code);
   for (const std::string& name : needed(m.type)) demand_number(deck, name);
   m.count = static_cast<int>(std::clamp(deck.integer("nRe"), 0LL, 100000LL));
   m.diameter = deck.si("bReDia");
   if (!(m.diameter > 0.0) || !std::isfinite(m.diameter))
-    refuse(deck, "bReDia", "is no diameter", "give a value above 0");
+    refuse(deck, "bReDia", "is not a valid diameter", "give a value above 0");
   if (m.type == Type::Ball) {
     m.pitch = deck.si("pitchDia");
     check_pitch(deck, m);
     for (const char* factor : {"raceCurFac1", "raceCurFac2"})
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
-        refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
+        refuse(deck, factor, "makes a groove that no ball fits into", "give a value above 0.5");
     m.balls = setup::build_balls(deck);
     m.balls->groove_plane
         .reset();  // drawn where the balls touch, whatever displacements count from
@@ -212,7 +209,7 @@ OutlineModel outline_model(const Deck& deck) {
   m.cage = outline_cage(deck);
   if (deck.integer("nCseg") > 0 && !m.cage)
     m.remarks.emplace_back(
-        "The cage is left out: cageDia1 must exceed cageDia2, and cageWidth be above 0.");
+        "The cage is not drawn: cageDia1 must exceed cageDia2, and cageWidth be above 0.");
   return m;
 }
 

@@ -88,13 +88,13 @@ void add_cage(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane)
 
 void add_elements(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane) {
   if (m.count < 1) {
-    out.remarks.emplace_back("There is no element to draw: nRe is below 1.");
+    out.remarks.emplace_back("There are no elements to draw: nRe is below 1.");
     return;
   }
   const int drawn = std::min(m.count, kMostElements);
   if (drawn < m.count)
     out.remarks.push_back(
-        fmt::format("Of the {} elements the first {} are drawn.", m.count, drawn));
+        fmt::format("Of the {} elements only the first {} are drawn.", m.count, drawn));
   std::vector<int> stored;
   for (int i = 1; i <= std::min(static_cast<int>(deck.integer("kNumPltElem")), 1000); ++i)
     stored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));
@@ -319,7 +319,7 @@ Drawing draw_loads(const Deck& deck) {
   for (int i = 0; i < 3; ++i)
     if (held(deck, i + 1))
       out.remarks.push_back(
-          fmt::format("kFS{} = 1: the displacement along {} is given, its force is a result.",
+          fmt::format("kFS{} = 1: the displacement along {} is given; its force is a result.",
                       i + 1, static_cast<char>('x' + i)));
   out.panes.push_back(std::move(pane));
   return out;

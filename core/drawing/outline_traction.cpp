@@ -103,7 +103,7 @@ Drawing draw_traction(const Deck& deck) {
     }
   }
   if (curves.empty())
-    throw InputError(refused.empty() ? "The deck has no traction record yet." : refused);
+    throw InputError(refused.empty() ? "The deck does not have a traction record yet." : refused);
   if (!refused.empty()) out.remarks.push_back(refused);
   double range = 0.0, top = 0.0, low = 0.0;
   for (const Curve& c : curves) range = std::max(range, range_of(c));
@@ -140,7 +140,7 @@ Drawing draw_traction(const Deck& deck) {
                {"traction coefficient", "", 1.0, low, 1.12 * top}};
   if (deck.integer("kTrac") > 0)
     out.remarks.emplace_back(
-        "A lubricant model rules between elements and races (kTrac); the curve takes over where "
+        "A lubricant model applies between elements and races (kTrac); this curve applies where "
         "the film is thinner than reRaceFilm.");
   out.panes.push_back(std::move(pane));
   return out;

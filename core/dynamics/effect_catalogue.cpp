@@ -12,7 +12,7 @@ namespace {
 constexpr CatalogueLine kCatalogue[] = {
     {"balls", "-", "bodies with six degrees of freedom each", make_balls, nullptr},
     {"rigid elements", "kBrg, kReIP",
-     "rollers, and balls of unequal moments or off centre: six degrees of freedom and an attitude "
+     "rollers, and balls of unequal moments or off center: six degrees of freedom and an attitude "
      "each",
      make_rigid_elements, nullptr},
     {"ball orientation", "kPltElemInd, kPrtOpt, kAGraf", "quaternions of the balls that are shown",
@@ -33,10 +33,10 @@ constexpr CatalogueLine kCatalogue[] = {
     {"roller pockets", "nCseg, kPocType, kCPTracType", "contact and traction of rollers and cage",
      make_roller_pockets, nullptr},
     {"contacts between balls", "nCseg, kRRTracType",
-     "contact and traction of neighbours in a bearing without cage", make_element_contact,
+     "contact and traction of neighbors in a bearing without cage", make_element_contact,
      element_contact_terms},
     {"contacts between rollers", "nCseg, kRRTracType",
-     "sliced contact and traction of neighbours in a bearing without cage", make_roller_neighbours,
+     "sliced contact and traction of neighbors in a bearing without cage", make_roller_neighbours,
      nullptr},
     {"guide lands", "nGL, kCRTracType", "contact and traction of cage and races", make_land_contact,
      land_terms},

@@ -21,21 +21,22 @@
 namespace adore::facade {
 namespace {
 
-constexpr double kShortTurns = 2.0;      ///< of the first round, at most
-constexpr double kShortShare = 0.35;     ///< of the budget, for which the first round is laid out
-constexpr double kShortMost = 0.5;       ///< where it ends in any case
-constexpr double kModelShare = 0.15;     ///< of the budget, at most, is kept for other models
-constexpr double kLongShare = 0.85;      ///< of what is left: motions may grow dearer with time
-constexpr double kReferenceShare = 0.3;  ///< of what is left, each of the second round's references
-constexpr double kAfterCut = 0.4;        ///< of the turns that one came to which was cut
-constexpr double kRowShare = 0.5;        ///< of what is left, a row of the second round
+constexpr double kShortTurns = 2.0;   ///< of the first round, at most
+constexpr double kShortShare = 0.35;  ///< of the budget, for which the first round is laid out
+constexpr double kShortMost = 0.5;    ///< hard limit of the span
+constexpr double kModelShare = 0.15;  ///< of the budget, at most, is kept for other models
+constexpr double kLongShare = 0.85;  ///< of the remaining time: motions may become slower with time
+constexpr double kReferenceShare =
+    0.3;                             ///< of the remaining time, each reference of the second round
+constexpr double kAfterCut = 0.4;    ///< of the turns that one came to which was cut
+constexpr double kRowShare = 0.5;    ///< of the remaining time, a row of the second round
 constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
-constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
-constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
+constexpr std::size_t kFinalists = 8;                  ///< in addition to the deck's own settings
+constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are much slower
 constexpr double kReferenceTolerance = 1e-9;
-constexpr double kNearbyLoads = 1e-6;  ///< change that tells whether a motion is irregular
+constexpr double kNearbyLoads = 1e-6;  ///< change above which a motion counts as irregular
 constexpr std::size_t kNearbyMethods = 2, kNearbyRuns = 3;  ///< that tell it
-constexpr double kNearbyCost = 2.0;  ///< at most half of what is left for them
+constexpr double kNearbyCost = 2.0;  ///< at most half of the remaining time for them
 constexpr int kRules = 5;  ///< of comparing; rows of a study by other ones are not taken over
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
@@ -45,7 +46,7 @@ double difference(double a, double b, double scale) {
   return d == 0.0 ? 0.0 : scale > 0.0 ? d / scale : -1.0;
 }
 
-/// Of the deck as it is asked to run, with what the study itself must decide.
+/// The deck as requested, with the settings that the study varies.
 struct Subject {
   RunRequest request;
   double turn = 0.0;        ///< [s]
@@ -133,8 +134,8 @@ class Study {
     const Prepared prepared = prepare(request_);
     if (!prepared.control.dynamic)
       throw InputError(
-          "an accuracy study integrates in time, and this deck is quasi-static (mode < 0); set "
-          "mode = 0");
+          "an accuracy study needs a motion, but this deck is quasi-static (mode < 0); set mode = "
+          "0");
     for (const std::string& method : request_.methods) {
       try {
         (void)integrators::make_stepper(method);
@@ -148,7 +149,7 @@ class Study {
     const double scale = make_system(prepared).scales().time;
     const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
     subject_.time_scale = scale;
-    // Races that stand still against each other: the deck's whole run counts as one turn.
+    // Races without relative rotation: the whole run of the deck counts as one revolution.
     subject_.turn =
         speed > 0.0 ? 2.0 * std::numbers::pi / speed : prepared.control.end_time * scale;
     study_.turn = subject_.turn;
@@ -193,13 +194,13 @@ class Study {
     return out;
   }
 
-  /// Time of runs that leave no row, which a study that goes on does not make again.
+  /// Time of runs without a row, which a continued study does not repeat.
   void spend_unlisted(double seconds) {
     study_.seconds += seconds;
     study_.unlisted_seconds += seconds;
   }
 
-  /// What a reference had come to when it was cut.
+  /// State of a reference that was cut.
   struct ReferenceCut {
     double turns;
   };
@@ -249,8 +250,8 @@ class Study {
 
   void first_round() {
     const auto same = goes_on_ && earlier_.short_turns > 0.0;
-    // Two short runs of the deck's own settings tell what a turn and what the start cost; one
-    // before them finds programs and files in no cache.
+    // Two short runs with the deck's own settings measure the time of the start and of one
+    // revolution; a run before them loads programs and files into the cache.
     const double few = 0.02, more = 0.2;
     (void)try_seconds(few);
     const double start = try_seconds(few), both = try_seconds(more);
@@ -282,7 +283,7 @@ class Study {
       }
       Trial row = trial(earlier_.screening, setting, study_.short_turns,
                         setting.own ? most : std::min(most, room));
-      // So does a method that is refused, and one whose steps its stability bounds in any case.
+      // So does a method that is refused, and one whose steps its stability limits in any case.
       const bool twin = has_twin(row.row);
       if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
       if (twin) {
@@ -324,7 +325,7 @@ class Study {
     return out;
   }
 
-  /// What a row of the second round costs by the first [s/turn].
+  /// Cost of a row of the second round relative to the first [s/turn].
   [[nodiscard]] double cost_of(const AccuracySetting& setting) const {
     for (const AccuracyRow& row : study_.screening)
       if (row.setting.name == setting.name && row.failure.empty())
@@ -332,15 +333,16 @@ class Study {
     return turn_cost_;
   }
 
-  /// What the other models may cost by the deck's own run, at most a share of the budget [s].
+  /// Possible cost of the other models, by the deck's own run, at most a fraction of the budget
+  /// [s].
   [[nodiscard]] double kept_for_models() const {
     if (!request_.models) return 0.0;
     const double one = start_cost_ + 2.0 * turn_cost_ * study_.short_turns;
     return std::min(one * static_cast<double>(models_.size()), kModelShare * request_.budget);
   }
 
-  /// References of the second span, which becomes shorter where they are dearer than the first
-  /// round told (the skew of rollers and blows in pockets come after some time).
+  /// References of the second span, which becomes shorter if they are slower than measured in the
+  /// first round (skew of rollers and impacts in pockets begin after some time).
   void long_references() {
     while (true) {
       if (study_.long_turns <= study_.short_turns) {  // the very runs of the first round
@@ -359,13 +361,13 @@ class Study {
   }
 
   void second_round() {
-    // What was spent before without a row was spent in this round, but for a few short runs.
+    // Time spent earlier without a row was spent in this round, except for a few short runs.
     if (goes_on_) spend_unlisted(earlier_.unlisted_seconds);
     const std::vector<AccuracySetting> chosen = finalists();
     std::vector<double> costs;
     for (const AccuracySetting& setting : chosen) costs.push_back(cost_of(setting));
     double turn_of_all = std::accumulate(costs.begin(), costs.end(), reference_cost_);
-    // Time for loads a millionth beside, at the least; the most accurate that it allows are run.
+    // Minimum time for runs with loads changed by 1e-6; the most accurate that it allows are run.
     std::sort(costs.begin(), costs.end());
     costs.resize(std::min(costs.size(), kNearbyMethods));
     for (const double cost : costs) turn_of_all += kNearbyRuns * cost;
@@ -373,7 +375,7 @@ class Study {
     const double affordable =
         (kLongShare * (left() - kept_for_models()) - runs * start_cost_) / turn_of_all;
     double turns = std::min(request_.turns, affordable);
-    // Means over whole turns; where not even one can be afforded, over what can be.
+    // Means over whole revolutions; if less than one is possible, over the available span.
     turns = turns >= 1.0 ? std::floor(turns) : turns;
     study_.long_turns = std::max(turns, study_.short_turns);
     if (goes_on_ && earlier_.long_turns > 0.0) study_.long_turns = earlier_.long_turns;
@@ -384,7 +386,7 @@ class Study {
         ++study_.untried;
         continue;
       }
-      // Motions may grow dearer than the first round told: no row takes all that others need.
+      // Motions may become slower than in the first round: no row may use the time of the others.
       Trial row = trial(earlier_.finals, setting, study_.long_turns,
                         std::max(kRowShare * left(), start_cost_));
       add(study_.finals, row, study_.long_reference.results);
@@ -393,25 +395,25 @@ class Study {
     for (AccuracyRow& row : study_.finals) measure_growth(row);
   }
 
-  /// By how much a turn multiplies the share of energy without account, from the first round's span
-  /// to the second's. Of a motion whose errors only add up it stays; of one whose contact
-  /// vibrations are fed by the method it grows without end.
+  /// Growth factor per revolution of the energy residual, from the first span to the second.
+  /// It stays near 1 if errors only add up; it grows without limit if the method feeds energy into
+  /// contact vibrations.
   void measure_growth(AccuracyRow& row) const {
     constexpr double kRounding = 1e-13;  // shares below are last digits
     for (const AccuracyRow& before : study_.screening) {
       if (before.setting.name != row.setting.name || !before.failure.empty() ||
           !row.failure.empty() || row.turns - before.turns < 1.0)
-        continue;  // over a part of a turn the start's transient is all there is
+        continue;  // over a fraction of a revolution there is only the start transient
       row.growth =
           std::pow(std::max(row.energy_share, kRounding) / std::max(before.energy_share, kRounding),
                    1.0 / (row.turns - before.turns));
     }
   }
 
-  /// What a millionth of the loads changes, more and less: a motion that is regular changes by as
-  /// little. With the most accurate setting of the second round, and with that of a second method
-  /// whose errors lie within what is asked: loose steps scatter by themselves, and would be
-  /// excused.
+  /// Effect of a relative load change of 1e-6, in both directions: small for a regular motion.
+  /// Measured with the most accurate setting of the second round and with a second method whose
+  /// errors are within the target: coarse steps scatter by themselves and would hide the
+  /// irregularity.
   void measure_irregularity() {
     if (goes_on_ && earlier_.irregular.load >= 0.0) {
       study_.irregular = earlier_.irregular;
@@ -469,7 +471,7 @@ class Study {
     return out;
   }
 
-  /// What other resolutions of the model would change against the deck's own run.
+  /// Effect of other resolutions of the model, compared with the deck's own run.
   void model_round() {
     if (models_.empty() || !request_.models) return;
     if (left() < start_cost_) {

@@ -10,32 +10,31 @@
 #include <utility>
 #include <vector>
 
-/// What accuracy costs in time, for the user's own deck: its own run (start state, steps, output
+/// Cost of accuracy for the user's deck: its own run (start state, steps, output
 /// and all files) is repeated with other integrators, tolerances and longest steps, and its key
 /// results are compared with those of a run that is far more accurate.
 ///
-/// Errors are those of what engineers read, all runs over the same span of whole turns from the
-/// same start (Δ: difference to the reference, values with ‾ are means over the span):
+/// Errors of the results that engineers use, all runs over the same span of whole revolutions from
+/// the same start (Δ: difference to the reference, values with ‾ are means over the span):
 ///   speed  |Δ orbital ratio‾| / |orbital ratio‾|, and the same of the cage ratio
 ///   whirl  |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|, the whirl by the
-///          area that the cage's centre sweeps (results/averages.hpp): PRINT's ratio counts
+///         area that the cage center sweeps (results/averages.hpp): PRINT's ratio counts
 ///          windings, which jump by one where a path passes the bearing axis on its other side
 ///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
 ///   peak   |Δ largest contact load of the span| over its own value
 ///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
 ///   life   |Δ life| / life, by the loads of the run
 /// The error of a row is the largest of them. A second reference by another method, and runs of two
-/// methods under loads that differ by a millionth, say how far such means can be known at all:
-/// where a motion is irregular, such runs differ too (accuracy_judgement.hpp: noise_of()). That is
-/// judged for each quantity by itself: an irregular whirl excuses neither an error of heat nor one
+/// methods with loads changed by 1e-6, limit the accuracy of such means:
+/// for an irregular motion such runs differ too (accuracy_judgement.hpp: noise_of()). This
+/// is judged for each quantity separately: an irregular whirl does not excuse an error of heat or
 /// of the cage speed.
 ///
-/// Two rounds: all settings over a short span, then the deck's own and those that may win over as
-/// many turns as the budget allows. The study ends within the budget: rows are cut or left out
-/// where it ends (and told), and references that are dearer than laid out shorten the second span.
-/// Where the second span is shorter than
-/// what was asked for, the growth that was measured between both spans is told with the
-/// recommendation.
+/// Two rounds: all settings over a short span, then the deck's own and the best candidates over as
+/// many revolutions as the budget allows. The study ends within the budget: rows are cut or left
+/// out at its end (and reported), and references that are slower than planned shorten the second
+/// span. If the second span is shorter than specified, the growth measured between both spans is
+/// reported with the recommendation.
 namespace adore::facade {
 
 struct AccuracyRequest : DeckRequest {
@@ -44,7 +43,7 @@ struct AccuracyRequest : DeckRequest {
   double turns = 50.0;    ///< of the shaft, inner against outer race, in the second round at most
   double budget = 120.0;  ///< processor time of the whole study [s]
   double target = 0.01;   ///< error that the recommendation keeps to
-  bool models = true;     ///< what other resolutions of the model change is studied, too
+  bool models = true;     ///< study the effect of other resolutions of the model, too
 };
 
 /// One way to run the deck.
@@ -52,11 +51,10 @@ struct AccuracySetting {
   std::string method;
   double tolerance = 0.0;
   bool as_long_as_stable = false;  ///< stpMax does not bind: contact vibrations do (judge_steps)
-  bool own = false;                ///< what the deck itself asks for
+  bool own = false;                ///< settings of the deck itself
   /// Other values of deck variables or run options than the deck's: resolutions of the model.
   std::vector<std::pair<std::string, std::string>> sets, options;
-  bool dear =
-      false;  ///< a model that takes thousands of times longer: over a short span of its own
+  bool dear = false;  ///< a model that takes thousands of times longer: over a separate short span
   /// "rkf5, tol 1e-06, stpMax 0.5", "hertzConstants frozen"
   std::string name;
 };
@@ -100,9 +98,9 @@ struct AccuracyRow {
   double longest = 0.0;       ///< step allowed, in the unit of stpMax
   double energy_share = 0.0;  ///< |residual| over the energy moved
   double order = 0.0;         ///< observed against the next tolerance of the method; 0: none
-  double growth = 0.0;        ///< of energy_share per turn, from the first span to this; 0: none
-  bool front = false;         ///< no other row of its round is cheaper and as good
-  std::string failure;        ///< empty, or why there is no result
+  double growth = 0.0;  ///< of energy_share per revolution, from the first span to this; 0: none
+  bool front = false;   ///< no other row of its round is cheaper and as good
+  std::string failure;  ///< empty, or why there is no result
 };
 
 /// The more accurate run that others are compared with.
@@ -119,7 +117,7 @@ struct AccuracyStudy {
   double short_turns = 0.0, long_turns = 0.0;  ///< of the rounds
   std::string reference;                       ///< how the reference was made
   AccuracyReference short_reference, long_reference;
-  /// What a millionth of the loads changes over the second span; negative: not measured.
+  /// Effect of a relative load change of 1e-6 over the second span; negative: not measured.
   AccuracyErrors irregular = AccuracyErrors::none();
   std::string irregular_by;        ///< the settings by which that was measured
   std::vector<std::string> twins;  ///< settings whose steps are those of another row, not listed
@@ -127,8 +125,8 @@ struct AccuracyStudy {
   std::vector<AccuracyRow> screening, finals, models;
   int recommended = -1;  ///< among finals; negative: none keeps to the target
   double seconds = 0.0;  ///< processor time of the study, of the rows taken over, too
-  /// Of it in runs that leave no row: short ones that tell what a turn costs, references that were
-  /// cut, loads changed by a millionth, twins.
+  /// Part of it in runs without a row: short ones that measure the time of a revolution, references
+  /// that were cut, runs with changed loads, repetitions.
   double unlisted_seconds = 0.0;
   int untried = 0;  ///< settings and models for which the budget left no time
   bool complete = false;
@@ -166,13 +164,13 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink&
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> recommended_sets(
     const AccuracyStudy& study);
 
-/// "first round, 0.48 turns": where a row that is told while the study goes on belongs.
+/// "first round, 0.48 turns": context of a row that is reported during the study.
 [[nodiscard]] std::string round_text(const AccuracyRow& row, const AccuracyStudy& study);
 [[nodiscard]] std::string accuracy_table(const AccuracyStudy& study);
 [[nodiscard]] std::string accuracy_csv(const AccuracyStudy& study);
 /// The whole study; read_accuracy() takes it back.
 [[nodiscard]] std::string accuracy_json(const AccuracyStudy& study);
-/// @throws InputError when the text is no study.
+/// @throws InputError when the text is not a study.
 [[nodiscard]] AccuracyStudy read_accuracy(const std::string& text, const std::string& name);
 
 }  // namespace adore::facade

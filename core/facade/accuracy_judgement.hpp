@@ -9,11 +9,11 @@
 /// target: each quantity by what can be known of it.
 namespace adore::facade {
 
-constexpr double kBeyondNoise = 1.5;  ///< times what is known of a quantity: an error stands out
+constexpr double kBeyondNoise = 1.5;  ///< multiple of the noise above which an error is significant
 constexpr double kAtLongest = 0.98;   ///< mean step over longest: it never took another
 
-/// Errors that stand out of `kBeyondNoise` times the noise of their own quantity; others are 0:
-/// over this span nobody can tell whether a row has them. What was not computed stays negative.
+/// Errors above `kBeyondNoise` times the noise of their own quantity; others are 0:
+/// over this span they cannot be resolved. Values that were not computed stay negative.
 [[nodiscard]] AccuracyErrors standing_out(const AccuracyErrors& errors,
                                           const AccuracyErrors& noise);
 
@@ -22,7 +22,7 @@ constexpr double kAtLongest = 0.98;   ///< mean step over longest: it never took
 [[nodiscard]] double over_limits(const AccuracyErrors& errors, const AccuracyErrors& noise,
                                  double target);
 
-/// Runs of one method from starts that differ by next to nothing.
+/// Runs of one method from nearly identical starts.
 using NearbyRuns = std::vector<results::KeyResults>;
 
 /// Noise of means as such runs tell it, of one method or of two with three runs each: the root mean

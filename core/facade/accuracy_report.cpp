@@ -141,26 +141,26 @@ const AccuracyRow* own_row(const AccuracyStudy& study) {
   return nullptr;
 }
 
-/// What grows from the first span to the second, of the recommended or the deck's own settings.
+/// Growth from the first span to the second, of the recommended or the deck's own settings.
 std::string growth_text(const AccuracyStudy& study) {
   const AccuracyRow* row = study.recommended >= 0
                                ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                : own_row(study);
   if (row == nullptr || !row->failure.empty()) return {};
   if (!(study.long_turns > study.short_turns))
-    return "No growth could be measured: both rounds have one span.";
+    return "Error growth: not measured, because both rounds have the same span.";
   const auto before =
       std::find_if(study.screening.begin(), study.screening.end(), [&](const AccuracyRow& other) {
         return other.setting.name == row->setting.name && other.failure.empty();
       });
   if (before == study.screening.end()) return {};
   return fmt::format(
-      "Measured growth ({}): from {:.4g} to {} its error went from {} to {}, its energy "
-      "without account from {:.1e} to {:.1e} of what moved{}.",
+      "Measured growth ({}): from {:.4g} to {} the error changed from {} to {}, the energy "
+      "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
       row->setting.name, before->turns, turns_text(row->turns), percent(before->errors.largest()),
       percent(row->errors.largest()), before->energy_share, row->energy_share,
       row->growth > 0.0 ? fmt::format(", {:.4g} times a turn", row->growth)
-                        : "; less than a turn lies between them, too little for a rate");
+                        : "; the spans differ by less than one revolution, too little for a rate");
 }
 
 /// A row that keeps the target, takes less time than the recommended one and warns of its energy.
@@ -173,7 +173,7 @@ const AccuracyRow* cheaper_but_warned(const AccuracyStudy& study, const Accuracy
   return out;
 }
 
-/// The resolution of the contacts that changes more than the target, which no integrator mends.
+/// The resolution of the contacts whose effect exceeds the target; no integrator can correct it.
 const AccuracyRow* other_model(const AccuracyStudy& study) {
   const AccuracyRow* out = nullptr;
   const auto change = [&](const AccuracyRow& row) {
@@ -200,21 +200,20 @@ std::string limits_text(const AccuracyStudy& study) {
 std::string irregular_text(const AccuracyStudy& study) {
   if (study.limits().largest() <= study.target) return {};
   return fmt::format(
-      "the motion is irregular, and over this span no smaller errors of its means can be told: "
-      "two accurate runs differ by {}{}",
+      "the motion is irregular: over this span errors of its means below this limit cannot be "
+      "resolved; two accurate runs differ by {}{}",
       percent(study.long_reference.noise.largest()),
-      study.irregular.largest() > 0.0
-          ? fmt::format(", runs whose loads differ by a millionth by up to {}",
-                        percent(study.irregular.largest()))
-          : std::string());
+      study.irregular.largest() > 0.0 ? fmt::format(", runs with loads changed by 1e-6 by up to {}",
+                                                    percent(study.irregular.largest()))
+                                      : std::string());
 }
 
 std::string recommendation(const AccuracyStudy& study) {
-  if (study.finals.empty()) return "The study was broken off before it could recommend anything.";
+  if (study.finals.empty()) return "The study was interrupted before it could recommend settings.";
   const AccuracyRow* own = own_row(study);
   std::string out;
   if (study.recommended < 0) {
-    out = fmt::format("None of the settings keeps within {} over {}", limits_text(study),
+    out = fmt::format("No setting stays within {} over {}", limits_text(study),
                       turns_text(study.long_turns));
   } else {
     const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
@@ -222,10 +221,11 @@ std::string recommendation(const AccuracyStudy& study) {
                       limits_text(study), turns_text(study.long_turns), best.seconds,
                       errors_text(best.errors));
     if (best.energy_share > results::kMovedWarning)
-      out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
-                         best.energy_share);
+      out += fmt::format(
+          "; the energy residual is {:.1e} of the exchanged energy, and the run warns of it",
+          best.energy_share);
     else if (const AccuracyRow* cheaper = cheaper_but_warned(study, best))
-      out += fmt::format("; {} is cheaper ({:.3g} s), but {:.1e} of its energy has no account",
+      out += fmt::format("; {} is faster ({:.3g} s), but its energy residual is {:.1e}",
                          cheaper->setting.name, cheaper->seconds, cheaper->energy_share);
     if (best.setting.own) return out + "; these are the deck's own settings.";
   }
@@ -237,8 +237,8 @@ std::string recommendation(const AccuracyStudy& study) {
     out += "; " + irregular;
   if (const AccuracyRow* model = other_model(study))
     out += fmt::format(
-        "; all this is of integrator and steps: {} changes more ({}), and `adore run --accuracy "
-        "{:g}%` chooses nodes and slices, too",
+        "; this covers integrator and steps only: {} changes the results more ({}), and `adore run "
+        "--accuracy {:g}%` also chooses nodes and slices",
         model->setting.name, errors_text(model->errors), 100.0 * study.target);
   return out + ".";
 }
@@ -268,13 +268,11 @@ std::string round_text(const AccuracyRow& row, const AccuracyStudy& study) {
 
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
-      "Errors are differences of means to a reference ({});\n"
-      "s: processor time of the whole run (of the recommended, the deck's own and those with * in "
-      "the "
-      "second round the median of three, as far as the budget goes);\n*: no other row is cheaper "
-      "and as good, each error counted as far as it stands out of its own noise.\n"
-      "The whirl among the speeds is that by the area which the cage's centre sweeps, not PRINT's "
-      "windings.\n",
+      "Errors are differences of means from a reference ({});\ns: processor time of the whole run "
+      "(of the recommended, the deck's own and those with * in the second round the median of "
+      "three, if the budget allows);\n*: no other row is both faster and as accurate, with each "
+      "error counted only above its own noise.\nThe whirl speed is computed from the area that the "
+      "cage center sweeps, not from the windings in PRINT.\n",
       study.reference);
   const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
                          const std::vector<AccuracyRow>& rows) {
@@ -286,24 +284,24 @@ std::string accuracy_table(const AccuracyStudy& study) {
   round("First round", study.short_turns, study.short_reference, study.screening);
   round("Second round", study.long_turns, study.long_reference, study.finals);
   if (study.long_turns > 0.0 && study.long_turns < study.asked)
-    out += fmt::format("{} were asked for; the budget pays for {:.4g}. {}\n",
-                       turns_text(study.asked), study.long_turns, growth_text(study));
+    out += fmt::format("{} were specified; the budget allows {:.4g}. {}\n", turns_text(study.asked),
+                       study.long_turns, growth_text(study));
   if (study.irregular.largest() > 0.0)
-    out += fmt::format("A millionth of the loads changes these means by up to {} ({}; {}).\n",
+    out += fmt::format("A relative load change of 1e-6 changes these means by up to {} ({}; {}).\n",
                        percent(study.irregular.largest()), errors_text(study.irregular),
                        study.irregular_by);
   else if (!study.finals.empty() && study.irregular.load < 0.0)
     out +=
-        "What a millionth of the loads changes was not measured (no loads, no time left, or a run "
-        "that failed): only the references tell how regular the motion is.\n";
+        "The effect of a relative load change of 1e-6 was not measured (no loads, no time left, or "
+        "a failed run): only the two references show how regular the motion is.\n";
   if (study.untried > 0)
     out += fmt::format(
-        "{} not run: the budget left no time.\n",
+        "{} not run: the time budget was used up.\n",
         counted(study.untried, "more setting or model was", "more settings or models were"));
   if (!study.models.empty())
     out += fmt::format(
-        "\nOther models with the deck's own settings, {}; here the figures are what they "
-        "change.\n{}",
+        "\nOther models with the deck's own settings, {}; these figures are changes from the "
+        "original model.\n{}",
         turns_text(study.short_turns), table_of(study.models));
   return out + "\n" + recommendation(study) + "\n";
 }
@@ -347,7 +345,7 @@ std::string accuracy_json(const AccuracyStudy& study) {
       {"study", "accuracy"},
       {"digest", study.digest},
       {"complete", study.complete},
-      {"title", fmt::format("What accuracy costs: {}, reference {}",
+      {"title", fmt::format("Cost of accuracy: {}, reference {}",
                             turns_text(study.finals.empty() ? study.short_turns : study.long_turns),
                             study.reference)},
       {"error_title", "largest error of speeds, whirl, loads, heat and life"},
@@ -404,13 +402,13 @@ AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
     for (const Json& row : json.at("models")) out.models.push_back(row_of(row));
     const auto recommended = json.at("recommended").get<long long>();
     if (recommended >= static_cast<long long>(out.finals.size()))
-      throw InputError(name +
-                       " is no study of `adore accuracy`: it recommends a row that it does not "
-                       "have");
+      throw InputError(
+          name +
+          " is not a study of `adore accuracy`: it recommends a row that it does not contain");
     out.recommended = static_cast<int>(std::max(recommended, -1LL));
     return out;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(name + " is no study of `adore accuracy`: " + error.what());
+    throw InputError(name + " is not a study of `adore accuracy`: " + error.what());
   }
 }
 

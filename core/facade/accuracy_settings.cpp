@@ -39,7 +39,7 @@ std::vector<AccuracySetting> settings_of(const Prepared& prepared,
     for (const std::string_view name : integrators::stepper_names()) names.emplace_back(name);
   std::vector<double> tight_first = tolerances;
   std::sort(tight_first.begin(), tight_first.end());
-  const auto add = [&](AccuracySetting next) {  // what is listed twice is run once
+  const auto add = [&](AccuracySetting next) {  // duplicates are run once
     if (std::none_of(out.begin(), out.end(),
                      [&](const AccuracySetting& other) { return other.name == next.name; }))
       out.push_back(std::move(next));

@@ -3,7 +3,7 @@
 #include "facade/accuracy.hpp"
 #include "facade/prepare.hpp"
 
-/// What an accuracy study tries for a deck.
+/// Settings that an accuracy study tries for a deck.
 namespace adore::facade {
 
 /// The deck's own settings first; then of every method, from the tightest tolerance to the loosest,

@@ -223,7 +223,7 @@ std::string statement_text(const AccuracyStatement& statement) {
           ? fmt::format("loads changed by 1e-6 ({:.3g} s, {:.2g} times this run)",
                         statement.twin_seconds,
                         statement.twin_seconds / std::max(statement.run_seconds, 1e-9))
-          : fmt::format("no second run under changed loads: {}", statement.twin_failure);
+          : fmt::format("no second run with changed loads: {}", statement.twin_failure);
   std::string out = fmt::format(
       "accuracy:  over the {} of this run, 95 % intervals\n"
       "  numerical part: against {} ({:.3g} s of processor time)\n"
@@ -247,12 +247,12 @@ std::string statement_text(const AccuracyStatement& statement) {
   if (!(turns > 0.0)) return out;
   const std::string needed = counted(fmt::format("{:.3g}", turns), "revolution");
   out += fmt::format(
-      "  The means need {} for {} (this run: {:.4g}; {}). Run that long, or let "
-      "`adore run --accuracy ... --extend` do it.\n",
+      "  The means need {} for {} (this run: {:.4g}; {}). Simulate that long, or use `adore run "
+      "--accuracy ... --extend`.\n",
       (statement.needs_more(statement.target) ? "very roughly " : "about ") + needed,
       percent(statement.target), statement.turns,
       statement.needs_more(statement.target)
-          ? "order of magnitude: the two runs still part"
+          ? "order of magnitude: the two runs still diverge"
           : fmt::format("within a factor of {:g}", kNeededFactor));
   return out;
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Stated interval of the results of a run, over its own span and for each quantity.
+/// Stated interval of the results of a run, over its span and for each quantity.
 ///
 /// interval = numerical part + statistical part, both relative to the scale of the quantity.
 /// Scales: of the mean load of the races its length or, if larger, kLoadFloor of the mean largest
@@ -20,13 +20,13 @@
 /// (verify()), kFloor at least: both share start state, tables of films and single precision of
 /// films (3e-5), whose errors that difference does not show.
 ///
-/// Statistical part: two accurate runs over the same span from the same start differ only as far as
-/// their motions part. Transients and slow periods are the same in both and are no error of a mean
-/// over this span. It is measured by a second run under loads changed by kNearby, as the larger of
-/// kTwin times the difference of both means and the 95 % interval of that difference from its
-/// batches (paired_scatter() in results/batch_means.hpp). A deck without external loads has no such
-/// second run: the run with tighter settings takes its place, and all quantities count as
-/// irregular. Largest loads and the life have no batches: kTwin times the difference alone, kFew
+/// Statistical part: two accurate runs over the same span from the same start differ only by the
+/// divergence of their motions. Transients and slow periods are the same in both and are not an
+/// error of a mean over this span. It is measured by a second run with loads changed by kNearby, as
+/// the larger of kTwin times the difference of both means and the 95 % interval of that difference
+/// from its batches (paired_scatter() in results/batch_means.hpp). A deck without external loads
+/// has no such second run: the run with tighter settings takes its place, and all quantities count
+/// as irregular. Largest loads and the life have no batches: kTwin times the difference alone, kFew
 /// times where it exceeds kRegular.
 ///
 /// A quantity is irregular when its statistical part exceeds kTwin kRegular. A difference to the
@@ -34,15 +34,15 @@
 /// counts as numerical.
 ///
 /// Revolutions that a target needs: the statistical part falls as measured (PairedScatter), from
-/// the part e that this span would have if the runs had parted from its beginning on,
+/// the part e that this span would have if the runs had diverged from its beginning,
 ///   e(N) = e(T) (N / T)^-p,  N = kSpare T (e(T) / target)^(1/p)
 ///   e(T) = sqrt(late) × statistical part; where late > kParting, at least sqrt(2) times the 95 %
-///   interval of the mean from the batches of this run alone: runs that still part say little about
-///   their later distance, and these batches bound it (transients count in them, so that N may be
-///   too large). N is then an order of magnitude only.
+///   interval of the mean from the batches of this run alone: runs that still diverge say little
+///   about their later distance, and these batches bound it (transients count in them, so that N
+///   may be too large). N is then an order of magnitude only.
 /// kSpare: e from 8 blocks scatters by 1/4 itself (1/sqrt(2·8)), N by (5/4)². N is known within a
-/// factor of kNeededFactor. A motion that changes its kind later (a cage that begins to whirl) is
-/// not foreseen. Largest loads are no means: no span makes them certain.
+/// factor of kNeededFactor. A later change of the type of motion (a cage that begins to whirl) is
+/// not foreseen. Largest loads are not means: no span makes them certain.
 ///
 /// kNumerical, kTwin, kFew, kFloor, kRegular, kSpare and kNeededFactor are estimates, checked over
 /// decks of all types (resources/docs/accuracy-promises.md).

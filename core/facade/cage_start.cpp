@@ -65,9 +65,9 @@ void refuse_start(const Prepared& prepared, const SolverError& error) {
   issue.file = prepared.input.path.string();
   issue.record = segments > 1 ? "9.6.k" : "9.6";
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
-  issue.message = "puts the cage where its elements are not: " + why;
+  issue.message = "puts the cage outside its elements: " + why;
   issue.remedy =
-      "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
+      "start it within its clearances: smaller offsets and angles, or 0 for the centered cage";
   throw InputError(std::vector<Issue>{issue});
 }
 
@@ -125,8 +125,8 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   issue.file = prepared.input.path.string();
   issue.record = segments ? "9.6.k" : "9.6";
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
-  const std::string found =
-      fmt::format("the cage starts {} inside other bodies (the worst: {})", length(worst), where);
+  const std::string found = fmt::format(
+      "the cage starts {} inside other bodies (largest overlap: {})", length(worst), where);
   // Is it the record that puts the cage there, or are the elements where pockets do not reach?
   const bool axial = wall_of_worst != nullptr && prepared.bearing.rollers() == nullptr &&
                      std::abs(std::sin(wall_of_worst->theta)) > 0.7;
@@ -138,12 +138,12 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
       by_record = by_record || cage.start_of(k).start_offset.x() != 0.0;
   }
   if (by_record) {
-    issue.message = segments ? found + ", where cageGcPos and cageAngPos of its segments put it"
+    issue.message = segments ? found + ", placed there by cageGcPos and cageAngPos of its segments"
                              : fmt::format("{}, where {} and {} put it", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
     issue.remedy = fmt::format(
-        "start it within its clearances: smaller offsets and angles, or 0 for the centred cage, or "
-        "more clearance ({})",
+        "start it within its clearances: smaller offsets and angles, or 0 for the centered cage, "
+        "or more clearance ({})",
         wall_of_worst != nullptr ? "bPocCls1" : "cageGsCls");
   } else if (const double lean = lean_that_does_not_fit(prepared.bearing);
              lean != 0.0 && wall_of_worst != nullptr) {
@@ -151,11 +151,10 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
     issue.record = "7.1";
     issue.variable = "cageConeAng";
     issue.message = fmt::format(
-        "{}: a cage with a cone angle of {:.4g} degrees has round pockets that lean by {:.4g} "
-        "degrees "
-        "against its rollers, which do not fit",
+        "{}: a cage with a cone angle of {:.4g} degrees has round pockets inclined by {:.4g} "
+        "degrees to its rollers, which do not fit",
         found, prepared.bearing.cage->cone_angle * kDegree, std::abs(lean) * kDegree);
-    issue.remedy = fmt::format("give {:.6g} degrees, as the rollers lie, or more bPocCls1",
+    issue.remedy = fmt::format("give {:.6g} degrees, the angle of the rollers, or more bPocCls1",
                                prepared.bearing.rollers()->axis_angle * kDegree);
   } else {
     const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
@@ -167,14 +166,14 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
     issue.message = fmt::format(
         "{}{}{}: {}", found,
         pocket > 0.0 && wall_of_worst != nullptr
-            ? fmt::format(", beyond the {} by which its pockets clamp them", length(pocket))
+            ? fmt::format(", more than the {} by which its pockets clamp them", length(pocket))
             : std::string(),
-        moved || turned ? ", which is not the doing of record 9.6" : " although it is centred",
-        !land ? "the static solution has shifted or tilted the elements further than there is room"
+        moved || turned ? ", which is not caused by record 9.6" : " although it is centered",
+        !land ? "the static solution shifted or tilted the elements by more than the clearance"
         : uneven
-            ? "the errors of records 7.5.i and 7.6.i take more than the play that statics leave it"
-            : "the static solution has moved the elements against the race further than there is "
-              "room");
+            ? "the errors of records 7.5.i and 7.6.i exceed the clearance left by the static "
+              "solution"
+            : "the static solution moved the elements towards the race by more than the clearance");
     issue.remedy = faces ? fmt::format("put the guide faces at least {} further from the rollers",
                                        length(worst))
                          : fmt::format("give at least {} more clearance", length(2.0 * worst));

@@ -55,7 +55,7 @@ std::optional<Finding> CageState::finding() const {
   if (!cage_ || pieces_ == 0) return std::nullopt;
   if (pieces_ > 1)
     return make_finding("cage.not_judged",
-                        "State of the cage: not judged, because its segments have no common centre")
+                        "State of the cage: not judged, because its segments have no common center")
         .of("cage");
   std::size_t first = 0;
   if (!times_.empty()) {
@@ -79,7 +79,7 @@ std::optional<Finding> CageState::finding() const {
         .of("cage");
   const results::Whirl whirl = results::judge_whirl(late);
   const double scatter = std::abs(whirl.deviation / whirl.ratio);
-  const std::string orbit = fmt::format("orbit of its centre {:.3g} of the clearance ({})",
+  const std::string orbit = fmt::format("orbit of its center {:.3g} of the clearance ({})",
                                         whirl.orbit, results::name_of(of_));
   const std::string span =
       fmt::format("last {} of the cage", counted(fmt::format("{:.3g}", turns), "revolution"));
@@ -93,10 +93,11 @@ std::optional<Finding> CageState::finding() const {
     case results::WhirlClass::Whirling:
       return make_finding(
                  "cage.whirling",
-                 fmt::format("State of the cage: whirling at {:.3g} of the cage speed, {}, above "
-                             "{:g}; the whirl speed scatters by {:.3g} of itself, below {:g}; {}",
-                             whirl.ratio, orbit, results::kRestingOrbit, scatter,
-                             results::kSteadyDeviation, span))
+                 fmt::format(
+                     "State of the cage: whirling at {:.3g} of the cage speed, {}, above {:g}; the "
+                     "relative scatter of the whirl speed is {:.3g}, below {:g}; {}",
+                     whirl.ratio, orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation,
+                     span))
           .measure(whirl.orbit, results::kRestingOrbit)
           .of("cage");
     case results::WhirlClass::Irregular:
@@ -104,8 +105,8 @@ std::optional<Finding> CageState::finding() const {
   }
   return make_finding(
              "cage.unstable",
-             fmt::format("State of the cage: unstable, {}, above {:g}; the whirl speed "
-                         "scatters by {:.3g} of itself, above {:g}; {}",
+             fmt::format("State of the cage: unstable, {}, above {:g}; the relative scatter of the "
+                         "whirl speed is {:.3g}, above {:g}; {}",
                          orbit, results::kRestingOrbit, scatter, results::kSteadyDeviation, span))
       .measure(scatter, results::kSteadyDeviation)
       .of("cage");

@@ -14,9 +14,9 @@ namespace adore::facade {
 
 std::string specified_shocks(const Prepared& prepared) {
   const auto& laws = prepared.options.system.user;
-  return laws && laws->motion != nullptr
-             ? "routine ADRX1 specifies loads or motions of the races, which no equilibrium has"
-             : std::string();
+  return laws && laws->motion != nullptr ? "routine ADRX1 specifies loads or motions of the races, "
+                                           "which an equilibrium does not include"
+                                         : std::string();
 }
 
 std::string specified_jumps(const Prepared& prepared) {
@@ -34,18 +34,18 @@ std::string specified_jumps(const Prepared& prepared) {
     if (promise.start_spin[j] != 0.0)
       add(fmt::format("{} race starts with {:.4g} rad/s more", race, promise.start_spin[j]));
   }
-  return out.empty() ? out
-                     : "shocks that routine ADRX1 specifies, exempt from the judgement of excess "
-                       "energy: " +
-                           out;
+  return out.empty()
+             ? out
+             : "impulses and steps that routine ADRX1 specifies, not counted as excess energy: " +
+                   out;
 }
 
 std::string change_remark(const dynamics::NewEquilibrium& change, const std::string& cause,
                           const std::string& specified) {
   if (!change.why_not.empty())
     return fmt::format(
-        "{}: {}, so the state stays where it is; the next revolutions contain a vibration", cause,
-        change.why_not);
+        "{}: {}, so the stored state is kept unchanged; the next revolutions contain a vibration",
+        cause, change.why_not);
   const double ratio = change.ratio();
   if (!(ratio > dynamics::kExcessWarned)) return {};
   const std::string text = fmt::format(
@@ -54,8 +54,8 @@ std::string change_remark(const dynamics::NewEquilibrium& change, const std::str
   if (!specified.empty()) return text + ": " + specified + "; the run continues";
   if (ratio > dynamics::kExcessRefused)
     throw SolverError(text +
-                      ": contact loads after it are those of an impact. Change the bearing in "
-                      "smaller steps, or start from the equilibrium (kIcOpt = 0)");
+                      ": the contact loads that follow are those of an impact. Change the bearing "
+                      "in smaller steps, or start from the equilibrium (kIcOpt = 0)");
   return text + ": loads of the next revolutions contain a vibration";
 }
 

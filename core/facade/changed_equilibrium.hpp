@@ -20,8 +20,8 @@ namespace adore::facade {
 /// velocities and spins; empty: none.
 [[nodiscard]] std::string specified_jumps(const Prepared& prepared);
 
-/// What is reported of a change; empty: nothing. @param cause noun phrase: "thermal step 2"
-/// @param specified of specified_shocks()
+/// Message about a change; empty: none. @param cause noun phrase: "thermal step 2"
+/// @param specified from specified_shocks()
 /// @throws SolverError when the excess energy is above dynamics::kExcessRefused, unless shocks are
 /// specified
 [[nodiscard]] std::string change_remark(const dynamics::NewEquilibrium& change,

@@ -29,7 +29,7 @@ bool has_error(const Remarks& issues) {
                      [](const Issue& issue) { return issue.severity == Severity::Error; });
 }
 
-/// What a run builds of a deck before it solves anything. @throws InputError
+/// Builds the model of a deck without solving it. @throws InputError
 void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
   (void)setup::build_run_control(deck);
   const bearing::LifeInputs life_inputs = setup::build_life(deck);
@@ -42,7 +42,7 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
     (void)statics::make_ball_model(operating, {});
 }
 
-/// Who asks for motion and gives no step sees one point in every chart: that has to be said.
+/// A motion without steps would show one point in every chart: warn.
 std::optional<Issue> nothing_moves(const deck::Deck& deck) {
   const std::string why = why_no_step(deck);
   if (why.empty()) return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<Issue> nothing_moves(const deck::Deck& deck) {
   out.record = steps ? "1" : "2.1";
   out.variable = steps ? "maxStps" : "fTime";
   out.value = "0";
-  out.message = "no step is made, so that nothing moves unless `--until` says how far";
+  out.message = "no step is made, so that nothing moves; `--until` can set the length";
   out.remedy = std::string(steps ? "give the number of steps, such as 2000"
                                  : "give the end time, such as 1000") +
                ", and kPltFreq = 1 and kAGraf = 1 to see the steps";
@@ -98,7 +98,7 @@ ModelCheck examine_model(const deck::Deck& deck) {
     }
   deck::Deck model = deck;
   if (!runs) {
-    // A motion that cannot be run has a geometry all the same.
+    // A motion that cannot be run still has a geometry.
     model.set("mode", "-1");
     model.complete();
     if (has_error(setup::check_buildable(model))) return out;

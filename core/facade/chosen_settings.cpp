@@ -93,13 +93,13 @@ class Choice {
     const Prepared prepared = prepare(request_);
     rows_ = resolutions(prepared);
     if (rows_.empty()) {
-      out_.text += ". Nodes or slices of the contacts are as the options give them";
+      out_.text += ". Nodes or slices of the contacts are taken from the options";
     } else {
       choose_resolution(prepared);
     }
     out_.text += fmt::format(
-        ". Times of this machine decided between settings, so that another choice may end "
-        "elsewhere; the same run again: `adore run DECK {}`",
+        ". Measured times decided between settings, so another run may choose others; to repeat "
+        "the same run: `adore run DECK {}`",
         again());
     return std::move(out_);
   }
@@ -119,14 +119,14 @@ class Choice {
                                     ? &study.finals[static_cast<std::size_t>(study.recommended)]
                                     : most_accurate(study);
     if (chosen == nullptr)
-      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more turns",
+      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more revolutions",
                                     recommendation(study)));
     const AccuracyRow& best = *chosen;
     out_.integrator = best.setting.method;
     out_.tolerance = best.setting.tolerance;
     out_.steps = best.errors;
-    // The longest stable step as a number: the deck then seems to ask for it, and no warning says
-    // that it asked for more.
+    // The longest stable step as a number: it then counts as specified by the deck, without a
+    // warning about shortened steps.
     for (auto& [name, value] : recommended_sets(study))
       if (name == "stpMax") out_.sets.emplace_back(std::move(name), std::move(value));
     turn_ = study.turn;
@@ -152,7 +152,7 @@ class Choice {
     return out;
   }
 
-  /// What a later run has to be given for the same bytes: another study may choose otherwise.
+  /// Options that repeat a later run with the same bytes: another study may choose differently.
   [[nodiscard]] std::string again() const {
     std::string out = fmt::format("--integrator {} --tol {:g}", out_.integrator, out_.tolerance);
     for (const auto& [name, value] : out_.sets) out += fmt::format(" --set {}={}", name, value);
@@ -205,8 +205,8 @@ class Choice {
         beside.changes.emplace_back(load, fmt::format("{:.17g}", 1.000001 * value));
     const auto other = is ? results_of(beside, finest) : std::nullopt;
     if (!is || !other) {
-      out_.text += fmt::format(". Nodes and slices stay as they are: with {} {}", finest.name,
-                               finest.failure);
+      out_.text +=
+          fmt::format(". Nodes and slices are unchanged: with {} {}", finest.name, finest.failure);
       return;
     }
     out_.noise = compare_results(*other, *is);
@@ -234,7 +234,7 @@ class Choice {
                                             counted(fmt::format("{:.3g}", out_.turns), "turn"));
     if (out_.resolution < 0) {
       out_.options = finest.options;
-      out_.text += fmt::format(". {}: nothing coarser keeps within {:.2g} % of it", out_.finest,
+      out_.text += fmt::format(". {}: no coarser setting stays within {:.2g} % of it", out_.finest,
                                100.0 * limit);
       return;
     }
@@ -244,9 +244,9 @@ class Choice {
                              chosen.usual ? ", as without a choice" : "", noise_text(chosen));
   }
 
-  /// What hides behind errors of 0.
+  /// Noise below which an error counts as 0.
   [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
-    return row.hidden ? "; 0 %: no more than loads changed by a millionth bring about" : "";
+    return row.hidden ? "; 0 %: not more than the effect of a relative load change of 1e-6" : "";
   }
 
   const DeckRequest& request_;

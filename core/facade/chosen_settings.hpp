@@ -15,10 +15,10 @@ namespace adore::facade {
 struct ResolutionRow {
   std::vector<std::pair<std::string, std::string>> options;
   std::string name;     ///< "ellipse nodes 15 x 2", "roller slices 31"
-  AccuracyErrors told;  ///< errors that stand out of `noise`; others are 0
+  AccuracyErrors told;  ///< errors above `noise`; others are 0
   bool hidden = false;  ///< some error is within the noise
   double seconds = 0.0;
-  bool usual = false;   ///< what the run would have without a choice
+  bool usual = false;   ///< settings of the run without a choice
   std::string failure;  ///< empty, or why there is no result
 };
 
@@ -26,27 +26,27 @@ struct ChosenSettings {
   std::string integrator;
   double tolerance = 0.0;
   std::vector<std::pair<std::string, std::string>> sets, options;
-  std::string text;  ///< what was chosen and what error was measured, a sentence or two
+  std::string text;  ///< chosen settings and measured error, a sentence or two
 
   // How.
   AccuracyErrors steps;  ///< of integrator and steps (study.finals)
   double turns = 0.0;    ///< span of the runs behind `rows`
   AccuracyErrors noise;  ///< of runs under loads that differ by a millionth, over that span
-  std::string finest;    ///< what the rows are compared with
+  std::string finest;    ///< reference of the rows
   std::vector<ResolutionRow> rows;  ///< from the cheapest on, as far as was needed
   int resolution = -1;              ///< the chosen row; negative: the deck's own stays
 };
 
 /// Three quarters of `target` go to the steps, what they leave to the resolution: of runs over the
-/// same short span (a turn of the shaft, less where a turn costs seconds) with the chosen steps,
+/// same short span (one revolution of the shaft, less if it takes seconds) with the chosen steps,
 /// the one with the fewest nodes or slices whose key results, and those of the next finer one, keep
-/// within it of the finest (60 x 4 nodes, 60 x 8 with films, 121 slices). What does not stand out
-/// of 1.5 times the noise counts as no error. Resolutions that the request gives stay. Limits: over
-/// a longer span irregular motions (the whirl of a cage) part from each other by any change: the
-/// statement on a run is that of state_accuracy(). Where no steps of the study keep to the target,
+/// within it of the finest (60 x 4 nodes, 60 x 8 with films, 121 slices). Differences below
+/// 1.5 times the noise do not count as errors. Resolutions of the request are kept. Limits: over
+/// a longer span irregular motions (the whirl of a cage) diverge after any change: the
+/// statement on a run is that of state_accuracy(). If no steps of the study meet the target,
 /// the most accurate ones are taken.
-/// @param most_turns no run of the study is longer: the span of the run
-/// @throws SolverError when no steps come to an end; InputError and Interrupted as study_accuracy()
+/// @param most_turns longest run of the study: the span of the run
+/// @throws SolverError when no run completes; InputError and Interrupted as study_accuracy()
 [[nodiscard]] ChosenSettings choose_settings(
     const DeckRequest& request, double target, std::stop_token stop,
     double most_turns = std::numeric_limits<double>::infinity());

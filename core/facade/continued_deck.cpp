@@ -11,7 +11,7 @@ namespace adore::facade {
 namespace {
 
 enum class Change : unsigned char {
-  Unsaid,  ///< what a continuation is for
+  Unsaid,  ///< values that a continuation is meant to change
   Accepted,
   NoPart,        ///< read at the start of a new run only
   OtherBearing,  ///< refused, as the next one
@@ -67,8 +67,8 @@ deck::Deck deck_in(const std::string& stored, const std::filesystem::path& file)
   deck::ReadResult read = deck::read_deck_text(stored, file.string() + " (its deck)");
   if (!read.ok())
     throw InputError(
-        fmt::format("{}: the deck in this file has errors, so the file is damaged; take the file "
-                    "of an earlier run, or start from statics (kIcOpt = 0)\n{}",
+        fmt::format("{}: the deck in this file has errors, so the file is damaged; use the file of "
+                    "an earlier run, or start from statics (kIcOpt = 0)\n{}",
                     file.string(), to_text(read.issues)));
   return std::move(read.deck);
 }
@@ -89,8 +89,8 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
                                        const std::filesystem::path& file, setup::StartState start) {
   if (stored.empty())
     return {note(file,
-                 "the file does not hold the deck of its run: whether this deck fits it "
-                 "cannot be said beyond the number of elements and the cage")};
+                 "the file does not contain the deck of its run: beyond the number of elements and "
+                 "the cage, its match with this deck cannot be checked")};
   const deck::Deck before = deck_in(stored, file);
   const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;
@@ -109,17 +109,17 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
         break;
       case Change::OtherBearing:
       case Change::OtherRun: {
-        Issue issue =
-            now.issue(Severity::Error, d.variable.empty() ? "kIcOpt" : d.variable,
-                      fmt::format("{} ({})",
-                                  kind == Change::OtherBearing
-                                      ? "the run to be continued had another bearing"
-                                      : "state and files of the run to be continued do not fit",
-                                  sentence(d)),
-                      d.variable == "kBrg" ? "start from statics (kIcOpt = 0)"
-                                           : "give the old value, or start new files from its "
-                                             "last state with kIcOpt = -1",
-                      d.instance);
+        Issue issue = now.issue(
+            Severity::Error, d.variable.empty() ? "kIcOpt" : d.variable,
+            fmt::format("{} ({})",
+                        kind == Change::OtherBearing
+                            ? "the run to be continued had a different bearing"
+                            : "state and files of the run to be continued do not match",
+                        sentence(d)),
+            d.variable == "kBrg"
+                ? "start from statics (kIcOpt = 0)"
+                : "restore the old value, or start new files from its last state with kIcOpt = -1",
+            d.instance);
         refused.push_back(std::move(issue));
       }
     }

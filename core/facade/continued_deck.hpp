@@ -18,11 +18,11 @@ namespace adore::facade {
 
 /// Compares the deck stored in `file` (FINAL or MASTER) with the one to be run now. Loads, speeds,
 /// temperatures, friction, steps and output may change; a continued run (StartState::Continue)
-/// keeps the bearing itself, because its state, files and sums are of that bearing. What every
-/// continuation changes (kIcOpt, maxStps, fTime) and the names of files are not mentioned.
-/// @return notes on what changed, and on what changed without effect; one note when the file holds
+/// keeps the bearing itself, because state, files and sums belong to it. Variables that every
+/// continuation changes (kIcOpt, maxStps, fTime) and file names are not mentioned.
+/// @return notes on changes, and on changes without effect; one note when the file has
 /// no deck.
-/// @throws InputError with every change that cannot be, or for a stored deck that does not read.
+/// @throws InputError with every change that is not allowed, or for a stored deck with errors.
 [[nodiscard]] std::vector<Issue> compare_with_stored(const std::string& stored,
                                                      const deck::Deck& now,
                                                      const std::filesystem::path& file,

@@ -13,25 +13,25 @@
 #include <utility>
 #include <vector>
 
-/// What a deck is asked for, and reading it.
+/// Request to run a deck, and its reading.
 namespace adore::user {
 struct PlugIn;
 }
 
 namespace adore::facade {
 
-/// What the user asked for beyond the deck.
+/// Requests of the user in addition to the deck.
 struct DeckRequest {
   std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
   std::optional<std::string> text;   ///< the deck itself, in place of the file; its outputs go to
                                      ///< the current folder
-  /// With `text`: a program holds the deck. `deck` is what messages call it, whether there is such
-  /// a file or not, and run options are those of the request alone: no ADORE.json is read.
+  /// With `text`: a program provides the deck. `deck` is its name in messages, whether there is
+  /// such a file or not, and run options are only those of the request: no ADORE.json is read.
   bool in_memory = false;
   std::vector<std::pair<std::string, std::string>>
       sets;  ///< --set variable=value, in the deck's units
-  /// What the program itself changes for runs beside the one that was asked for (studies,
-  /// verification), after `sets` and over them: a variable may stand in both.
+  /// Variables that the program sets for additional runs (studies,
+  /// verification), after `sets` and overriding them.
   std::vector<std::pair<std::string, std::string>> changes;
   std::vector<std::pair<std::string, std::string>>
       options;  ///< --opt name=value, over those of ADORE.json
@@ -57,7 +57,7 @@ struct LoadedDeck {
 /// none.
 [[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
 
-/// What messages call a deck that came as text.
+/// Name in messages of a deck that was given as text.
 inline constexpr const char* kStandardInput = "standard input";
 /// The deck file of the request, or kStandardInput. @throws InputError when there is none.
 [[nodiscard]] std::filesystem::path deck_path(const DeckRequest& request);
@@ -67,8 +67,8 @@ inline constexpr const char* kStandardInput = "standard input";
 /// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
 [[nodiscard]] LoadedDeck load_deck(const DeckRequest& request);
 
-/// The run options of the ADORE.json beside a deck, as given; empty when there is none.
-/// @throws InputError when the file is no object of named values.
+/// The run options of the ADORE.json in the folder of a deck, as given; empty without this file.
+/// @throws InputError when the file is not an object of named values.
 [[nodiscard]] std::map<std::string, std::string> options_beside(
     const std::filesystem::path& deck_file);
 

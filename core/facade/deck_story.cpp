@@ -66,7 +66,7 @@ std::string operation_line(const deck::Deck& deck) {
 std::string run_line(const deck::Deck& deck) {
   if (deck.integer("mode") < 0) {
     std::string line =
-        "run:        the quasi-static solution alone: loads, displacements, stiffness, life";
+        "run:        quasi-static solution only: loads, displacements, stiffness, life";
     if (deck.integer("kStif") > 0)
       line += "; stiffness at " + counted(deck.integer("kStif"), "speed");
     return line;
@@ -94,7 +94,7 @@ std::vector<std::string> deck_story(const deck::Deck& deck) {
   std::vector<std::string> lines{bearing_line(deck), operation_line(deck), run_line(deck),
                                  output_line(deck)};
   for (const Issue& issue : check_model(deck)) {
-    // What only dynamics lacks; the equilibrium of the same deck can be had.
+    // Features that only the dynamics lacks; the equilibrium of the same deck is available.
     if (issue.message.find("will refuse") == std::string::npos) continue;
     lines.push_back(
         fmt::format("not yet:    {}; the equilibrium alone: --set mode=-1", issue.message));

@@ -15,7 +15,7 @@
 namespace adore::facade {
 namespace {
 
-/// What the values of a motion's plot files are of, where the numbers do not tell.
+/// Meaning of the plot-file values of a motion, where the numbers do not show it.
 nlohmann::ordered_json stored_json(const Prepared& prepared) {
   nlohmann::ordered_json out;
   out["steps between life predictions"] = prepared.control.life_every;  // 0: first and last only
@@ -53,7 +53,7 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
   for (const setup::OptionInfo& info : setup::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
-    // What the deck chooses where nobody does.
+    // Default choices of the deck.
     std::string otherwise = info.default_value;
     if (info.name == "ellipseMajor")
       otherwise = fmt::format("{}", prepared.options.system.ellipse_major);

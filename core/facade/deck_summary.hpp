@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-/// What RUN.json says of a deck before anything has run.
+/// Summary of a deck in RUN.json before the run.
 namespace adore::facade {
 
 /// @param plan of the run, with the quadratures that it carries
-/// @param request digest of what was asked for
+/// @param request digest of the request
 /// @param remarks on the deck, beyond its own warnings
 [[nodiscard]] results::RunSummary summary_of_deck(const Prepared& prepared,
                                                   const scene::ScenePlan& plan,

@@ -24,7 +24,7 @@ struct DiskUse {
 /// @param plan with its estimates
 [[nodiscard]] DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan);
 
-/// Lines of `adore plan`; empty when there is nothing to say.
+/// Lines of `adore plan`; may be empty.
 [[nodiscard]] std::string disk_use_text(const DiskUse& use);
 [[nodiscard]] nlohmann::ordered_json disk_use_json(const DiskUse& use);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What the effects of a motion cost, measured before it is run.
+/// Cost of the effects of a motion, measured before the run.
 namespace adore::facade {
 
 struct EffectCost {
@@ -13,9 +13,9 @@ struct EffectCost {
   double share = 0.0;  ///< of the right-hand side's time, 0..1
 };
 
-/// Evaluates the right-hand side at the start state for about a tenth of a second and books the
-/// time of each block, the dearest first. Empty for a quasi-static deck. Measured: no two calls
-/// agree to the last digit.
+/// Evaluates the right-hand side at the start state for about a tenth of a second and records the
+/// time of each block, the slowest first. Empty for a quasi-static deck. Measured: repeated calls
+/// differ slightly.
 [[nodiscard]] std::vector<EffectCost> effect_costs(const Prepared& prepared);
 
 /// The same as lines for a person, with the time of one evaluation; empty for a quasi-static deck.

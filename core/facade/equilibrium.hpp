@@ -16,7 +16,7 @@ namespace adore::facade {
 struct Equilibrium {
   std::array<double, 5> displacement{};  ///< of the inner race, from where its geometry alone puts
                                          ///< it (decision 140) [m, rad]
-  std::array<double, 5> load{};  ///< what the shaft applies to the inner race, given or as reaction
+  std::array<double, 5> load{};  ///< load of the shaft on the inner race, given or as reaction
                                  ///< [N, N m]
   std::array<std::array<double, 5>, 5> stiffness{};  ///< d load[row] / d displacement[column]
   results::KeyResults results;                       ///< displacements, extremes, fits, heat, lives

@@ -34,7 +34,7 @@ DeckSets read_sets(JsonMembers& in, std::string_view name) {
   if (!sets->is_object()) in.reject(fmt::format("member \"{}\" must be an object", name));
   for (const auto& [variable, value] : sets->items()) {
     if (!value.is_number() && !value.is_string())
-      in.reject(fmt::format("{}, {}: must be a number or a text", name, variable));
+      in.reject(fmt::format("{}, {}: must be a number or a string", name, variable));
     out.emplace_back(variable, value.is_string() ? value.get<std::string>() : dump_json(value));
   }
   return out;
@@ -83,7 +83,7 @@ RowData read_row(JsonMembers& in, const std::string& kind, const std::string& ce
   check_certainty(out.certainty, in.where());
   const bool given = out.theirs || !out.their_sign.empty();
   const bool aside = out.certainty.starts_with("kept aside");
-  if (aside && given) in.reject("the measured figure is kept aside. Remove \"theirs\"");
+  if (aside && given) in.reject("the measured value is kept aside. Remove \"theirs\"");
   if (!aside && !given && out.kind != "part")
     in.reject("member \"theirs\" is missing. Without it the row is a part, or kept aside");
   out.rating = in.number("rating", 0.0);
@@ -177,7 +177,8 @@ ExperimentData read_experiment(JsonMembers& in, std::string_view name) {
   for (JsonMembers& one : in.objects("not_computed", "not_computed"))
     out.not_computed.push_back(read_not_computed(one));
   if (out.runs.empty() && out.not_computed.empty() && out.table.empty() && out.open.empty())
-    in.reject("an experiment needs runs, or what is not computed and why");
+    in.reject(
+        "an experiment needs runs, or a list of quantities that are not computed, with reasons");
   in.finish();
   return out;
 }
@@ -206,7 +207,7 @@ std::vector<ExperimentData> read_experiments(std::string_view json, std::string_
   for (JsonMembers& one : in.objects("experiments", "experiment")) {
     out.push_back(read_experiment(one, name));
     for (std::size_t n = 0; n + 1 < out.size(); ++n)
-      if (out[n].id == out.back().id) one.reject("there are two experiments of this id");
+      if (out[n].id == out.back().id) one.reject("two experiments have this id");
   }
   if (out.empty()) in.reject("there is no experiment");
   in.finish();

@@ -379,7 +379,7 @@ double film_over_hamrock(const FilmData& data) {
          tribology::point_film(inlet, data.radius, data.load, data.k).minimum;
 }
 
-/// What one run computes, each once and only when a row asks for it.
+/// Results of one run, each computed once and only when a row needs it.
 class RunFigures {
  public:
   explicit RunFigures(const RunData& run) : run_(run), sets_(run.set) {
@@ -690,7 +690,7 @@ std::vector<Experiment> run_experiments(std::string_view only,
     out.push_back(run_experiment(data));
   }
   if (out.empty())
-    throw InputError(fmt::format("there is no experiment \"{}\"; give one of {}", only, ids));
+    throw InputError(fmt::format("there is no experiment \"{}\"; choose one of {}", only, ids));
   return out;
 }
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-/// Published experiments next to what this program computes of them. The data are in
-/// resources/experiments (experiment_data.hpp), every deck in a file of its own. A row is printed
-/// as it comes out; nothing here decides whether it is good.
+/// Published experiments compared with results of this program. The data are in
+/// resources/experiments (experiment_data.hpp), every deck in a separate file. A row is printed
+/// with its result; nothing here judges it.
 ///
 /// Three checks act on every row:
 /// - Energy: with a flowing coolant, the outlet temperature T_out = T_in + Q/(ρ c W) is a row, Q
@@ -50,12 +50,12 @@ struct ExperimentRow {
 
 struct Experiment {
   std::string id, source, about;
-  std::vector<std::string> assumed;       ///< where the source is silent
+  std::vector<std::string> assumed;       ///< value not given in the source
   std::vector<ParameterData> parameters;  ///< fitted, or taken over from another's fit
   std::vector<std::string> decks;         ///< resources that `adore new` does not list
   std::vector<ExperimentRow> rows;
   std::vector<std::string> inputs;  ///< "12,000 rpm: inputs doubtful: ..."
-  std::string open;                 ///< what of the source no deck expresses, and why
+  std::string open;  ///< parts of the source that a deck cannot express, with reasons
 };
 
 /// Verdict of the energy check; empty: the outlet is not hotter than the ring. @param ring nothing:

@@ -98,9 +98,10 @@ ExperimentSummary summarise(const std::vector<Experiment>& experiments) {
     for (const ExperimentRow& row : one.rows) count_row(row, out);
     for (const ParameterData& p : one.parameters)
       if (p.at_bound())
-        out.remarks.push_back(fmt::format(
-            "{}: parameter {} = {:.4g} is at its bound ({:g} to {:g}): missing physics, not a fit.",
-            one.id, p.name, p.value, p.low, p.high));
+        out.remarks.push_back(
+            fmt::format("{}: parameter {} = {:.4g} is at its bound ({:g} to {:g}): this indicates "
+                        "missing physics, not a fit.",
+                        one.id, p.name, p.value, p.low, p.high));
     for (const std::string& text : one.inputs)
       out.remarks.push_back(fmt::format("{}, {}.", one.id, text));
   }
@@ -166,7 +167,7 @@ std::string experiments_markdown(const std::vector<Experiment>& experiments) {
         out += fmt::format("| {} | {:.4g}{} | {:g} to {:g} | {} |\n", p.name, p.value,
                            p.at_bound() ? ", **at its bound**" : "", p.low, p.high, p.meaning);
     }
-    if (!one.assumed.empty()) out += "\nAssumed where the source is silent:\n\n";
+    if (!one.assumed.empty()) out += "\nAssumed where the source gives no value:\n\n";
     for (const std::string& text : one.assumed) out += fmt::format("- {}\n", text);
     for (const std::string& text : one.inputs) out += fmt::format("\n**{}**\n", text);
     if (!one.rows.empty())

@@ -22,7 +22,7 @@ double FilmTolerance::wanted(const dynamics::System& system, double now) const {
 std::string film_tolerance_text(double tolerance, double tightest, double share) {
   return fmt::format(
       "films broke down where contacts slid without rolling: {:.3g} % of the time was integrated "
-      "with a tolerance down to {:.2g} in place of {:g}, which does not resolve that",
+      "with a tolerance down to {:.2g} instead of {:g}, which cannot resolve this",
       100.0 * share, tightest, tolerance);
 }
 

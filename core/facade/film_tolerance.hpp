@@ -12,12 +12,12 @@
 /// can pass zero while the contact slides at several m/s. Its film then is thin in a band of u_c ~
 /// 2e-4 m/s only, in which friction is 30 times larger. An element can be held in that band for
 /// milliseconds. Steps that resolve 1e-3 m/s pass the band without seeing it, in any method, and
-/// the energy closes all the same (heat of `ball` at 240 K: 8 % too small).
+/// the energy balance still closes (heat of `ball` at 240 K: 8 % too small).
 ///
-/// So contacts are looked at every kEvery counted steps. Where one slides and rolls more slowly
-/// than kNear × (radius / √(m/k)), the tolerance goes to where velocities are resolved to kResolved
-/// of u_c, if the present one leaves more than kCoarse of it. It goes back when no such contact is
-/// left.
+/// So contacts are checked every kEvery counted steps. If one slides and rolls more slowly
+/// than kNear × (radius / √(m/k)), the tolerance is reduced until velocities are resolved to
+/// kResolved of u_c, if the present one leaves more than kCoarse of it. It is restored when no such
+/// contact remains.
 namespace adore::facade {
 
 class FilmTolerance {

@@ -69,10 +69,10 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
     std::string others;
     for (const std::string& name : methods_that_keep(out.request))
       if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;
-    out.text += fmt::format(". {} is refused for this deck. {}", out.request.method,
-                            others.empty()
-                                ? "Lower stpMax on record 2.1"
-                                : fmt::format("Integrators that need no other steps: {}", others));
+    out.text += fmt::format(
+        ". {} cannot be used for this deck. {}", out.request.method,
+        others.empty() ? "Lower stpMax on record 2.1"
+                       : fmt::format("Integrators that do not need other steps: {}", others));
   }
   return out;
 }

@@ -72,20 +72,20 @@ std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
     const bool law = laws.vibration[j] || laws.turning_load;
     std::string what;
     if (way.norm() > kPlace && !(moved && !law))
-      what = fmt::format("{:.4g} {} away from where it was",
+      what = fmt::format("{:.4g} {} from its last position",
                          results::from_si(way.norm(), results::unit::kLength, units),
                          results::unit_name(results::unit::kLength, units));
     if (spins)
-      what += fmt::format("{}at {:.6g} rpm where it turned at {:.6g}", what.empty() ? "" : " and ",
+      what += fmt::format("{}at {:.6g} rpm instead of {:.6g}", what.empty() ? "" : " and ",
                           now[j].speed * 30.0 / std::numbers::pi,
                           before[j].speed * 30.0 / std::numbers::pi);
     if (what.empty()) continue;
     out.push_back(fmt::format(
-        "the {} race goes on {}, at once, as its deck has it now{}", kRace[j], what,
-        law || spins ? ": a law of the time (records 9.3 and 9.4) goes by the time since the start "
-                       "of the files, so that another frequency is another phase; the first turns "
-                       "hold the blow"
-                     : "; the first turns hold the blow"));
+        "the {} race continues {}, at once, as the present deck specifies{}", kRace[j], what,
+        law || spins
+            ? ": laws of time (records 9.3 and 9.4) count from the start of the files, so a "
+              "changed frequency changes the phase; the first revolutions contain the impact"
+            : "; the first revolutions contain the impact"));
   }
   return out;
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What FINAL and MASTER hold of the races beside the state (dynamics/prescribed_races.hpp).
+/// State of the races in FINAL and MASTER (dynamics/prescribed_races.hpp).
 namespace adore::facade {
 
 void keep_races(const dynamics::PrescribedRaces& races, std::map<std::string, double>& out);
@@ -18,11 +18,11 @@ void keep_races(const dynamics::PrescribedRaces& races, std::map<std::string, do
 [[nodiscard]] std::optional<dynamics::PrescribedRaces> kept_races(
     const std::map<std::string, double>& from);
 
-/// A sentence for each race that is put elsewhere at once where a run goes on: under another load,
-/// or because a law of the time (records 9.3 and 9.4) goes by the time since the start of the files
-/// and another frequency is another phase there. Of a race along directions in which it moves
-/// freely the state is kept, and nothing is said.
-/// @param moved the elements moved with the races (new_equilibrium.hpp): a new place is no impact
+/// A sentence for each race that jumps to another position when its run continues: under another
+/// load, or because laws of time (records 9.3 and 9.4) count from the start of the files,
+/// so that another frequency is another phase. For a race along directions in which it moves
+/// freely the state is kept, without a sentence.
+/// @param moved the elements moved with the races (new_equilibrium.hpp): no impact
 [[nodiscard]] std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
                                                       const dynamics::PrescribedRaces& now,
                                                       const scene::ScenePlan& plan,

@@ -118,7 +118,7 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
   const auto add = [&out](std::string_view id, double value) {
     out.push_back(key_result(id, value));
   };
-  // What does not exist, or was not averaged, has no value: 0 would read as one.
+  // Results that do not exist, or were not averaged, have no value: 0 would count as a result.
   const bool moved = averages.time > 0.0;
   const auto& terms = last.energy.items();
   const bool rubs = std::any_of(terms.begin(), terms.end(), [](const auto& item) {

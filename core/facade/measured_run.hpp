@@ -16,11 +16,11 @@ struct MeasuredRun {
   bool cut = false;      ///< given up because it took longer than it was worth
 };
 
-/// Runs the deck as run() does, every output file included, in a folder of its own that is removed
-/// at the end. The time is the processor's for this thread: what other programs do on the machine
-/// plays a small part.
-/// @param most_seconds a run that takes longer is cut [s]
-/// @throws what run() throws; Interrupted when `stop` asks for it
+/// Runs the deck as run() does, including every output file, in a separate folder that is removed
+/// at the end. The time is the processor time of this thread: other programs on the machine
+/// have little influence.
+/// @param most_seconds a longer run is cut [s]
+/// @throws as run(); Interrupted when `stop` requests it
 [[nodiscard]] MeasuredRun measured_run(RunRequest request, double most_seconds,
                                        std::stop_token stop);
 

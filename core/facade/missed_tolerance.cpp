@@ -15,16 +15,16 @@ MissedTolerance judge_missed(const setup::RunControl& control,
   const bool constant = control.step_minimum == control.step_maximum;
   out.trusted = constant || mean <= kMissedTimes || mean * control.tolerance <= kMissedLimit;
   out.text = fmt::format(
-      "{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step that record 2.1 "
-      "allows is too long for it. The mean error of all steps is {:.2g} times the tolerance",
+      "{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step of record 2.1 is "
+      "too long for it. The mean error of all steps is {:.2g} times the tolerance",
       counters.at_minimum, counters.steps, 100.0 * static_cast<double>(counters.at_minimum) / steps,
       control.tolerance, mean);
   if (mean > 1.0)
-    out.text += fmt::format(": results are about those of tol = {:.1g}", mean * control.tolerance);
-  out.text += out.trusted ? "; make stpMin smaller, or tol larger"
-                          : ". The results of this run cannot be trusted. Make stpMin smaller; "
-                            "where that takes too long, an implicit method (arkode-dirk, "
-                            "cvode-bdf) may go on";
+    out.text +=
+        fmt::format(": the results correspond to about tol = {:.1g}", mean * control.tolerance);
+  out.text += out.trusted ? "; decrease stpMin, or increase tol"
+                          : ". The results of this run cannot be trusted. Decrease stpMin; if that "
+                            "takes too long, try an implicit method (arkode-dirk, cvode-bdf)";
   return out;
 }
 

@@ -143,8 +143,7 @@ ModelStudy study_models(const DeckRequest& request, double turns, double budget,
   const Prepared prepared = prepare(request);
   if (!prepared.control.dynamic)
     throw InputError(
-        "model errors are those of a motion, and this deck is quasi-static (mode < "
-        "0); set mode = 0");
+        "model errors need a motion, but this deck is quasi-static (mode < 0); set mode = 0");
   std::vector<ModelVariant> variants = model_variants(prepared);
   if (const auto loads = nearby_loads(prepared.input.deck, kNearbyLoads); !loads.empty())
     variants.insert(variants.begin(), {"scatter",
@@ -172,7 +171,7 @@ ModelStudy study_models(const DeckRequest& request, double turns, double budget,
     study.turns *= std::clamp(0.8 * base.outcome.time / (study.turns * turn), 0.02, 0.8);
   }
   if (base.outcome.status != RunStatus::Done && base.outcome.status != RunStatus::Untrusted)
-    throw SolverError("the deck's own run ends with: " + base.outcome.message);
+    throw SolverError("the run with the deck's own settings ends with: " + base.outcome.message);
   const results::KeyResults& is = base.outcome.summary;
   study.heat = value_of(is, "mean_power_loss_W");
   study.life = value_of(is, "run_life_hours");
@@ -263,7 +262,7 @@ std::string model_json(const ModelStudy& study) {
 ModelStudy read_models(const std::string& text, const std::string& name) {
   const Json json = parse_json<Json>(text, name);
   try {
-    if (json.at("study") != "models") throw InputError(name + " is no study of model errors");
+    if (json.at("study") != "models") throw InputError(name + " is not a study of model errors");
     ModelStudy out;
     out.stamp = json.at("stamp").get<std::string>();
     out.deck = json.at("deck").get<std::string>();
@@ -290,7 +289,7 @@ ModelStudy read_models(const std::string& text, const std::string& name) {
     }
     return out;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(name + " is no study of model errors: " + error.what());
+    throw InputError(name + " is not a study of model errors: " + error.what());
   }
 }
 

@@ -59,11 +59,11 @@ struct ModelStudy {
 
 [[nodiscard]] std::string model_table(const ModelStudy& study);
 [[nodiscard]] std::string model_json(const ModelStudy& study);
-/// @throws InputError when the text is no such study
+/// @throws InputError when the text is not such a study
 [[nodiscard]] ModelStudy read_models(const std::string& text, const std::string& name);
 
 inline constexpr const char* kModelFile = "MODELS.json";
-/// The study next to the deck, if it is of this deck as it is now; damaged and foreign files count
+/// The study next to the deck, if it belongs to the present deck; damaged and other files count
 /// as none.
 [[nodiscard]] std::optional<ModelStudy> models_beside(const LoadedDeck& deck);
 

@@ -121,7 +121,7 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
     cage_ = {stress, at.time, 0, cage_.steps, where()};
     cage_pressure_ = pressure;
   };
-  // The stress ratio is asked for once, for the contact of largest force: pockets are alike.
+  // The stress ratio is computed once, for the contact of largest force: all pockets are identical.
   const scene::PocketContactSnapshot* heaviest = nullptr;
   std::size_t element = 0;
   const auto take = [&](const std::vector<scene::PocketContactSnapshot>& pocket, std::size_t i) {
@@ -187,14 +187,11 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
     const Worst& over = shoulder_[race];
     if (over.steps > 0)
       add("motion.shoulder",
-          fmt::format(
-              "in {} of the stored steps contact ellipses reach over the shoulder of the {} race, "
-              "the "
-              "worst that of ball {} at t = {:.6g} s by {}: the motion keeps the whole ellipse, so "
-              "that "
-              "loads there are better than real",
-              over.steps, kRace[race], over.element, over.time,
-              quantity(over.value, results::unit::kLength, units)))
+          fmt::format("in {} of the stored steps contact ellipses extend beyond the shoulder of "
+                      "the {} race, the worst that of ball {} at t = {:.6g} s by {}: the model "
+                      "does not truncate the ellipse, so loads there are optimistic",
+                      over.steps, kRace[race], over.element, over.time,
+                      quantity(over.value, results::unit::kLength, units)))
           .of(fmt::format("ball {}, {} race", over.element, kRace[race]))
           .at(over.time);
   }
@@ -217,10 +214,9 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
     const bearing::Cage& cage = *bearing_.cage;
     add("cage.through_race",
         fmt::format(
-            "in {} of the stored steps the cage passes through the {} race: its centre is up to {} "
+            "in {} of the stored steps the cage passes through the {} race: its center is up to {} "
             "from the race's axis (t = {:.6g} s), {} = {} leaves half of that clearance. No land "
-            "of "
-            "that race guides the cage; add a guide land (nGL, record 7.2)",
+            "of that race guides the cage; add a guide land (nGL, record 7.2)",
             through.steps, kRace[race], quantity(through.value, results::unit::kLength, units),
             through.time, race == 0 ? "cageCls1" : "cageCls2",
             quantity(race == 0 ? cage.clearance_outer : cage.clearance_inner,
@@ -232,10 +228,8 @@ std::vector<Finding> MotionWatch::findings(results::UnitSystem units) const {
   if (overlap_.steps > 0)
     add("cage.overlap",
         fmt::format("in {} of the stored steps segments of the cage overlap, the worst {} by {} at "
-                    "t = {:.6g} "
-                    "s: segments do not touch each other in this model; give a wider cut "
-                    "(cageAngCut) or less "
-                    "pocket clearance",
+                    "t = {:.6g} s: the model has no contact between segments; give a wider cut "
+                    "(cageAngCut) or less pocket clearance",
                     overlap_.steps, overlap_.where,
                     quantity(overlap_.value, results::unit::kLength, units), overlap_.time))
         .measure(overlap_.value)

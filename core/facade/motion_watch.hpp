@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
-/// Limits that a motion may pass without breaking off, watched at the stored steps (F118):
-///   contact ellipses of balls that reach over the shoulder of a race,
+/// Limits that a motion may exceed without ending, checked at the stored steps (F118):
+///   contact ellipses of balls that extend beyond the shoulder of a race,
 ///   race contacts under which race or element yields (life/contact_strength.hpp),
 ///   pockets and guide lands under which the cage yields (cageESL): c p above the elastic limit, p
 ///   the largest Hertz pressure of a ball in its pocket, the pressure of the mean load per length
 ///   of a roller at a face of its pocket, or the largest pressure of the elastic foundation of a
 ///   land, ends of cage segments that overlap, which nothing prevents (N106),
-///   a cage of one piece whose centre is further from the axis of a race than half its diametral
+///   a one-piece cage whose center is further from the axis of a race than half its diametral
 ///   clearance to that race (cageCls1, cageCls2), where no land stops it.
-/// Each is said once, with the worst of all stored steps. What happens between them is not seen.
+/// Each is reported once, with the worst of all stored steps. Times between them are not checked.
 namespace adore::facade {
 
 class MotionWatch {

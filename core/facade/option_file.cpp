@@ -63,7 +63,7 @@ const std::vector<RunOptionInfo>& run_options() {
 
 std::string option_problem(std::string_view name, std::string_view value) {
   const RunOptionInfo* option = find_option(name);
-  if (option == nullptr) return "is no run option";
+  if (option == nullptr) return "is not a run option";
   try {
     (void)setup::build_run_options({{std::string(name), std::string(value)}});
     return {};
@@ -89,7 +89,7 @@ OptionFile OptionFile::beside(const fs::path& deck_file) {
   if (!is_plain_file(path)) {
     OptionFile out;
     out.exists_ = true;
-    out.problem_ = "is no file";
+    out.problem_ = "is not a file";
     return out;
   }
   InputFile file(path);
@@ -110,7 +110,7 @@ OptionFile OptionFile::from_text(std::string text) {
     return out;
   }
   if (!json.is_object()) {
-    out.problem_ = "must hold one object of run options, such as {\"ellipseMajor\": 20}";
+    out.problem_ = "must contain one object of run options, such as {\"ellipseMajor\": 20}";
     return out;
   }
   for (const auto& [name, value] : json.items()) {

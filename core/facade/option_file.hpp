@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-/// The ADORE.json beside a deck, for programs that edit it.
+/// The ADORE.json in the folder of a deck, for programs that edit it.
 namespace adore::facade {
 
 struct RunOptionInfo {
-  std::string name, default_value, meaning;  ///< the meaning says which values are valid
+  std::string name, default_value, meaning;  ///< the meaning lists the valid values
   std::vector<std::string> choices;  ///< words that it takes; empty when it takes numbers only
 };
 
@@ -23,7 +23,7 @@ struct RunOptionInfo {
 /// Do two texts mean the same value of an option? "16" and "16.0" do.
 [[nodiscard]] bool same_option(std::string_view a, std::string_view b);
 
-/// The file as it stood when it was read. Names that are no run options stay in it.
+/// The file as it was read. Names that are not run options stay in it.
 class OptionFile {
  public:
   OptionFile() = default;  ///< no file
@@ -38,11 +38,11 @@ class OptionFile {
   [[nodiscard]] const std::string& problem() const { return problem_; }
   /// Run options that the file gives, as text.
   [[nodiscard]] const std::map<std::string, std::string>& values() const { return values_; }
-  /// Names in it that are no run option, or whose value is neither number, text nor true/false.
+  /// Names in it that are not run options, or whose value is not a number, string or true/false.
   [[nodiscard]] const std::vector<std::string>& strange() const { return strange_; }
 
-  /// The file's text with these run options instead of its own. Values that mean the default are
-  /// left out, everything strange stays, an option that keeps its value keeps its spelling. Equal
+  /// The file's text with these run options instead of its options. Values equal to the default are
+  /// left out, unknown names stay, an unchanged option keeps its spelling. Equal
   /// to text() when nothing changed.
   [[nodiscard]] std::string with(const std::map<std::string, std::string>& values) const;
 

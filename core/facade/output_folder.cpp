@@ -64,7 +64,7 @@ std::string whoami() {
                   folder.string(), std::generic_category().message(error), elsewhere));
 }
 
-/// The names of the default files, this run's, and those that the earlier run says it wrote.
+/// The default file names, those of this run, and those that the earlier run lists.
 std::set<std::string> candidates(const Outputs& outputs) {
   std::set<std::string> out(outputs.names.begin(), outputs.names.end());
   out.insert(std::begin(kDefaultNames), std::end(kDefaultNames));
@@ -103,7 +103,7 @@ std::vector<std::string> earlier_results(const Outputs& outputs) {
   return out;
 }
 
-/// Does `name` look like what stands in `pattern`, X for any letter or digit?
+/// Does `name` match `pattern`, where X is any letter or digit?
 bool matches(const std::string& name, const std::string& pattern) {
   if (name.size() != pattern.size()) return false;
   const std::size_t stem = pattern.size() - 6;
@@ -120,10 +120,10 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
   for (;;) {
     const int descriptor = folder_.open_lock(kName);
     if (descriptor < 0 && (errno == ELOOP || errno == EMLINK || errno == EINVAL || errno == ENXIO))
-      throw InputError(fmt::format(
-          "{}: a run keeps this name for its lock, and it is a link or not a regular file; remove "
-          "it, or {}",
-          path.string(), elsewhere));
+      throw InputError(
+          fmt::format("{}: a run uses this name for its lock file, but it is a link or not a "
+                      "regular file; remove it, or {}",
+                      path.string(), elsewhere));
     if (descriptor < 0) refuse_folder(folder_.path(), errno, elsewhere);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
@@ -140,7 +140,7 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
         throw InputError(
             fmt::format("{}: another run is writing into this folder ({}); wait for its end, or {}",
                         folder_.path().string(),
-                        who.empty() ? "a process that has not named itself" : who, elsewhere));
+                        who.empty() ? "a process that did not store its name" : who, elsewhere));
       }
       ::close(descriptor);  // a file system without locks
       return;
@@ -158,14 +158,14 @@ FolderLock::FolderLock(WriteFolder folder, std::string_view elsewhere)
   if (!is_lock(descriptor_)) {
     ::close(descriptor_);
     throw InputError(
-        fmt::format("{}: a run keeps this name for its lock, and the file is none; rename it, or "
-                    "choose another folder with --out",
+        fmt::format("{}: a run uses this name for its lock file, but the file is not a lock file; "
+                    "rename it, or choose another folder with --out",
                     path.string()));
   }
   const std::string who = whoami();
   if (::ftruncate(descriptor_, 0) != 0 ||
       ::pwrite(descriptor_, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size()))
-    return;  // a full disk: the lock holds all the same
+    return;  // a full disk: the lock still works
 }
 
 bool FolderLock::is_free(const fs::path& lock) noexcept {
@@ -189,7 +189,7 @@ void check_writable(const fs::path& folder, std::string_view elsewhere) {
 
 ResultsExist::ResultsExist(const fs::path& folder, const std::vector<std::string>& names)
     : InputError(fmt::format(
-          "{}: the folder holds results of an earlier run ({}); go on with that run with "
+          "{}: the folder contains results of an earlier run ({}); continue that run with "
           "--continue, replace its results with --overwrite, or choose another folder with --out",
           folder.string(), joined(names))) {}
 
@@ -217,17 +217,17 @@ void check_names(const Outputs& outputs) {
                                   fs::read_symlink(path, error).string());
       issue.remedy = "remove the link, or choose another folder with --out";
     } else if (!fs::is_regular_file(status)) {
-      issue.message = "this output of the run exists and is no plain file";
+      issue.message = "this output of the run exists and is not a plain file";
       issue.remedy = "choose another name on record 2.3, or another folder with --out";
     } else if ((fs::file_size(path, error) > 0 ||
                 (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
                                          fs::perms::others_exec)) != fs::perms::none) &&
                !is_own_file(path)) {
-      issue.message = "this output of the run exists, and is not a file that this program wrote";
+      issue.message = "this output of the run exists and was not written by this program";
       issue.remedy =
           "move it away, choose another name on record 2.3, or another folder with --out";
     } else if (write_protected(path)) {
-      issue.message = "this output of the run is write-protected and stays as it is";
+      issue.message = "this output of the run is write-protected and was not changed";
       issue.remedy = "make it writable (chmod u+w), or choose another folder with --out";
     } else {
       continue;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// The folder of a run's files: who writes there, and what may be replaced (decision 160).
+/// The folder of a run's files: who writes there, and which files may be replaced (decision 160).
 namespace adore::facade {
 
 /// One process at a time writes into a folder. The lock ends with the process that holds it,
@@ -43,7 +43,7 @@ struct RunPlace {
   std::optional<WriteFolder> folder;
 };
 
-/// Refuses a folder that this process may not write into, as FolderLock would, and leaves nothing
+/// Rejects a folder that this process may not write into, as FolderLock would, and leaves no files
 /// there. @throws InputError
 void check_writable(const std::filesystem::path& folder,
                     std::string_view elsewhere = "choose another folder with --out");
@@ -72,10 +72,10 @@ void check_room(const Outputs& outputs, bool overwrite);
 /// outputs. Every run that holds the lock does so before it writes.
 void remove_leftovers(const Outputs& outputs, const WriteFolder& folder);
 
-/// Makes room for a run that starts anew, after check_room(): what an earlier run's MASTER and
-/// RUN.json name, and what a killed process left, goes: files that will be written are removed,
-/// other results are moved into a folder "earlier-1", "earlier-2" ... @return that folder, empty
-/// when nothing had to be moved.
+/// Makes room for a new run, after check_room(): files named by MASTER and RUN.json of an earlier
+/// run, and files left by a killed process, are removed if they will be written; other results are
+/// moved into a folder "earlier-1", "earlier-2" ... @return that folder, empty when nothing had to
+/// be moved.
 std::filesystem::path make_room(const Outputs& outputs, const WriteFolder& folder);
 
 }  // namespace adore::facade

@@ -18,7 +18,7 @@ constexpr const char* kFiles = "files";
 constexpr std::size_t kUnique = 6;          ///< letters that mkdtemp gives
 constexpr std::chrono::minutes kQuiet{10};  ///< nobody is about to take a lock that is so old
 
-/// Nothing but what a passing folder holds: results of a run are never taken for one.
+/// Only files of a temporary folder: results of a run are never taken for them.
 bool holds_passing_files(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {

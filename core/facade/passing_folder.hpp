@@ -7,9 +7,9 @@ namespace adore::facade {
 
 class FolderLock;
 
-/// A new folder for files that nobody wants to keep, gone with this object. The first one of a
-/// process also removes those of this user that killed processes left: their lock is free
-/// (FolderLock), and nothing in them has been made for a while.
+/// A new folder for temporary files, removed with this object. The first one of a
+/// process also removes those of this user left by killed processes: their lock is free
+/// (FolderLock), and no file in them was created recently.
 class PassingFolder {
  public:
   /// In the folder that TMPDIR names, or /tmp. @throws WriteError when none can be made

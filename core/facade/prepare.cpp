@@ -48,9 +48,8 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants
-/// if that is asked for (decision 001). The free angle when nothing is
-/// loaded.
+/// Load-weighted mean contact angle of each race, at which a dynamic run freezes its Hertz
+/// constants if requested (decision 001). The free angle when no contact is loaded.
 std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
                                           double free_angle) {
   std::array<double, 2> out{free_angle, free_angle};
@@ -74,8 +73,8 @@ Finding warning(const std::string& text) {
   return issue;
 }
 
-/// The most that friction between ball and race can carry, over the load; empty where no traction
-/// law of the deck says so.
+/// Largest friction force between ball and race over the load; empty without a traction
+/// law in the deck.
 std::optional<double> available_friction(const deck::Deck& deck, const bearing::Bearing& bearing) {
   const double largest = tribology::largest_traction(bearing.race_traction);
   if (!deck.has("kTracType") || !(largest > 0.0)) return std::nullopt;
@@ -90,8 +89,8 @@ double timed(Action&& action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// What is to be said of a deck whose variables were set: the reader's remarks that still hold,
-/// what the sets brought in, and what the checks say now.
+/// Messages about a deck whose variables were set: remarks of the reader that still apply,
+/// messages about the sets, and results of the checks.
 std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck& changed,
                                       const std::vector<Issue>& read) {
   std::set<std::string> by_checks;
@@ -118,7 +117,7 @@ void remarks_to_deck_units(Remarks& remarks, deck::UnitSystem units) {
   }
 }
 
-/// Whatever the library says of this deck is read by who wrote the deck.
+/// Remarks of the library on this deck are shown to the user as remarks on the deck.
 void say_in_deck_units(Prepared& out) {
   const deck::UnitSystem units = out.input.deck.units();
   remarks_to_deck_units(out.input.warnings, units);
@@ -135,8 +134,8 @@ void say_in_deck_units(Prepared& out) {
 }
 
 /// Nodes of balls in oil, unless the options ask for others: those made for films that follow the
-/// pressure point by point, or for films of whole strips (kTrac 8, 12; decision 328). Where one
-/// number is given the other one is that of pieces that are alike: 15 x 4, because two across see
+/// pressure point by point, or for films of whole strips (kTrac 8, 12; decision 328). If one
+/// number is given, the other is that of equal pieces: 15 x 4, because two across sample
 /// one pressure of a row and heat is up to a tenth off (decision 414), or 20 strips (decision 326).
 /// The laws of record 10.1 need 15 x 2.
 void choose_nodes(Prepared& prepared) {
@@ -174,17 +173,17 @@ void set_film_options(Prepared& out) {
   oil.user->limit_ratio = out.options.user_limit;
   oil.user->limit_softening = out.options.user_softening;
   if (oil.stress_limit && !out.options.user_limit)
-    add_remark(out, make_finding(
-                        "film.stress_limit_assumed",
-                        fmt::format(
-                            "limiting shear stress of the user's lubricant: not given; {:g} of the "
-                            "pressure at 40 °C is assumed (estimate). Set run option "
-                            "lubStressLimit.",
-                            tribology::kUserLimit)));
+    add_remark(
+        out,
+        make_finding(
+            "film.stress_limit_assumed",
+            fmt::format("limiting shear stress of the user's lubricant: not given; {:g} of the "
+                        "pressure at 40 °C is assumed (estimate). Set run option lubStressLimit.",
+                        tribology::kUserLimit)));
 }
 
-/// Says what of the films, of the oil at the cage and of a medium that drags is beyond what is
-/// known of it. @throws statics::DeckFault
+/// Reports where films, the oil at the cage and a churning medium are outside their known
+/// range. @throws statics::DeckFault
 void doubt_fluids(Prepared& out) {
   const bearing::Bearing& b = out.bearing;
   const auto warn = [&](const std::string& text) {
@@ -211,13 +210,13 @@ void doubt_fluids(Prepared& out) {
   if (b.churning->code == 1)
     flows("kChrn", medium.temperature, "the churning medium");
   else if (medium.clamped())
-    add_remark(
-        out,
-        make_finding("fluid.medium_range",
-                     fmt::format("the properties of {}, the churning medium, are known from {:g} "
-                                 "to {:g} K; it is at {:.4g} K, and the nearer end is used",
-                                 medium.name, medium.T_min, medium.T_max, medium.temperature))
-            .measure(medium.temperature, medium.T_max));
+    add_remark(out,
+               make_finding(
+                   "fluid.medium_range",
+                   fmt::format("the properties of {}, the churning medium, are known from {:g} to "
+                               "{:g} K; it is at {:.4g} K, and those of the nearer end are used",
+                               medium.name, medium.T_min, medium.T_max, medium.temperature))
+                   .measure(medium.temperature, medium.T_max));
 }
 
 /// Value, bounds and body of ranges that more detailed remarks describe.
@@ -264,12 +263,12 @@ void find_left_ranges(Prepared& out) {
     add_remark(out, make_finding("friction.spread", text));
 }
 
-/// Says where what flows around the elements is known by hearsay or guess.
+/// Reports where properties of the medium around the elements are recalled or estimated.
 void say_certainty(Prepared& out) {
   const auto say = [&](const std::string& name, const std::string& provenance, const char* what) {
-    const char* const known = provenance == "estimated" ? "are estimates, at least one of them"
+    const char* const known = provenance == "estimated" ? "are estimates, at least in part"
                               : provenance == "recalled"
-                                  ? "were recalled, at least one of them, not read in a publication"
+                                  ? "are recalled, at least in part, not read in a publication"
                                   : nullptr;
     if (known != nullptr)
       add_remark(out,
@@ -294,28 +293,27 @@ void say_certainty(Prepared& out) {
   }
 }
 
-/// What contact damping leaves out, where it was asked for or switched off.
+/// Effect of contact damping being off, if specified.
 void say_damping(Prepared& out) {
   const auto given = out.input.option_values.find("contactDamping");
   if (!out.plan.has(scene::Effect::ContactDamping))
     add_remark(
-        out, make_finding(
-                 "damping.off",
-                 "contact damping is off: contact vibrations do not decay, so that largest loads, "
-                 "life and spectra are not those of a real bearing. Use contactDamping = material "
-                 "for them"));
+        out,
+        make_finding("damping.off",
+                     "contact damping is off: contact vibrations do not decay, so largest loads, "
+                     "life and spectra are not realistic. Set contactDamping = material"));
   else if (given != out.input.option_values.end() && out.plan.has(scene::Effect::ElementBalance))
-    add_remark(
-        out, make_finding("damping.idle",
-                          fmt::format("contactDamping = {} plays no part at the races, because "
-                                      "the mode of record 2.1 holds all elements in balance there",
-                                      given->second)));
+    add_remark(out, make_finding(
+                        "damping.idle",
+                        fmt::format("contactDamping = {} has no effect at the races, because the "
+                                    "mode of record 2.1 keeps all elements in force balance there",
+                                    given->second)));
 }
 
 /// @throws Interrupted when the preparation is to end.
 void ask_to_go_on(const LoadedDeck& input) {
   if (input.stop.stop_requested())
-    throw Interrupted("interrupted while the equilibrium was sought; nothing was written");
+    throw Interrupted("interrupted during the search for the equilibrium; no files were written");
 }
 
 Prepared prepare_model(LoadedDeck input) {
@@ -357,7 +355,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.as_built.thermal && deck.integer("mode") < 0) {
     const auto interrupt = [&] {
       if (out.input.stop.stop_requested())
-        throw Interrupted("interrupted in the thermal analysis; nothing was written");
+        throw Interrupted("interrupted in the thermal analysis; no files were written");
     };
     if (out.options.thermal_transient) {
       out.time_line = thermal::solve_time_line(out.as_built, out.options.rollers, interrupt);
@@ -401,10 +399,10 @@ Prepared prepare_model(LoadedDeck input) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
     for (const std::string& text : row.operating->warnings)
-      add_remark(out, make_finding("fit.stiffness_table",
-                                   fmt::format("stiffness over speed, from {:g} and {:g} rpm on: "
-                                               "{}",
-                                               kRpm * row.speed[0], kRpm * row.speed[1], text)));
+      add_remark(out,
+                 make_finding("fit.stiffness_table",
+                              fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                                          kRpm * row.speed[0], kRpm * row.speed[1], text)));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {
@@ -431,11 +429,11 @@ Prepared prepare_model(LoadedDeck input) {
       if (out.rollers->guide_force > 0.0)
         add_remark(
             out,
-            make_finding("statics.guide_force",
-                         fmt::format("the equilibrium holds each roller along its axis with {:.4g} "
-                                     "N, as a guide ring does; in motion only its groove and "
-                                     "friction hold it",
-                                     out.rollers->guide_force))
+            make_finding(
+                "statics.guide_force",
+                fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
+                            "guide ring does; in motion only the groove and friction hold it",
+                            out.rollers->guide_force))
                 .measure(out.rollers->guide_force));
     }
     find_left_ranges(out);
@@ -457,16 +455,16 @@ Prepared prepare_model(LoadedDeck input) {
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
       ratio > validity::range("rolling.strips").bounds.most)
     add_remark(
-        out, make_finding(
-                 "rolling.thick_oil",
-                 fmt::format(
-                     "the rolling resistance of the balls in oil, whose law knows no pressure "
-                     "coefficient of the oil, is {:.2g} times that of strips with the law of "
-                     "lines, which does. Reynolds' equation solved for point contacts (up to 2.5 "
-                     "times) lies between both: in so thick an oil at such a speed this resistance "
-                     "and its heat may be some {:.0f} % too large",
-                     ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
-                 .measure(ratio, validity::range("rolling.strips").bounds.most));
+        out,
+        make_finding(
+            "rolling.thick_oil",
+            fmt::format("rolling resistance of the balls in oil: the law has no pressure "
+                        "coefficient of the oil, and its result is {:.2g} times that of strips "
+                        "with the line-contact law, which has one. Reynolds' equation solved for "
+                        "point contacts (up to 2.5 times) is between both: at this viscosity and "
+                        "speed this resistance and its heat may be about {:.0f} % too large",
+                        ratio, 100.0 * (statics::rolling_excess(ratio) - 1.0)))
+            .measure(ratio, validity::range("rolling.strips").bounds.most));
   judge(life::contact_strength(out.bearing, out.statics));
   for (Finding& one : listing::ball_warnings(out.bearing, out.statics,
                                              available_friction(deck, out.bearing), deck.units()))
@@ -511,7 +509,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const nlohmann::json json = parse_json(read_text_file(path), path.string());
   if (!json.is_object())
     throw InputError(fmt::format(
-        "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
+        "{} must contain one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
   for (const auto& [name, value] : json.items()) {
     if (value.is_string())
       out[name] = value.get<std::string>();
@@ -520,7 +518,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
     else if (value.is_number())
       out[name] = dump_json(value);
     else
-      throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false",
+      throw InputError(fmt::format("{}: run option {} must be a number, a string or true/false",
                                    path.string(), name));
   }
   return out;
@@ -531,7 +529,7 @@ fs::path deck_path(const fs::path& path) {
   if (fs::is_directory(path, error)) {
     if (fs::exists(path / "DATA.txt", error)) return path / "DATA.txt";
     throw InputError(
-        fmt::format("there is no DATA.txt in the folder {}; give a deck, or make one with `adore "
+        fmt::format("there is no DATA.txt in the folder {}; give a deck, or create one with `adore "
                     "new ball --out {}`",
                     path.string(), (path / "DATA.txt").string()));
   }
@@ -610,9 +608,9 @@ Prepared prepare(const DeckRequest& request, std::stop_token stop) {
 
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
-  const deck::Deck deck = input.deck;  // for what is said of it
+  const deck::Deck deck = input.deck;  // for its messages
   const deck::UnitSystem units = deck.units();
-  (void)setup::build_run_options(input.option_values);  // what is wrong with them is not the deck's
+  (void)setup::build_run_options(input.option_values);  // their errors are not errors of the deck
   try {
     Prepared out = prepare_model(std::move(input));
     say_in_deck_units(out);
@@ -672,7 +670,7 @@ std::string stability_text(const Prepared& prepared) {
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
-/// What ends a run of this deck, in turns: its time, or its steps before that.
+/// End of a run of this deck, in revolutions: its time, or its steps before that.
 std::string end_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   if (!(speed > 0.0) || !(plan.steps_per_revolution > 0.0) || speeds_vary(prepared))

@@ -41,7 +41,7 @@ struct Prepared {
   scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;             ///< roller bearings, instead of it
-  std::shared_ptr<const dynamics::RollerScene> roller_scene;  ///< where a run of them starts
+  std::shared_ptr<const dynamics::RollerScene> roller_scene;  ///< start of their run
   std::vector<statics::StiffnessRow> stiffness;               ///< kStif; empty when not asked for
   std::array<double, 2>
       fixed_angle{};  ///< mean contact angles, where frozen Hertz constants are taken [rad]
@@ -58,7 +58,7 @@ struct Prepared {
   std::vector<validity::Finding> left_ranges;
   std::optional<thermal::TimeLine> time_line;  ///< and thermalTransient = on
 
-  /// What the quasi-static solution says of the inner race, whatever rolls on it.
+  /// Results of the quasi-static solution for the inner race, for balls and rollers.
   [[nodiscard]] const statics::RaceResult& race_result() const {
     return rollers ? static_cast<const statics::RaceResult&>(*rollers) : statics;
   }
@@ -87,12 +87,12 @@ void add_remark(Prepared& prepared, Finding finding);
 /// The equations of motion of a prepared dynamic deck.
 [[nodiscard]] dynamics::System make_system(const Prepared& prepared);
 
-/// Adds to the plan what stands in for integrals that are too dear.
+/// Adds to the plan the substitutes of integrals that are too expensive.
 void state_in(scene::ScenePlan& plan, const dynamics::System& system);
 
 /// Plan with its estimates (frequencies, step, cost) as text or JSON.
 [[nodiscard]] scene::ScenePlan plan_with_estimates(const Prepared& prepared);
-/// What the integrator's steps do to contact vibrations, and what is done about it; empty for a
+/// Effect of the integrator's steps on contact vibrations, and the changes made; empty for a
 /// quasi-static deck.
 [[nodiscard]] std::string stability_text(const Prepared& prepared);
 [[nodiscard]] std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan);

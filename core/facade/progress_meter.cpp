@@ -38,7 +38,7 @@ double ProgressMeter::by_steps(long step) const {
          static_cast<double>(std::max(1L, span_.max_steps));
 }
 
-/// What is left of both, at the pace since this program began.
+/// Remaining part of both, at the pace since this program began.
 bool ProgressMeter::steps_end(double time, long step) const {
   const double last = static_cast<double>(first_step_) + static_cast<double>(span_.max_steps);
   return (last - static_cast<double>(step)) * (time - start_) <

@@ -11,7 +11,7 @@ namespace adore::facade {
 class ProgressMeter {
  public:
   /// @param start where this process takes the run over; @param completes a run that began before:
-  /// its part counts as done; @param turns of the shaft, now
+  /// its part counts as done; @param turns shaft revolutions so far
   ProgressMeter(const ProgressSink& sink, const StartPoint& start, bool completes,
                 const RunSpan& span, std::function<double()> turns);
 

@@ -33,12 +33,12 @@ void RaceWatch::look(double t, const dynamics::RaceLoad& load, double contact) {
   const double off = off_ / length, whole = asked_ / length;
   begin(t);
   if (windows_ < kWindows) return;
-  throw SolverError(fmt::format(
-      "at t = {:.9g} s the inner race is not in balance (mode = 2): it is asked to carry {:.4g} N, "
-      "and what the elements carry is off by {:.4g} N in the mean of the last {:.3g} s. Elements "
-      "that barely touch hold no race whose inertia is left out; give more load or preload, or set "
-      "mode to 0 with kDCR = 1 and kFD = 0",
-      t, whole, off, length));
+  throw SolverError(
+      fmt::format("at t = {:.9g} s the inner race is not in balance (mode = 2): its specified load "
+                  "is {:.4g} N, and the load of the elements differs by {:.4g} N in the mean of "
+                  "the last {:.3g} s. Elements with little contact cannot hold a race without "
+                  "inertia; increase load or preload, or set mode to 0 with kDCR = 1 and kFD = 0",
+                  t, whole, off, length));
 }
 
 }  // namespace adore::facade

@@ -11,7 +11,7 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Above kMissedLimit loads of some per cent beside the right ones come with an energy that closes:
+/// Above kMissedLimit loads may be some per cent off although the energy balance closes:
 /// at 1e-3 up to 5 % of loads, 7 % of heat and 20 % of life (tests/hardcases/silent_errors.py,
 /// decision 481).
 void warn_of_loose_tolerance(Prepared& prepared) {
@@ -21,15 +21,15 @@ void warn_of_loose_tolerance(Prepared& prepared) {
       prepared,
       make_finding(
           "run.loose_tolerance",
-          fmt::format("the tolerance of {:g} (tol on record 2.1, or --tol) is loose: loads may "
-                      "be 5 % and lives 20 % off although the energy of the run closes. Take "
-                      "{:g} or less for results to rely on; adore run --verify tells what a "
-                      "run's settings leave open",
-                      control.tolerance, kMissedLimit))
+          fmt::format(
+              "the tolerance of {:g} (tol on record 2.1, or --tol) is loose: errors may be 5 % in "
+              "loads and 20 % in lives even if the energy balance closes. Use {:g} or less for "
+              "reliable results; adore run --verify estimates the error of a run's settings",
+              control.tolerance, kMissedLimit))
           .measure(control.tolerance, kMissedLimit));
 }
 
-/// The steps that the run takes. What was changed becomes a remark on the deck and part of its
+/// The steps that the run takes. A change becomes a remark on the deck and part of its
 /// plan.
 /// @throws InputError when the method is refused.
 StepLimits settle_steps(Prepared& prepared, double time_scale) {
@@ -41,35 +41,34 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
   return steps.limits;
 }
 
-/// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
+/// The deck's integrator. @throws InputError when it does not support the deck.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held,
                                                            bool rollers) {
   auto stepper = integrators::make_stepper(control.integrator);
   if (stepper->name() == "arkode-imex" && rollers)
     throw InputError(
-        "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
-        "not split off; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex treats the normal contacts of balls and races implicitly, but not those of "
+        "rollers; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
 
   if (stepper->name() == "arkode-imex" && held)
     throw InputError(
-        "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1, or mode "
-        "1 or 2, holds elements in force balance; set qFac and mode to 0, or use arkode-dirk "
-        "(intMet "
-        "32) or arkode-erk (intMet 31)");
+        "arkode-imex needs freely moving elements, but qFac on record 2.1, or mode 1 or 2, keeps "
+        "elements in force balance; set qFac and mode to 0, or use arkode-dirk (intMet 32) or "
+        "arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
-        "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
-        "none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex treats the normal contacts of elements and races implicitly, and this deck "
+        "has none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
   if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
     throw InputError(
-        fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
-                    "use intMet 1-7, 11-18 or 31-32, or let stpMin be smaller than stpMax",
+        fmt::format("record 2.1 specifies a constant step (stpMin = stpMax), which {} does not "
+                    "support; use intMet 1-7, 11-18 or 31-32, or make stpMin smaller than stpMax",
                     stepper->name()));
   return stepper;
 }
 
-/// Temperatures and geometry of the run that goes on; false: it has none.
+/// Temperatures and geometry of the continued run; false: it has none.
 bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& master) {
   std::error_code error;
   if (!fs::exists(master, error)) return false;
@@ -96,8 +95,8 @@ bool restore_growth(ReadyRun& run, Prepared& prepared) {
   return true;
 }
 
-/// Does something that may refuse the deck's method: names intMet, where no record is named and the
-/// request has no method in its place.
+/// Runs a function that may reject the deck's method: names intMet if no record is named and the
+/// request does not specify a method.
 template <class Check>
 auto of_method(const RunRequest& request, const deck::Deck& deck, Check&& check) {
   try {
@@ -141,13 +140,13 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace
   warn_of_loose_tolerance(prepared);
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
-        "{}: there is no run to go on with: it was never started here, or ended before its first "
+        "{}: there is no run to continue: it was never started here, or ended before its first "
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   outputs.emplace(prepared, place, request_digest(request, prepared.input), request.overwrite);
   growth.emplace(prepared);
-  // Times, limits and estimates above are those of the bearing of the deck, as they were when the
-  // run began: a run that was killed goes on in the same steps.
+  // Times, limits and estimates above are those of the bearing of the deck at the start of
+  // the run: a killed run continues with the same steps.
   thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   if (thermal_goes_on) system.emplace(make_system(prepared));

@@ -16,7 +16,7 @@ namespace adore::facade {
 
 /// A run in time up to its first step: everything found and checked, nothing written.
 struct ReadyRun {
-  /// What was changed becomes a remark on the deck and part of its plan.
+  /// A change becomes a remark on the deck and part of its plan.
   /// @throws InputError, SolverError when no start state exists
   ReadyRun(const RunRequest& request, Prepared& prepared, const RunPlace& place);
   ReadyRun(const ReadyRun&) = delete;

@@ -13,7 +13,7 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where no file is in the way.
+/// If no file is in the way.
 constexpr const char* kNowhere = "/nonexistent";
 
 /// @param folder of the run's files; empty: none is looked at

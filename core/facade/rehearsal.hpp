@@ -6,7 +6,7 @@
 
 namespace adore::facade {
 
-/// What `adore run` says of a deck before its first step.
+/// Messages of `adore run` on a deck before its first step.
 struct Rehearsal {
   std::vector<Issue> refusals;   ///< errors; empty: the run begins
   std::vector<Finding> remarks;  ///< warnings and notes, those of the reader among them
@@ -18,11 +18,11 @@ struct Rehearsal {
 /// @param input a deck without errors @throws Interrupted when input.stop ended it
 [[nodiscard]] Rehearsal rehearse(LoadedDeck input);
 
-/// What `adore run` says against a deck before its first step, whatever finds it: the checks of the
-/// model, a folder that cannot be written into, the equilibrium, the method and its steps, the
-/// start state, and outputs that are no files of ours. Earlier results are not looked at: who
-/// starts the run is asked. Writes nothing. Takes as long as a run takes until its first step.
-/// @param input a deck without errors. Without a path it has no folder: files are not looked at
+/// Errors of `adore run` on a deck before its first step: checks of the
+/// model, a folder without write permission, the equilibrium, the method and its steps, the
+/// start state, and outputs that would replace foreign files. Earlier results are not checked: the
+/// run asks about them. Writes nothing. Takes as long as a run until its first step.
+/// @param input a deck without errors. Without a path it has no folder, and files are not checked
 /// @return errors; empty: the run begins
 /// @throws Interrupted when input.stop ended it
 [[nodiscard]] std::vector<Issue> refusals_of_run(LoadedDeck input);

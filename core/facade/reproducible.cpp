@@ -13,11 +13,11 @@ void require_reproducible() {
   if (!portable_math_functions())
     throw InputError(
         "--reproducible: this program was built with the math functions of the C library, which "
-        "differ from processor to processor; build it where musl is installed (Debian: musl-dev)");
+        "differ between processors; build it where musl is installed (Debian: musl-dev)");
   ::setenv("ADORE_ISA", "baseline", 1);
   // The kernel is chosen once, at its first use.
   if (std::string_view(dynamics::race_contact_instruction_set()) != "baseline")
-    throw InputError("--reproducible was asked for after a run of this process; start a new one");
+    throw InputError("--reproducible was set after a run of this process; start a new process");
 }
 
 }  // namespace adore::facade

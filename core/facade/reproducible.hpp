@@ -3,7 +3,7 @@
 namespace adore::facade {
 
 /// Makes every later run of this process give the same bytes on any x86-64 processor: the contact
-/// kernel of the baseline instruction set, whatever ADORE_ISA says. Call it before the first run,
+/// kernel of the baseline instruction set, independent of ADORE_ISA. Call it before the first run
 /// and before other threads start.
 /// @throws InputError when the program was built without portable math functions.
 void require_reproducible();

@@ -135,7 +135,7 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
     if (value != std::round(value) || value < static_cast<double>(least) ||
         value > static_cast<double>(most))
       throw InputError(
-          fmt::format("{}: \"{}\" is {}, which is no whole number from {} to {}; the file is "
+          fmt::format("{}: \"{}\" is {}, which is not a whole number from {} to {}; the file is "
                       "damaged, restore it or start again with --overwrite",
                       file.string(), name, value, least, most));
     return static_cast<long>(value);
@@ -158,7 +158,7 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
     const double value = number(name, 0.0);
     if (!(value >= 0.0) || !std::isfinite(value))
       throw InputError(
-          fmt::format("{}: \"{}\" is {}, which is no number of 0 or more; the file is damaged, "
+          fmt::format("{}: \"{}\" is {}, which is not a number of 0 or more; the file is damaged, "
                       "restore it or start again with --overwrite",
                       file.string(), name, value));
     out.resume.*error = value;

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-/// What MASTER holds beside the state, so that a run goes on as if it had never stopped: places in
-/// the files, the stepper's memory, and what the ledgers began with.
+/// Contents of MASTER in addition to the state, for a continuation without a break: positions in
+/// the files, the stepper's memory, and start values of the ledgers.
 namespace adore::facade {
 
 /// Last step in each kind of file, and of the life models; -1 before the first.
@@ -21,12 +21,11 @@ struct FileSteps {
   long plotted = -1, animated = -1, printed = -1, saved = -1, lived = -1;
 };
 
-/// What the ledgers of a continued run began with, and their residual where it goes on. They go on
-/// from there, to the last bit, while the residual is that of MASTER; under other loads or speeds
-/// it jumps, and they begin anew.
-/// "That of MASTER" allows for rounding: of the balance's largest item, since another processor's
-/// vector units round otherwise and the residual is a small difference of large energies (early in
-/// a run next to none has moved), and 1e-9 of what moved.
+/// Start values of the ledgers of a continued run, and their residual at the continuation. They
+/// continue bit by bit while the residual is that of MASTER; under other loads or speeds it jumps,
+/// and they start again. "That of MASTER" allows for rounding: of the balance's largest item, since
+/// another processor's vector units round otherwise and the residual is a small difference of large
+/// energies (small early in a run), and 1e-9 of the exchanged energy.
 struct LedgerStart {
   double stored = 0.0, residual = 0.0;                                 ///< [J]
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;  ///< [N s, N m s]

@@ -23,8 +23,9 @@ ResultsFolder::ResultsFolder(fs::path named, const fs::path& below) : path_(std:
     folder_ = folder_->folder(below);
     path_ = all;
   } catch (const InputError& refused) {
-    throw InputError(fmt::format("cannot make the output folder: {}; name another one with --out",
-                                 refused.what()));
+    throw InputError(
+        fmt::format("the output folder cannot be created: {}; choose another folder with --out",
+                    refused.what()));
   }
 }
 

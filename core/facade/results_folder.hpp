@@ -7,13 +7,13 @@
 
 namespace adore::facade {
 
-/// The folder that results go into, made with those above it where they are missing. What was made
-/// here and is still empty at the end goes with this object: a run that is refused leaves nothing.
+/// The folder for results, created with missing parents. Folders created
+/// here and still empty at the end are removed with this object: a rejected run leaves nothing.
 class ResultsFolder {
  public:
   /// @param named by the user: may be a link
-  /// @param below folders in it that the program names ("files/KEY"): links are refused
-  /// @throws InputError when it cannot be made
+  /// @param below folders in it that the program names ("files/KEY"): links are rejected
+  /// @throws InputError when it cannot be created
   explicit ResultsFolder(std::filesystem::path named, const std::filesystem::path& below = {});
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;

@@ -43,9 +43,9 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
   }
   if (request.tolerance) {
     if (!(*request.tolerance > 0.0 && *request.tolerance < 1.0))
-      throw InputError(
-          fmt::format("--tol {} is no local error limit; give a number between 0 and 1, e.g. 1e-6",
-                      *request.tolerance));
+      throw InputError(fmt::format(
+          "--tol {} is not a local error limit; give a number between 0 and 1, e.g. 1e-6",
+          *request.tolerance));
     prepared.control.tolerance = *request.tolerance;
     for (bearing::Bearing* one : {&prepared.as_built, &prepared.bearing})
       if (one->lubrication) one->lubrication->tolerance = *request.tolerance;
@@ -57,7 +57,7 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
                             const WriteFolder& folder) {
   if (request.go_on)
     throw InputError(fmt::format(
-        "--continue: the deck {} is quasi-static, there is nothing to go on with; leave it out",
+        "--continue: the deck {} is quasi-static, so there is nothing to continue; omit the option",
         prepared.input.path.string()));
   RunOutcome out;
   RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
@@ -72,12 +72,13 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
   return out;
 }
 
-/// How to go on after a file could not be written.
+/// How to continue after a write error.
 std::string way_on(const fs::path& master) {
   std::error_code error;
   return fs::exists(master, error)
-             ? "the files are valid up to their last whole step: go on with --continue"
-             : "the run had no checkpoint yet: start it again, with --overwrite";
+             ? "the files are valid up to their last complete step: continue the run with "
+               "--continue"
+             : "the run did not reach its first checkpoint: start it again, with --overwrite";
 }
 
 RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const WriteFolder& folder,
@@ -123,7 +124,7 @@ RunOutcome run_with(const RunRequest& request, const std::string& remark,
   input.stop = stop;
   if (progress) input.table_progress = table_meter(progress);
   if (input.deck.integer("kStif") > 0 && !request.go_on && input.deck.integer("kIcOpt") != 1) {
-    // The table may take minutes: a folder that is taken is refused before.
+    // The table may take minutes: an occupied folder is rejected before.
     check_room({output_folder(request, input.path) / request.below, {"PRINT.txt"}, {input.path}},
                request.overwrite);
   }

@@ -16,18 +16,18 @@
 namespace adore::facade {
 
 struct RunRequest : DeckRequest {
-  std::optional<std::filesystem::path> out;  ///< folder of the files; default: beside the deck
+  std::optional<std::filesystem::path> out;  ///< folder of the files; default: that of the deck
   std::filesystem::path below;  ///< of the files, in `out`: folders that the program names
   std::string until;       ///< "5rev", "0.02s" or a dimensionless time; replaces fTime and maxStps.
                            ///< Empty: the deck's
   std::string integrator;  ///< name instead of intMet; empty: the deck's
   std::optional<double> tolerance;  ///< instead of tol
   bool go_on = false;      ///< complete the run whose MASTER is in the folder; maxStps counts from
-                           ///< where that run began
+                           ///< start of that run
   bool overwrite = false;  ///< results of an earlier run in the folder may be replaced
 };
 
-/// What a live display needs, sent at most about 20 times a second and once at the end.
+/// Data for a live display, sent at most about 20 times a second and once at the end.
 struct Progress {
   double fraction = 0.0;     ///< of the simulated span, 0..1; 1 only when the run is done. Of a run
                              ///< that is completed (go_on): what was done before counts
@@ -42,7 +42,7 @@ struct Progress {
   double speed_up = 0.0;   ///< simulated over computing time
   long runs = 0;           ///< of a sweep: how many there are, and `step` counts those that are
                            ///< done; 0: one run
-  std::string_view piece = "run";  ///< what `runs` counts: "run", or "speed" of a table
+  std::string_view piece = "run";  ///< unit of `runs`: "run", or "speed" of a table
 };
 using ProgressSink = std::function<void(const Progress&)>;
 
@@ -56,7 +56,7 @@ enum class RunStatus : unsigned char {
 struct RunOutcome {
   RunStatus status = RunStatus::Done;
   std::string message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last
-                        ///< stored step. Done: says so when there was nothing left to do
+                        ///< stored step. Done: reports when the run was already complete
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
   std::vector<Finding> warnings;             ///< all findings (base/finding.hpp)
@@ -77,16 +77,16 @@ struct RunOutcome {
 };
 
 /// Runs the deck to its end, to an interruption, or to a diagnosed failure.
-/// @throws InputError (nothing was overwritten; ResultsExist when results of an earlier run stand
-/// in the way and nobody allowed to replace them), SolverError when no start state exists
-/// (PRINT.txt says so far), Interrupted when the stop came before anything was written.
+/// @throws InputError (nothing was overwritten; ResultsExist when results of an earlier run are
+/// in the way and may not be replaced), SolverError when no start state exists
+/// (PRINT.txt reports it), Interrupted when the stop came before any output.
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 
 /// The folder that the request names for its files; they are in the folder `below` it.
 std::filesystem::path output_folder(const RunRequest& request, const std::filesystem::path& deck);
 
-/// Says what is run, in a few digits: deck with its sets, options, end, method and program version.
+/// Digest of the run: deck with its sets, options, end, method and program version.
 [[nodiscard]] std::string request_digest(const RunRequest& request, const LoadedDeck& deck);
 
 }  // namespace adore::facade

@@ -4,10 +4,10 @@
 
 #include <string>
 
-/// What tables of many runs say of each: sweeps and studies.
+/// Entries of each run in tables of many runs: sweeps and studies.
 namespace adore::facade {
 
-/// How a run ended, whatever way it ended.
+/// How a run ended, in any case.
 struct RunEnding {
   RunOutcome outcome;
   std::string failure;  ///< input or solver error, interruption: the run has no outcome
@@ -26,8 +26,8 @@ struct RunEnding {
 /// them; others with as many digits as they have.
 [[nodiscard]] std::string value_text(double value);
 
-/// Unit of the deck variable in the deck's system; empty for a pure number, or where the runs will
-/// say what is wrong with deck or name.
+/// Unit of the deck variable in the deck's system; empty for a pure number, or if deck or name
+/// are wrong (the runs report it).
 [[nodiscard]] std::string variable_unit(const DeckRequest& request, const std::string& variable);
 
 /// A sentence as the last field of a table's line: quoted, on one line.

@@ -20,12 +20,12 @@
 /// The growing files of one run: their names, their opening, and which step goes where.
 namespace adore::facade {
 
-/// What the friction of elements and races goes by in this run, as effects/races.cpp takes it.
+/// Parameters of the friction of elements and races in this run, as effects/races.cpp takes them.
 [[nodiscard]] listing::RaceFriction race_friction(const Prepared& prepared);
 
 class RunFiles {
  public:
-  /// @pre `prepared` lives as long
+  /// @pre `prepared` outlives this
   RunFiles(const Prepared& prepared, RunPlace place);
 
   [[nodiscard]] std::filesystem::path path(const std::string& name) const {
@@ -34,7 +34,7 @@ class RunFiles {
   [[nodiscard]] const WriteFolder& folder() const;
   /// Place of an output file of this name.
   [[nodiscard]] WritePath place(const std::string& name) const { return {folder(), name}; }
-  /// What this run will write, and what it reads.
+  /// Files that this run will write and read.
   [[nodiscard]] Outputs outputs() const;
   /// Refuses to continue files of another run or layout, before any of them is touched (N3).
   void check() const;
@@ -73,11 +73,11 @@ class RunFiles {
   /// Steps are handed to the system many at a time, at the latest with the first one after a tenth
   /// of a second; this hands on what waits. @throws WriteError
   void flush();
-  /// The run is over: RESULTS.h5 gets the bytes with which the library leaves it. RUN.json may say
-  /// so after this only, since nobody goes on with a run that is "done".
+  /// The run is over: RESULTS.h5 gets its final bytes from the library. RUN.json may report
+  /// the end only after this, since a run that is "done" is not continued.
   /// @throws WriteError
   void close();
-  /// Where MASTER finds their ends. @pre flush()
+  /// Sizes of the files, for MASTER. @pre flush()
   [[nodiscard]] std::vector<results::MasterFile> ends() const;
 
   FileSteps steps;

@@ -81,8 +81,8 @@ const char* status_word(RunStatus status) {
   return "failed";
 }
 
-/// What a run that starts anew from FINAL, where races are prescribed as `now`, takes from before:
-/// a free race only with its state, and turns of less than one.
+/// State that a new run from FINAL takes over if races are prescribed as `now`:
+/// a free race only with its state, and less than one revolution.
 dynamics::PrescribedRaces of_new_run(dynamics::PrescribedRaces races,
                                      const results::FinalState& from,
                                      const dynamics::PrescribedRaces& now) {
@@ -107,7 +107,7 @@ void add_ending(results::RunSummary& run) {
   if (code != nullptr) run.findings.insert(run.findings.begin(), make_finding(code, run.message));
 }
 
-/// The open files of one run and what they need to go on.
+/// The open files of one run and their data for a continuation.
 struct RunOutputs::Impl {
   const Prepared& prepared;
   std::string request;
@@ -216,12 +216,13 @@ void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
   const double heat = std::max({error.heat_of_finer, mean[0] + mean[1], least});
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
   if (std::abs(off) <= kTolerated) return;
-  remark(make_finding("end.quadrature",
-                      fmt::format("the heat of the races is {:.2g} % off by the nodes of the "
-                                  "contact integrals (against twice as many, in the last state); "
-                                  "more of them by the run options ellipseMajor and ellipseMinor",
-                                  100.0 * off))
-             .measure(100.0 * off, 100.0 * kTolerated));
+  remark(
+      make_finding("end.quadrature",
+                   fmt::format("the heat of the races is {:.2g} % off because of too few nodes of "
+                               "the contact integrals (compared with twice as many, in the last "
+                               "state); increase the run options ellipseMajor and ellipseMinor",
+                               100.0 * off))
+          .measure(100.0 * off, 100.0 * kTolerated));
 }
 
 void RunOutputs::Impl::make_room() {
@@ -371,19 +372,19 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (start == setup::StartState::FromFinal && !final_exists)
     throw InputError(
         {deck.issue(Severity::Error, "kIcOpt",
-                    fmt::format("starts from {}, and there is no such file",
+                    fmt::format("starts from {}, but this file does not exist",
                                 s.path(s.control.final_file).string()),
-                    "put the FINAL of a run there, or start from statics (kIcOpt = 0)")});
+                    "copy the FINAL of a run there, or start from statics (kIcOpt = 0)")});
   if (start == setup::StartState::Continue && !master_exists && !final_exists)
-    throw InputError({deck.issue(
-        Severity::Error, "kIcOpt",
-        fmt::format("goes on with a run, and there is neither {} nor {} to go on from: the run was "
-                    "never started here, or ended before its first checkpoint",
-                    s.path(s.control.master_file).string(), s.control.final_file),
-        "start it with kIcOpt = 0, and --overwrite if files are left")});
+    throw InputError(
+        {deck.issue(Severity::Error, "kIcOpt",
+                    fmt::format("continues a run, but neither {} nor {} exists: the run was never "
+                                "started here, or ended before its first checkpoint",
+                                s.path(s.control.master_file).string(), s.control.final_file),
+                    "start it with kIcOpt = 0, and --overwrite if files are left")});
   if (start == setup::StartState::Continue && !master_exists) {
     s.remark(make_finding("run.no_restart_file",
-                          fmt::format("kIcOpt = 1, and there is no {}: a new run from {}",
+                          fmt::format("kIcOpt = 1, but there is no {}: a new run starts from {}",
                                       s.control.master_file, s.control.final_file)));
     start = setup::StartState::FromFinal;
   }
@@ -406,11 +407,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
           dynamics::move_to_equilibrium(moving_scene(from.prepared, *from.system), from.time,
                                         from.y, moving_scene(s.prepared, system), out.time, out.y);
     } catch (const InputError& failure) {
-      change.why_not =
-          fmt::format("the scene of the stored state is not known ({})", failure.what());
+      change.why_not = fmt::format("the scene of the stored state is unknown ({})", failure.what());
     } catch (const SolverError& failure) {
-      change.why_not =
-          fmt::format("the scene of the stored state is not known ({})", failure.what());
+      change.why_not = fmt::format("the scene of the stored state is unknown ({})", failure.what());
     }
     if (const std::string text = change_remark(change, "start from " + file.filename().string(),
                                                specified_shocks(s.prepared));
@@ -459,7 +458,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (races)
       for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units, moved))
         s.remark(make_finding("run.start_race_jump", jump));
-    // The shaft goes on from where it was.
+    // The shaft angle continues.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
     const double beyond = turned - system.shaft_rotation(out.time, out.y);
@@ -508,7 +507,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       throw ResultsExist(
           s.files.outputs().folder,
           {s.control.final_file + ", which this run reads as its start (kIcOpt = -1) before it "
-                                  "replaces any file and keeps until its own first checkpoint",
+                                  "replaces any file, and keeps until its first checkpoint",
            "others"});
     }
   }
@@ -533,7 +532,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
       s.cage_positions.push_back(group.slice.first);
   s.cage_state.follow(system.layout());
   s.last_y = start.y;
-  // Should the process be killed, it says which run that was.
+  // If the process is killed, this identifies the run.
   results::RunSummary run = s.summary();
   run.status = "running";
   if (const auto left = s.ranges.findings(); !left.empty()) run.validity = validity_json(left);
@@ -626,7 +625,7 @@ void RunOutputs::evaluate_life(dynamics::System& system, const RunPoint& point) 
 void RunOutputs::follow_jump(const dynamics::System& system, bool stored) {
   Impl& s = *impl_;
   if (!s.files.all) return;
-  // What is stored is the side behind the jump.
+  // The state after the jump is stored.
   if (!stored) system.look(s.look);
   s.band.look(s.look);
 }
@@ -651,7 +650,7 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
       checkpoint(system, end.point, end.resume);
       break;
     case RunStatus::Interrupted: {
-      // The point at which somebody lost patience is shown, and gone when the run goes on.
+      // The point of an interruption is shown, and removed when the run continues.
       checkpoint(system, end.point, end.resume);
       RunPoint shown = end.point;
       if (end.resume.substeps > 0) ++shown.step;

@@ -18,8 +18,8 @@
 /// All files of one run: which step goes where, restart, checkpoints, and the closing ledgers.
 namespace adore::facade {
 
-/// Where inside a counted step the run stands, and what the stepper remembers there: what a run
-/// needs, beyond time and state, to go on as if it had never stopped.
+/// Position of the run inside a counted step, and the stepper's memory there: needed,
+/// in addition to time and state, to continue without a break.
 struct Resume {
   long substeps = 0;  ///< done of the counted step under way (nStps)
   integrators::Memory memory;
@@ -103,8 +103,8 @@ class RunOutputs {
   [[nodiscard]] bool life_due() const;
   /// The start of a run, or a counted step that was followed and whose life_due().
   void evaluate_life(dynamics::System& system, const RunPoint& point);
-  /// After a counted step that was followed, its state or its bearing has jumped (elements held or
-  /// released, a thermal step): extremes between stored steps know both sides.
+  /// After a counted step, its state or its bearing has jumped (elements held or
+  /// released, a thermal step): extremes between stored steps include both sides.
   void follow_jump(const dynamics::System& system, bool stored);
   /// Will RESULTS.h5 have this step? @param last of the run: all files do
   [[nodiscard]] bool saves(long step, bool last) const;
@@ -128,7 +128,7 @@ class RunOutputs {
   [[nodiscard]] std::string untrusted_law() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;
-  /// What turned up while the run started and ended: notes on the deck.
+  /// Notes on the deck from the start and end of the run.
   [[nodiscard]] std::vector<Finding> remarks() const;
   [[nodiscard]] double energy_residual() const;  ///< [J]
   [[nodiscard]] double energy_scale() const;     ///< [J]

@@ -11,7 +11,7 @@ namespace adore::facade {
 
 RunScales run_scales(const deck::Deck& deck, const std::map<std::string, std::string>& options) {
   if (deck.integer("mode") < 0)
-    throw InputError("a quasi-static deck (mode < 0) has no scale of time");
+    throw InputError("a quasi-static deck (mode < 0) does not have a time scale");
   LoadedDeck input;
   input.path = "deck";
   input.deck = deck;

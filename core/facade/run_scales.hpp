@@ -7,7 +7,7 @@
 
 namespace adore::facade {
 
-/// What turns a deck's dimensionless times into seconds and turns.
+/// Conversion of the deck's dimensionless times to seconds and revolutions.
 struct RunScales {
   double time = 0.0;              ///< unit of stpInit, stpMin, stpMax and fTime [s]
   double turns_per_second = 0.0;  ///< of the shaft, inner against outer race [1/s]; 0: no turns

@@ -21,15 +21,15 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   if (error != std::errc() || !(value > 0.0) || !std::isfinite(value) ||
       (unit != "" && unit != "rev" && unit != "s"))
     throw InputError(
-        fmt::format("--until {}: give turns of the shaft (5rev), seconds (0.02s) or a "
-                    "dimensionless time (1000), above 0",
+        fmt::format("--until {}: give shaft revolutions (5rev), seconds (0.02s) or a dimensionless "
+                    "time (1000), above 0",
                     text));
   if (unit == "s") return value;
   if (unit == "") return value * time_scale;
   if (shaft_speed == 0.0)
     throw InputError(
-        fmt::format("--until {}: both races turn at the same speed, so there are no shaft turns to "
-                    "count; give seconds, e.g. 0.01s",
+        fmt::format("--until {}: both races turn at the same speed, so shaft revolutions cannot be "
+                    "counted; give seconds, e.g. 0.01s",
                     text));
   return value * 2.0 * std::numbers::pi / std::abs(shaft_speed);
 }
@@ -50,8 +50,8 @@ RunSpan run_span(const RunRequest& request, const Prepared& prepared, double tim
   const bool turns = request.until.ends_with("rev");
   if (turns && speeds_vary(prepared))
     throw InputError(fmt::format(
-        "--until {}: the speed of a race varies in time (kVarSpeed, or kMD11 or kMD12 = "
-        "0), so that turns of the shaft give no end time; give seconds, e.g. 0.01s",
+        "--until {}: the speed of a race varies in time (kVarSpeed, or kMD11 or kMD12 = 0), so "
+        "shaft revolutions do not determine an end time; give seconds, e.g. 0.01s",
         request.until));
   if (!request.until.empty())
     return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
@@ -74,10 +74,10 @@ double delay_of_turns(const RunRequest& request, const StartPoint& start, double
 bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, double turned,
                 double turns_per_second) {
   const auto refuse = [&](const std::string& end, const std::string& now) {
-    throw InputError(fmt::format(
-        "the run to be continued stands at {} already, after the end that is asked for, {}; give a "
-        "later end with --until, fTime or maxStps",
-        now, end));
+    throw InputError(
+        fmt::format("the run to be continued is already at {}, after the specified end, {}; give a "
+                    "later end with --until, fTime or maxStps",
+                    now, end));
   };
   if (span.end < start.time * (1.0 - 1e-12)) {
     const auto text = [&](double time) {
@@ -96,10 +96,10 @@ bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start, do
   const bool ends_before = span.end < start.stored_time * (1.0 - 1e-6);
   if (ends_before || last_step < start.stored_step)
     throw InputError(fmt::format(
-        "the run to be continued has stored results up to step {}, {:.6g} s, and goes on from its "
-        "last checkpoint at step {}, {:.6g} s; the end that is asked for, {}, is before those "
-        "results and would drop them: give a later end with --until, fTime or maxStps, or start a "
-        "new run (kIcOpt = 0) in another folder",
+        "the run to be continued has stored results up to step {}, {:.6g} s, and continues from "
+        "its last checkpoint at step {}, {:.6g} s; the specified end, {}, is before those results "
+        "and would drop them: give a later end with --until, fTime or maxStps, or start a new run "
+        "(kIcOpt = 0) in another folder",
         start.stored_step, start.stored_time, start.step, start.time,
         ends_before ? fmt::format("{:.6g} s", span.end) : fmt::format("step {}", last_step)));
   return start.time >= span.end || last_step == start.step;

@@ -21,12 +21,12 @@ struct RunSpan {
 [[nodiscard]] RunSpan run_span(const RunRequest& request, const Prepared& prepared,
                                double time_scale);
 
-/// Number of the last counted step of a run that goes on or begins at `start`.
+/// Number of the last counted step of a run that continues or starts at `start`.
 [[nodiscard]] long last_step(const RunRequest& request, const RunSpan& span,
                              const StartPoint& start);
 
-/// How much later than from the speeds alone a run that goes on has turned as far as it is asked:
-/// its speeds were others before [s].
+/// Delay of the end of a continued run compared with its present speeds, because
+/// its speeds were different before [s].
 [[nodiscard]] double delay_of_turns(const RunRequest& request, const StartPoint& start,
                                     double turned, double turns_per_second);
 

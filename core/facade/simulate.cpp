@@ -36,8 +36,8 @@ integrators::StepControl step_control(const setup::RunControl& deck, const StepL
 RunOutcome nothing_left(const StartPoint& start, double turned) {
   RunOutcome out;
   out.message = fmt::format(
-      "nothing left to do: the run is complete, at step {} and t = {:.6g} s; go on with a later "
-      "end (--until, fTime, maxStps)",
+      "the run is complete, at step {} and t = {:.6g} s; to continue, give a later end (--until, "
+      "fTime, maxStps)",
       start.step, start.time);
   out.steps = start.step;
   out.time = start.time;
@@ -51,13 +51,13 @@ std::string continued_remark(const StartPoint& start, bool remembers,
   if (!start.continued) return {};
   if (!remembers)
     return fmt::format(
-        "continued from step {}: {} starts anew there, because the run so far had another method, "
-        "tolerance or limits of the step, or ended with a failure",
+        "continued from step {}: {} restarts there without its history, because method, tolerance "
+        "or step limits changed, or the run ended with a failure",
         start.step, stepper.name());
   if (!stepper.loses().empty())
     return fmt::format(
-        "continued from step {}: {} loses {}; the path differs from that of an unbroken run by "
-        "errors of the size that the tolerance allows",
+        "continued from step {}: {} loses {}; the path differs from that of an uninterrupted run "
+        "by errors within the tolerance",
         start.step, stepper.name(), stepper.loses());
   return {};
 }

@@ -32,8 +32,8 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
   if (balls) {
     if (left > 0)
       out.remark = fmt::format(
-          "{} of {} balls start in pure rolling, because no balance of friction was found for "
-          "them: the first revolutions contain their way to it",
+          "{} of {} balls start in pure rolling, because their balance of friction was not found: "
+          "the first revolutions contain a transient",
           left, found.rollers);
     return out;
   }
@@ -45,8 +45,8 @@ StartState start_state(const Prepared& prepared, dynamics::System& system) {
                     1e3 * found.largest_skew);
   else
     out.remark = fmt::format(
-        "{} of {} rollers start without skew, because no balance of friction was found for them: "
-        "the first turns hold their way to it, averages over later turns do not",
+        "{} of {} rollers start without skew, because their balance of friction was not found: the "
+        "first revolutions contain a transient, averages over later ones do not",
         left, found.rollers);
   return out;
 }
@@ -61,8 +61,7 @@ std::string free_directions(const scene::ScenePlan& plan) {
         names += fmt::format("{}kFD{}2 = 0", names.empty() ? "" : ", ", k + 1);
   return names.empty()
              ? names
-             : ", and whether its loads can balance the inner race in its free directions "
-               "(" +
+             : ", and whether its loads can balance the inner race in its free directions (" +
                    names + ")";
 }
 

@@ -8,7 +8,7 @@
 
 namespace adore::facade {
 
-/// Where a run from the quasi-static solution starts.
+/// Start of a run from the quasi-static solution.
 struct StartState {
   std::vector<double> y;
   std::string remark;  ///< on the balance of friction of rollers; empty: balls
@@ -16,7 +16,7 @@ struct StartState {
 
 /// The quasi-static solution with the elements in balance of friction (dynamics/friction_start.hpp)
 /// and, where the inner race moves under its load, that race in balance, too: the first step has no
-/// jump of force. Not where kDOF suppresses motions of elements, nor with mass centres beside their
+/// jump of force. Not if kDOF suppresses motions of elements, nor with mass centers off the
 /// axes, which never balance; balls of unequal moments and balls without traction start in pure
 /// rolling.
 [[nodiscard]] StartState start_state(const Prepared& prepared, dynamics::System& system);

@@ -13,7 +13,7 @@ namespace {
 using bearing::Bearing;
 using deck::Deck;
 
-/// Effects are asked for by their number in dynamic plans only; here all belong to the contacts.
+/// Effects have numbers in dynamic plans only; here all belong to the contacts.
 constexpr auto kContacts = scene::Effect::RaceContact;
 
 class Entries {
@@ -47,13 +47,14 @@ void contact_model(Entries& out, const Prepared& p) {
                        : b.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                        : "given angle of the axis";
     out.add("ball speeds", true,
-            fmt::format("{}: no slip at both contact centres, spin axis by {}",
+            fmt::format("{}: no slip at both contact centers, spin axis by {}",
                         given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
-        out.add(j == 0 ? "split outer race" : "split inner race", true,
-                fmt::format("shimThickness{} = {:g}: dual contact is watched, one contact modelled",
-                            j + 1, deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
+        out.add(
+            j == 0 ? "split outer race" : "split inner race", true,
+            fmt::format("shimThickness{} = {:g}: dual contact is reported, one contact is modeled",
+                        j + 1, deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
     return;
   }
   const bool sliced = p.options.rollers.contact == statics::RollerContact::Sliced;
@@ -124,17 +125,18 @@ void results(Entries& out, const Prepared& p) {
                       "Ioannides-Harris, each with STLE and Tallian factors; ISO 281 and 16281",
                       given(deck, "kLifeCons")));
   out.add("cage", false,
-          "mode = -1: only its plays are computed (nCseg = " +
+          "mode = -1: only its clearances are computed (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
-  out.add("friction torque", true,
-          p.bearing.rollers()
-              ? "estimated from speeds and loads of the equilibrium, which itself knows no friction"
-              : "balls in balance of friction under the laws of motion; no cage");
+  out.add(
+      "friction torque", true,
+      p.bearing.rollers()
+          ? "estimated from speeds and loads of the equilibrium, which does not include friction"
+          : "balls in balance of friction under the laws of motion; no cage");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
                                   given(deck, "kBaseTemp"))
                     : std::string("kTherm = 0: temperatures of record 9.1.3"));
-  out.add("gravity, cage forces", false, "mode = -1: no part of the equilibrium");
+  out.add("gravity, cage forces", false, "mode = -1: not included in the equilibrium");
   for (const deck::NoPart& value : p.no_part)
     if (setup::asks_for_an_effect(value))
       out.add(fmt::format("{} = {}", value.variable, value.value), false, value.because);

@@ -2,7 +2,8 @@
 
 #include "facade/prepare.hpp"
 
-/// What a quasi-static deck (mode below 0) will solve, and the switch that decides each part.
+/// Parts of the solution of a quasi-static deck (mode below 0), each with the switch that selects
+/// it.
 namespace adore::facade {
 
 /// Bodies with the unknowns that the constraints leave them, and every part of the model with the

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPointsPerDecade = 80.0;
 constexpr double kLowestPhase = 1e-4;
-/// A step is lengthened to this many times what the deck asks at most.
+/// Largest factor by which a step of the deck is lengthened.
 constexpr double kLengthening = 8.0;
 /// Of methods that choose their order, where the deck's least step is too long.
 constexpr double kLeastOfLongest = 0.1;
@@ -127,8 +127,8 @@ class Judge {
     return out;
   }
   [[nodiscard]] bool good(double h) const { return growth(h).per_turn <= kLimit; }
-  /// What the limits allow at worst. The least steps cannot let anything grow, so looking stops
-  /// where all phases are below the curve.
+  /// Worst case within the limits. The smallest steps cannot cause growth, so the search stops
+  /// when all phases are below the curve.
   [[nodiscard]] Growth worst(double minimum, double maximum) const {
     Growth out = growth(maximum);
     const double least =
@@ -234,7 +234,7 @@ StepLimits stable_steps(const StepRequest& request) {
 
 namespace {
 
-/// "per turn", or of a slow bearing the periods over which growth is counted.
+/// "per turn", or the number of periods over which growth is counted for a slow bearing.
 std::string counted_over(const StepRequest& request) {
   return request.turn <= counted_time(Judge::highest_frequency(request))
              ? "per turn"
@@ -259,18 +259,18 @@ std::string steps_text(double minimum, double maximum, double time_scale) {
 std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
                              double time_scale) {
   if (limits.frequency == 0.0)
-    return request.method + ": no contact vibration to judge the step by";
+    return request.method + ": no contact vibration that could limit the step";
   const std::string asked = steps_text(request.minimum, request.maximum, time_scale);
   const std::string hertz =
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
   if (limits.action == StepAction::Kept)
     return fmt::format(
-        "{} keeps contact vibrations bounded with {}: the worst, {}, is multiplied "
-        "by {:.4g} {}",
+        "{} keeps contact vibrations bounded with {}: the least stable, {}, is multiplied by "
+        "{:.4g} {}",
         request.method, asked, hertz, limits.growth, counted_over(request));
   const std::string why = fmt::format(
-      "{} with {}, as the deck asks, lets the contact vibration of {} grow {} {}", request.method,
-      asked, hertz, growth_text(limits.growth_asked), counted_over(request));
+      "{} with {}, as the deck specifies, lets the contact vibration of {} grow {} {}",
+      request.method, asked, hertz, growth_text(limits.growth_asked), counted_over(request));
   const std::string now = steps_text(limits.minimum, limits.maximum, time_scale);
   switch (limits.action) {
     case StepAction::Shortened:

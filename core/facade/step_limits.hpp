@@ -21,7 +21,7 @@ struct VibrationBand {
 
 struct StepRequest {
   std::string method;                   ///< name of the integrator
-  double minimum = 0.0, maximum = 0.0;  ///< what the deck allows [s]; equal: constant step
+  double minimum = 0.0, maximum = 0.0;  ///< limits of the deck [s]; equal: constant step
   double turn = 0.0;  ///< time over which growth is counted, if kCountedPeriods are longer [s]
   std::vector<VibrationBand> bands;
 };
@@ -39,27 +39,27 @@ struct StepLimits {
   std::string vibration;   ///< name of its band
 };
 
-/// No vibration may grow by more than this factor per turn.
+/// No vibration may grow by more than this factor per revolution.
 inline constexpr double kGrowthPerTurn = 1.01;
-/// Growth is counted over a turn, but over no more than so many periods of the highest frequency: a
-/// turn has no upper bound (1e-4 rpm: 7 days, 2e9 periods), and what grows by 1 % in 1e5 periods
-/// needs 3e8 periods from rounding (1e-16) to 1 % of a contact load, longer than any run. Below it
-/// rounding of the amplification (1e-16 per step) stays below 1e-3 of the limit.
+/// Growth is counted over a revolution, but over no more than this many periods of the highest
+/// frequency: a revolution has no upper bound (1e-4 rpm: 7 days, 2e9 periods), and growth by 1 % in
+/// 1e5 periods needs 3e8 periods from rounding (1e-16) to 1 % of a contact load, longer than any
+/// run. Below it rounding of the amplification (1e-16 per step) stays below 1e-3 of the limit.
 inline constexpr double kCountedPeriods = 1e5;
-/// A method that needs steps shorter than this over the highest frequency (600 a period) is
-/// refused.
+/// A method that needs steps shorter than this over the highest frequency (600 per period) is
+/// rejected.
 inline constexpr double kLeastPhase = 0.01;
 
 /// The nearest limits at which no vibration grows by more than kGrowthPerTurn:
 ///   amplification per step |R(hω)|, integrators/stability.hpp, over all ω of the bands and all h
-///   that the limits allow; growth per turn = |R|^(turn/h).
-/// A variable step may take any size below its longest, so that is lowered until every shorter step
-/// is good too; a constant step, or one that may not go below what is good, moves to the nearest
-/// good size, up or down: some methods damp in a band only. CVODE is held at the order that allows
-/// the longest steps. A band of damped vibrations is one band more, for its largest damping ratio:
-/// the real part that it adds has to lie in the method's region, too. Limits: linear vibrations of
-/// the quasi-static solution's stiffness; contacts that open and close are left to the error
-/// control and the judgement of the energy.
+///   that the limits allow; growth per revolution = |R|^(turn/h).
+/// A variable step may take any size below its longest, so the longest is lowered until every
+/// shorter step is acceptable; a constant step, or one with a lower limit, moves to the nearest
+/// acceptable size, up or down: some methods damp in a band only. CVODE is limited to the order
+/// that allows the longest steps. A band of damped vibrations is one band more, for its largest
+/// damping ratio: its real part must be in the method's region, too. Limits: linear vibrations of
+/// the quasi-static solution's stiffness; contacts that open and close are covered by the error
+/// control and the judgment of the energy.
 [[nodiscard]] StepLimits stable_steps(const StepRequest& request);
 
 /// One sentence of what was done and why. `time_scale` [s]: unit of the deck's step sizes.

@@ -22,13 +22,10 @@ void StepWatch::look(const integrators::Stepper& stepper) {
   if (constant_ || now.steps - since_ < kPatience) return;
   throw SolverError(fmt::format(
       "at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g} although it "
-      "was "
-      "the smallest that record 2.1 allows (stpMin {:g}, {:.3g} s): nothing is known of the "
-      "error. "
-      "Something decays or vibrates faster than that step, often a film or friction whose slope "
-      "is steep under a high pressure. Make stpMin smaller; where that takes too long, an "
-      "implicit "
-      "method (arkode-dirk, cvode-bdf) may go on, or a law that is less steep there",
+      "was the smallest that record 2.1 allows (stpMin {:g}, {:.3g} s), so the error is unknown. A "
+      "process decays or vibrates faster than this step, often a film or friction with a steep "
+      "slope at high pressure. Decrease stpMin; if that takes too long, try an implicit method "
+      "(arkode-dirk, cvode-bdf) or a less steep law",
       stepper.time(), now.steps - since_, control_.integrator, control_.tolerance,
       control_.step_minimum, minimum_));
 }

@@ -29,7 +29,7 @@ class StepWatch {
   long kept_ = 0, since_ = 0;  ///< steps that kept the tolerance; how many there were at the last
 };
 
-/// What is not valid a little further on: the sentence of the first such state on the way that the
+/// Cause of invalid states ahead: the sentence of the first such state in the direction of the
 /// rates point, up to some steps of h [s] from (t, y). Empty: none found.
 [[nodiscard]] std::string invalid_beyond(dynamics::System& system, double t,
                                          std::span<const double> y, double h);

@@ -20,7 +20,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
   const auto solve = [&](const std::array<double, 2>& speed,
                          const statics::RaceResult* previous) -> statics::RaceResult {
     if (prepared.input.stop.stop_requested())
-      throw Interrupted("interrupted in the table of stiffness over speed; nothing was written");
+      throw Interrupted("interrupted in the table of stiffness over speed; no files were written");
     const auto& tell = prepared.input.table_progress;
     if (tell && !operating.empty()) tell(static_cast<long>(operating.size()), request.points);
     as_built.speed = speed;

@@ -6,8 +6,8 @@
 /// The stiffness-speed table that a deck asks for (kStif, record 9.2).
 namespace adore::facade {
 
-/// Rows in the order of the speeds; empty when the deck asks for none. Every speed is a bearing of
-/// its own: all that follows from the speeds follows them. A speed without an equilibrium has its
+/// Rows in the order of the speeds; empty without a table in the deck. Every speed is a separate
+/// bearing, with all speed-dependent quantities. A speed without an equilibrium has its
 /// reason in its row.
 [[nodiscard]] std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared);
 

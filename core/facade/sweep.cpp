@@ -46,10 +46,9 @@ Range parse_range(const std::string& name, const std::string& value) {
   if (a == b || !parse(text.substr(0, a), out.first) ||
       !parse(text.substr(a + 1, b - a - 1), out.last) || !parse(text.substr(b + 1), out.count) ||
       out.count < 2 || out.count > 100000 || !std::isfinite(out.first) || !std::isfinite(out.last))
-    throw InputError(
-        fmt::format("--set {}={}: a sweep is written first:last:count with at least two runs, e.g. "
-                    "{}=500:2500:5",
-                    name, value, name));
+    throw InputError(fmt::format(
+        "--set {}={}: write a sweep as first:last:count with at least two runs, e.g. {}=500:2500:5",
+        name, value, name));
   return out;
 }
 
@@ -59,7 +58,7 @@ struct Row : RunEnding {
   bool known = false;  ///< taken over from an earlier sweep
 };
 
-/// The variable with its unit, then key results by id, in SI whatever the deck's units.
+/// The variable with its unit, then key results by id, in SI for any units of the deck.
 std::string sweep_csv(const std::string& variable, const std::string& unit,
                       const std::vector<Row>& rows) {
   std::vector<std::string_view> columns;
@@ -101,14 +100,12 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items()) {
       if (results::find_key_result(name).id.empty()) {
-        Finding issue = make_finding(
-            "sweep.unknown_result",
-            fmt::format(
-                "the summary holds \"{}\", which this release does not know; the finished run is "
-                "kept, "
-                "and the table of the sweep leaves it out; to compute it again, remove the run's "
-                "folder",
-                name));
+        Finding issue =
+            make_finding("sweep.unknown_result",
+                         fmt::format("the summary contains \"{}\", which this release does not "
+                                     "know; the finished run is kept, but is not in the table of "
+                                     "the sweep; to compute it again, remove the run's folder",
+                                     name));
         issue.file = file.string();
         row.outcome.warnings.push_back(std::move(issue));
         continue;
@@ -122,13 +119,13 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
   return row;
 }
 
-/// One run of a sweep that goes on: taken over, completed from its last checkpoint, or run again.
+/// One run of a continued sweep: reused, completed from its last checkpoint, or repeated.
 Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_token stop) {
   std::string digest;
   try {
     digest = request_digest(request, load_deck(request));
   } catch (const InputError&) {
-    // The run says it.
+    // The run reports it.
   }
   if (std::optional<Row> row = completed(request, value, digest)) return *row;
   const results::RunMark mark = results::read_run_mark(*request.out / request.below / "RUN.json");
@@ -161,7 +158,7 @@ std::vector<Finding> warnings_once(const std::string& variable, const std::vecto
   return out;
 }
 
-/// A table of motions that did not begin has loads and no motion: that has to be said.
+/// A table of motions without steps has loads but no motion: warn.
 std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
   std::size_t still = 0;
   for (const Row& row : rows)
@@ -172,10 +169,9 @@ std::optional<Finding> nothing_moved(const std::vector<Row>& rows) {
             : 0;
   if (still == 0) return std::nullopt;
   Finding out = make_finding(
-      "sweep.no_motion",
-      fmt::format("{} of the sweep made no step, so that nothing moved: the table has loads at "
-                  "rest there, and no means, ratios or heat",
-                  counted(still, "run")));
+      "sweep.no_motion", fmt::format("{} of the sweep made no steps, so nothing moved: the table "
+                                     "gives loads at rest there, and no means, ratios or heat",
+                                     counted(still, "run")));
   out.record = "1";
   out.variable = "maxStps";
   out.remedy = "give the number of steps, such as maxStps = 2000, or an end with --until";
@@ -257,7 +253,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     p.step = static_cast<long>(done);
     p.runs = static_cast<long>(count);
     p.elapsed = seconds(begin);
-    // What was known took no time, and tells nothing of the rest.
+    // Known runs took no time, so they do not count in the estimate.
     if (computed > 0)
       p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(computed);
     progress(p);
@@ -314,7 +310,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   mark.failed = out.failed;
   if (stop.stop_requested()) out.exit_code = kInterrupted;
-  // Runs whose files found no room have no result of their own yet.
+  // Runs whose files did not fit on the disk have no result yet.
   const bool unwritten =
       std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.not_written; });
   mark.status = out.exit_code == kInterrupted || unwritten ? "interrupted" : "done";

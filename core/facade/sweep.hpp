@@ -12,16 +12,16 @@ namespace adore::facade {
 [[nodiscard]] bool is_sweep(const RunRequest& request);
 
 struct SweepOutcome {
-  std::filesystem::path table;  ///< SWEEP.csv: one line per run
-  int exit_code = 0;            ///< the worst of the runs
-  long failed = 0;              ///< runs that came to no result; a sweep that goes on repeats them
+  std::filesystem::path table;    ///< SWEEP.csv: one line per run
+  int exit_code = 0;              ///< the worst of the runs
+  long failed = 0;                ///< runs without a result; a continued sweep repeats them
   std::vector<Finding> warnings;  ///< of all runs, those that differ only in numbers once
 };
 
 /// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the
-/// output folder. The table is written as the runs end; SWEEP.json (sweep_mark.hpp) says which
-/// sweep it is and whether it came to its end. With RunRequest::go_on only what an earlier
-/// sweep is missing runs: runs that were broken off or never started, and those that failed.
+/// output folder. The table is written as the runs end; SWEEP.json (sweep_mark.hpp) identifies the
+/// sweep and stores whether it is complete. With RunRequest::go_on only missing
+/// runs are computed: interrupted, not started, or failed ones.
 /// @throws InputError for a malformed range, or more than one of them; ResultsExist as run().
 SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress = {},
                        std::stop_token stop = {});

@@ -22,7 +22,7 @@ std::string sweep_digest(const RunRequest& request) {
   try {
     return request_digest(shared, load_deck(shared));
   } catch (const InputError&) {
-    return {};  // the runs say what is wrong
+    return {};  // the runs report the errors
   }
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-/// SWEEP.json: which sweep a folder holds, so that whoever finds it later can go on with it.
+/// SWEEP.json: identifies the sweep of a folder, so that it can be continued later.
 namespace adore::facade {
 
 struct SweepMark {
@@ -20,8 +20,8 @@ struct SweepMark {
   static constexpr const char* kName = "SWEEP.json";
 };
 
-/// Says what all runs of a sweep share, in a few digits: request_digest() without the range. Empty
-/// where the deck cannot be read.
+/// Digest of the common part of all runs of a sweep: request_digest() without the range. Empty
+/// if the deck cannot be read.
 [[nodiscard]] std::string sweep_digest(const RunRequest& request);
 
 /// Replaces the file atomically. @throws WriteError

@@ -5,7 +5,7 @@
 
 namespace adore::facade {
 
-/// Shows a dynamics::System to the integrators, which know no bearings.
+/// Adapter from dynamics::System to the integrators, which do not depend on bearings.
 class SystemOde final : public integrators::OdeSystem {
  public:
   /// @param elastic energy of the quasi-static solution [J]; below 0: steps are not judged by

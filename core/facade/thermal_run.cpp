@@ -188,17 +188,17 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at,
   constexpr double kDrift = 2.0;  // [K]
   settled_ = out.judged.verdict == thermal::StepVerdict::Stable && drift < kDrift;
   if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
-    throw SolverError(fmt::format(
-        "at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher baseTemp or "
-        "another place for it (kBaseTemp), or less load or speed",
-        at.time, steps_, cold));
+    throw SolverError(
+        fmt::format("at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher "
+                    "baseTemp or another location for it (kBaseTemp), or less load or speed",
+                    at.time, steps_, cold));
   const std::string hot = thermal::runaway(now_);
   if (!hot.empty() || out.judged.reason == "limit")
     throw SolverError(fmt::format(
         "at t = {:.9g} s, thermal step {}: temperatures run away ({}); heat {:.4g} W, outer race "
         "{:.4g} K, inner race {:.4g} K, elements {:.4g} K. Give more coolant (cFlowRate), more "
-        "clearance or less interference (freeIntCls, raceFit1, raceFit2), less load or speed; or "
-        "a longer aveTime when heat only settles",
+        "clearance or less interference (freeIntCls, raceFit1, raceFit2), less load or speed; or a "
+        "longer aveTime if the heat is still settling",
         at.time, steps_, hot, out.heat.sources.total(), now_.race[0], now_.race[1], now_.element));
   return out;
 }

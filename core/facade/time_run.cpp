@@ -71,7 +71,7 @@ Resume TimeRun::resume(bool failed) const {
   so_far.tight_time = tight_time_;
   so_far.tightest = tightest_;
   add_counters(so_far.counters, parts_.stepper.counters());
-  if (failed) return so_far;  // what the stepper remembers may be meaningless
+  if (failed) return so_far;  // the stepper's memory may be meaningless
   so_far.substeps = substeps_;
   so_far.memory = parts_.stepper.memory();
   return so_far;
@@ -135,7 +135,7 @@ void TimeRun::thermal_step() {
     move_into(std::move(next), t, y, fmt::format("thermal step {}", done.number));
   } catch (const InputError& error) {
     throw SolverError(
-        fmt::format("at t = {:.9g} s, thermal step {} leaves no bearing that could work: {}", t,
+        fmt::format("at t = {:.9g} s, the geometry after thermal step {} is not possible: {}", t,
                     done.number, error.what()));
   } catch (const SolverError& error) {
     throw SolverError(
@@ -156,13 +156,12 @@ void TimeRun::remark_thermal(const ThermalRun::Step& done, bool settles) {
             .at(t));
   if (done.number == 1 && done.window < done.passing)
     parts_.outputs.remark(
-        make_finding("thermal.window",
-                     fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than the "
-                                 "passing of one element ({:.3g} "
-                                 "ms), so the heat of a thermal step fluctuates. Temperatures of "
-                                 "the bearing follow its "
-                                 "mean. Each printed network shows one thermal step",
-                                 1e3 * done.window, 1e3 * done.passing))
+        make_finding(
+            "thermal.window",
+            fmt::format("thermal analysis: aveTime = {:.3g} ms is shorter than one element passage "
+                        "({:.3g} ms), so the heat of a thermal step fluctuates. Temperatures of "
+                        "the bearing follow its mean. Each printed network shows one thermal step",
+                        1e3 * done.window, 1e3 * done.passing))
             .measure(1e3 * done.window)
             .at(t));
   if (done.judged.verdict == thermal::StepVerdict::Divergent && done.window >= done.passing &&
@@ -226,7 +225,7 @@ void TimeRun::begin(bool remembers) {
       parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
   } catch (const std::out_of_range&) {
     throw InputError(
-        fmt::format("{}: what {} remembers is incomplete; the file is damaged, restore it or "
+        fmt::format("{}: the stored state of {} is incomplete; the file is damaged, restore it or "
                     "start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
@@ -315,7 +314,7 @@ void TimeRun::close(RunEnd& end) {
   try {
     output([&] { parts_.outputs.store_end(system(), end); });
   } catch (const SolverError& failure) {
-    // A routine of the user refuses a state that it took before: the last checkpoint stands.
+    // A user routine rejects a state that it accepted before: the last checkpoint remains.
     if (status_ != RunStatus::Failed) fail(deck::message_in_units(failure.what(), units));
   }
   const results::EnergyJudgement judgement = parts_.outputs.judge_energy();
@@ -393,7 +392,7 @@ RunOutcome TimeRun::run(bool remembers) {
     const RunPoint here = point();
     if (const std::string beyond = invalid_beyond(system(), here.time, here.y, least);
         !beyond.empty())
-      why += " What is not valid there: " + deck::message_in_units(beyond, units);
+      why += " Invalid there: " + deck::message_in_units(beyond, units);
     fail(why);
   } catch (const SolverError& failure) {
     fail(deck::message_in_units(failure.what(), units));

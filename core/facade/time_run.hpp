@@ -14,7 +14,7 @@
 /// The steps of a run in time, and what is done between them.
 namespace adore::facade {
 
-/// What a run in time consists of; all of it outlives the TimeRun.
+/// Parts of a run in time; all of them outlive the TimeRun.
 struct RunParts {
   Prepared& prepared;
   std::optional<dynamics::System>&
@@ -36,7 +36,7 @@ class TimeRun {
 
   /// From the start point to the end, an interruption or a diagnosed failure, with the last point
   /// stored and the energy judged; then the ledgers.
-  /// @param remembers the stepper goes on with what it remembers at the start point
+  /// @param remembers the stepper continues with its memory at the start point
   /// @throws InputError when that is incomplete
   RunOutcome run(bool remembers);
 
@@ -49,7 +49,7 @@ class TimeRun {
   [[nodiscard]] std::span<const double> state() const {
     return started_ ? parts_.stepper.state() : std::span<const double>(start_.y);
   }
-  /// What a later run needs to go on from here.
+  /// Data for a continuation from here.
   [[nodiscard]] Resume resume(bool failed) const;
   /// Does something whose time is the output's.
   template <class Action>
@@ -67,8 +67,8 @@ class TimeRun {
   /// Light-load balance: after a finished step elements may be held or released; the stepper then
   /// starts anew from the changed state with its last step size. @returns whether any was
   bool update_held();
-  /// Thermal analysis: the window is full; the state goes on in the new geometry, and the stepper
-  /// starts anew.
+  /// Thermal analysis: the window is full; the state continues in the new geometry, and the stepper
+  /// restarts.
   void thermal_step();
   void remark_thermal(const ThermalRun::Step& done, bool settles);
   void start_anew(std::span<const double> y);

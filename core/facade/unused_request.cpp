@@ -55,7 +55,7 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
   }
   std::vector<Issue> out;
   if (!motion.empty())
-    out.push_back(note(prepared, motion, "mode = -1 asks for the quasi-static solution alone"));
+    out.push_back(note(prepared, motion, "mode = -1 gives the quasi-static solution only"));
   if (!balls.empty()) out.push_back(note(prepared, balls, "the bearing has rollers"));
   if (!rollers.empty()) out.push_back(note(prepared, rollers, "the bearing has balls"));
   return out;

@@ -7,8 +7,8 @@
 
 namespace adore::facade {
 
-/// What was asked for beyond the deck and plays no part in this run: steps and tolerances of a
-/// quasi-static deck, roller slices of a ball bearing. One note; none when all of it acts.
+/// Requests beyond the deck without effect on this run: steps and tolerances of a
+/// quasi-static deck, roller slices of a ball bearing. One note; none when all have an effect.
 [[nodiscard]] std::vector<Issue> unused_request(const RunRequest& request,
                                                 const Prepared& prepared);
 

@@ -91,10 +91,10 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
       throw InputError({prepared.input.deck.issue(
           Severity::Error,
           prepared.input.deck.integer("kCageGsImp") != 0 ? "kCageGsImp" : "kRaceGsImp",
-          fmt::format("gives guide lands shape errors: they press along an arc that has no one "
-                      "gap, which user routine ADRX4 of {} is asked for",
+          fmt::format("gives guide lands shape errors: they have no single gap along the contact, "
+                      "which user routine ADRX4 of {} needs",
                       session.source()),
-          "set kCageGsImp and kRaceGsImp to 0, or leave the routine out")});
+          "set kCageGsImp and kRaceGsImp to 0, or omit the routine")});
   }
   const auto law_of_time = [&](const char* variable) {
     return prepared.input.deck.integer(variable) != 0;
@@ -103,9 +103,9 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
     if ((hooks.drives[0] || hooks.drives[1]) && law_of_time(variable))
       throw InputError({prepared.input.deck.issue(
           Severity::Error, variable,
-          fmt::format("moves races by a law of the time, and user routine ADRX1 of {} drives one",
+          fmt::format("moves races by a law of time, but user routine ADRX1 of {} also drives one",
                       session.source()),
-          fmt::format("set {} to 0, or leave the race to the deck", variable))});
+          fmt::format("set {} to 0, or do not drive the race in the routine", variable))});
   prepared.options.system.user = session.laws(prepared.user);
 }
 
@@ -114,7 +114,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   std::vector<std::string> out;
   const auto idle = [&](int hook, const std::string& why) {
     if (session.active(hook))
-      out.push_back(fmt::format("user routine {} of {} is active and does nothing here: {}",
+      out.push_back(fmt::format("user routine {} of {} is active but has no effect here: {}",
                                 user::hook_name(hook), session.source(), why));
   };
   const deck::Deck& deck = prepared.input.deck;
@@ -122,11 +122,11 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
     return deck.has(variable) && deck.integer(variable) == code;
   };
   if (!asks("kRaceGeoImp1", 3) && !asks("kRaceGeoImp2", 3))
-    idle(6, "the deck asks for no race of the user (kRaceGeoImp1, kRaceGeoImp2 = 3)");
+    idle(6, "the deck does not use user-defined races (kRaceGeoImp1, kRaceGeoImp2 = 3)");
   if (session.has_out_of_round())
     out.push_back(
-        fmt::format("user routine ADRX5 of {} gives rollers out of round: they turn in "
-                    "motion; the equilibrium has their mean radius over the azimuth",
+        fmt::format("user routine ADRX5 of {} gives out-of-round rollers: they turn in motion; the "
+                    "equilibrium uses their mean radius over the azimuth",
                     session.source()));
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
@@ -141,7 +141,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   if (session.active(1) && !session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
       !session.suppressed().any() && !free &&
       loads_of_routine(prepared) == std::array<std::array<bool, 6>, 2>{})
-    idle(1, "it gives no load at the times looked at, drives no race and moves no frame");
+    idle(1, "it gives no load at the sampled times, drives no race and moves no frame");
   const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
   if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
     idle(2, "the bearing has no flanges");
@@ -153,7 +153,7 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
   }
   const std::array<bool, 5> traction = own_traction(prepared.input.deck);
   if (std::none_of(traction.begin(), traction.end(), [](bool asked) { return asked; }))
-    idle(7, "the deck asks for no traction of the user (kTrac = -1, kCPTrac = -1 ...)");
+    idle(7, "the deck does not use user-defined traction (kTrac = -1, kCPTrac = -1 ...)");
   return out;
 }
 
@@ -179,15 +179,15 @@ std::vector<Issue> held_loads(const Prepared& prepared) {
                            "xyz"[k % 3]);
     }
     if (where.empty()) continue;
-    out.push_back(deck.issue(
-        Severity::Warning, mode == 2 ? "mode" : "kDCR",
-        fmt::format("holds the {} race {}, where user routine ADRX1 of {} gives a load: the load "
-                    "cannot move the race, its support carries it (reaction in PRINT and SOL, "
-                    "work in the ledger)",
-                    j == 0 ? "outer" : "inner", where, session.source()),
-        mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
-        : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
-                          : "set kDCR to 1 and free these directions"));
+    out.push_back(
+        deck.issue(Severity::Warning, mode == 2 ? "mode" : "kDCR",
+                   fmt::format("holds the {} race {}, but user routine ADRX1 of {} gives a load "
+                               "there: the load cannot move the race, its support carries it "
+                               "(reaction in PRINT and SOL, work in the ledger)",
+                               j == 0 ? "outer" : "inner", where, session.source()),
+                   mode == 2         ? "set mode to 0 or 1 and kDCR to 1"
+                   : j == 1 && force ? "set kDCR to 1 and free these directions, or set mode to 2"
+                                     : "set kDCR to 1 and free these directions"));
   }
   return out;
 }

@@ -14,7 +14,7 @@ namespace adore::facade {
 /// @throws InputError
 [[nodiscard]] std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
                                                           const setup::RunOptions& options);
-/// What setup may ask; the session lives as long.
+/// Queries of setup; the session outlives them.
 [[nodiscard]] setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
                                           const setup::RunOptions& options);
 /// Documentation calls of the routines of the motion; their laws go into prepared.options.

@@ -47,7 +47,7 @@ RunRequest repeated(const RunRequest& request, const Prepared& prepared,
                     const RunOutcome& outcome) {
   RunRequest out = request;
   out.go_on = false;
-  // The end that was reached, whatever decided it.
+  // The end that was reached, for any reason.
   out.until = fmt::format("{:.17g}s", outcome.time);
   if (prepared.control.start == setup::StartState::Continue)
     out.changes.emplace_back("kIcOpt", "0");
@@ -98,7 +98,7 @@ nlohmann::ordered_json verification_json(const Verification& verification,
 
 std::string verification_text(const Verification& verification, const RunOutcome& outcome) {
   if (!verification.failure.empty())
-    return fmt::format("verified:  not at all; the run with {} gave up: {}\n", verification.tighter,
+    return fmt::format("verified:  not at all; the run with {} failed: {}\n", verification.tighter,
                        verification.failure);
   std::string text =
       fmt::format("verified:  against {} ({:.3g} s of processor time): {}\n", verification.tighter,

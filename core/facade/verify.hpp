@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// A run against itself with tighter settings: what its own numerics leave open.
+/// A run compared with tighter settings: its remaining numerical errors.
 namespace adore::facade {
 
 struct Prepared;

@@ -99,7 +99,7 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   const Prepared prepared = prepare(request);
   if (!prepared.control.dynamic)
     throw InputError(
-        "a quasi-static deck (mode < 0) has no effects to leave out one by one; set mode = 0");
+        "effects of a quasi-static deck (mode < 0) cannot be left out one by one; set mode = 0");
   RunRequest run;
   static_cast<DeckRequest&>(run) = request;
   if (prepared.control.start != setup::StartState::Statics) run.changes.emplace_back("kIcOpt", "0");
@@ -120,8 +120,8 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
   RunRequest beside = run;
   for (auto& load : nearby_loads(prepared.input.deck, 1e-6)) beside.changes.push_back(load);
   const MeasuredRun other = measured(beside);
-  // Processor times change with what others do on the machine: each effect stands between two runs
-  // of the deck as it is, and what these differ by is told.
+  // Processor times depend on other programs on the machine: each effect is measured between two
+  // runs of the complete deck, and their difference is reported.
   double before = other.seconds;
   const auto beside_each = [&] {
     const double after = measured(run).seconds, mean = 0.5 * (before + after);
@@ -179,12 +179,10 @@ std::string what_if_text(const WhatIf& result) {
     return std::isnan(value) ? std::string("none") : fmt::format("{:.{}g}{}", value, digits, unit);
   };
   std::string out = fmt::format(
-      "\nwhat if: each effect left out for {}, {:.3g} s of processor time with all of "
-      "them\n"
-      "with all: cage speed {}, largest load {}, heat {}, life {}\n"
-      "Changes in percent of these; what a millionth of load changes is no effect; cost is the "
-      "share of the time\nthat goes with it, certain to {:.2g} %.\n\n"
-      "  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
+      "\nwhat if: each effect left out for {}, {:.3g} s of processor time with all of them\nwith "
+      "all: cage speed {}, largest load {}, heat {}, life {}\nChanges in percent of these; changes "
+      "below those of a relative load change of 1e-6 are not significant; cost is\nthe share of "
+      "the time, certain to {:.2g} %.\n\n  {:<32} {:>8} {:>9} {:>9} {:>9} {:>9}  without\n",
       counted(fmt::format("{:.4g}", result.turns), "turn"), result.seconds,
       of("mean_cage_ratio", 5, " of the shaft's"), of("mean_largest_load_N", 4, " N"),
       of("mean_power_loss_W", 4, " W"), of("run_life_hours", 4, " h"), 100.0 * result.time_spread,

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What each effect of a scene costs and does: the deck's own run over a short span, and once more
+/// Cost and influence of each effect of a scene: the deck's own run over a short span, repeated
 /// for every effect without it.
 namespace adore::facade {
 

@@ -20,7 +20,7 @@ class ArkodeStepper final : public SundialsStepper {
       : SundialsStepper(std::move(name), order_of(method)), method_(method) {}
   [[nodiscard]] bool holds_constant_step() const noexcept override { return true; }
   [[nodiscard]] std::string_view loses() const noexcept override {
-    return "what its step size control knows of earlier errors";
+    return "the error history of its step size control";
   }
 
  private:
@@ -69,8 +69,8 @@ class ArkodeStepper final : public SundialsStepper {
   void create() override {
     if (method_ == ArkodeMethod::ImplicitExplicit && !system_->has_stiff_part()) {
       refuse(
-          "an implicit-explicit method needs the stiff part of the right-hand side by itself, "
-          "and this system does not offer it",
+          "an implicit-explicit method needs the stiff part of the right-hand side separately, and "
+          "this system does not provide it",
           "Choose arkode-dirk (all implicit), arkode-erk (all explicit) or another integrator.");
     }
     memory_.reset(

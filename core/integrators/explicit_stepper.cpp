@@ -115,7 +115,8 @@ double ExplicitStepper::lost(double& kept) noexcept {
 }
 
 StepInfo ExplicitStepper::step(double t_stop) {
-  if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
+  if (!(t_stop > t_))
+    throw std::invalid_argument("the stop time must be later than the current time");
   double planned = std::min(h_next_, longest_step(evaluate_.system(), t_, control_));
   double lost_before = 0.0, h_before = 0.0;  // of the last trial that lost too much
   double h_leaking = 0.0;                    // of the first one

@@ -53,7 +53,7 @@ void check_start(const OdeSystem& system, double t0, std::span<const double> y0,
   const auto scales = system.scales();
   const int controlled = system.controlled_size();
   demand(system.size() > 0 && controlled >= 0 && controlled <= system.size(),
-         "the number of controlled components must lie between 0 and the size of the system");
+         "the number of controlled components must be between 0 and the size of the system");
   demand(y0.size() == static_cast<std::size_t>(system.size()),
          "the start state must have as many values as the system");
   demand(scales.size() >= static_cast<std::size_t>(controlled),
@@ -68,7 +68,7 @@ void check_start(const OdeSystem& system, double t0, std::span<const double> y0,
   demand(control.maximum > 0.0 && !std::isnan(control.maximum),
          "the maximum step must be positive");
   demand(control.minimum >= 0.0 && control.minimum <= control.maximum,
-         "the minimum step must lie between 0 and the maximum step");
+         "the minimum step must be between 0 and the maximum step");
   demand(control.initial >= 0.0 && std::isfinite(control.initial),
          "the first step must be positive, or 0 to have it chosen");
   demand(control.tolerance > 0.0 && std::isfinite(control.tolerance),
@@ -117,7 +117,7 @@ double first_step(Evaluator& evaluate, double t0, const double* y0, const double
 }
 
 void throw_failure(const OdeSystem& system, const Diagnosis& d) {
-  std::string message = std::string(d.method) + " cannot go on at t = " + text(d.t) +
+  std::string message = std::string(d.method) + " cannot continue at t = " + text(d.t) +
                         " s with step " + text(d.h) + " s: " + d.cause;
   if (d.component >= 0) {
     message += "; the worst component is " + system.component_name(d.component) + " (number " +
@@ -129,7 +129,7 @@ void throw_failure(const OdeSystem& system, const Diagnosis& d) {
 std::string cause_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::Retry:
-      return "the model is not valid at the points that even the smallest step needs";
+      return "the model is not valid at the stages of the smallest step";
     case Outcome::Fail:
       return "the right-hand side could not be evaluated";
     case Outcome::NotFinite:
@@ -141,8 +141,9 @@ std::string cause_of(Outcome outcome) {
 }
 
 std::string remedy_of(Outcome outcome) {
-  if (outcome == Outcome::Fail) return "No smaller step helps: look at the model at this time.";
-  return "Allow a smaller minimum step, or look at the model and its start state at this time.";
+  if (outcome == Outcome::Fail)
+    return "A smaller step does not help: check the model at this time.";
+  return "Allow a smaller minimum step, or check the model and its start state at this time.";
 }
 
 }  // namespace adore::integrators

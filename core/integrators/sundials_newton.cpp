@@ -86,7 +86,8 @@ void SundialsStepper::make_newton_tools(RhsPart part) {
   jacobian_ = ArrowJacobian(*system_, part);
   matrix_.reset(new_matrix(jacobian_.shape(), context_.get()));
   SUNLinearSolver solver = SUNLinSolNewEmpty(context_.get());
-  if (!matrix_ || !solver) refuse("there is no memory for the Jacobian", "Use an explicit method.");
+  if (!matrix_ || !solver)
+    refuse("there is not enough memory for the Jacobian", "Use an explicit method.");
   solver->content = this;
   solver->ops->gettype = solver_type;
   solver->ops->getid = solver_id;

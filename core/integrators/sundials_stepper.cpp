@@ -41,7 +41,7 @@ void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double
   message_.clear();
   if (constant_step() && !holds_constant_step()) {
     refuse(
-        "this method cannot hold a constant step",
+        "this method cannot use a constant step",
         "Give a minimum step below the maximum step, or choose rkf1-rkf7, pece1-pece8 or arkode.");
   }
   const std::size_t n = system.size();
@@ -94,7 +94,8 @@ void SundialsStepper::resume(OdeSystem& system, double t0, std::span<const doubl
 }
 
 StepInfo SundialsStepper::step(double t_stop) {
-  if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
+  if (!(t_stop > t_))
+    throw std::invalid_argument("the stop time must be later than the current time");
   const double before = t_;
   // The package itself keeps to the longest step; a stop time is for what it cannot know. (A stop
   // time one longest step ahead, set anew for every step, makes it cut its steps in two.)

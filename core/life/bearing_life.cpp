@@ -64,7 +64,7 @@ void note_shapes(BearingLife& out, std::size_t slices) {
       continue;
     }
     const std::string ellipse = fmt::format(
-        "{}: the ellipse of the heaviest roller would be {:.3g} times as long as its effective "
+        "{}: the ellipse of the most loaded roller would be {:.3g} times as long as its effective "
         "length",
         name, share);
     switch (state.shape[i]) {
@@ -90,10 +90,10 @@ void note_shapes(BearingLife& out, std::size_t slices) {
           return fmt::format("{} in{}", what, text);
         };
         const std::string point = list(points, "point"), line = list(all, "line");
-        out.notes.push_back(fmt::format(
-            "{}: between point and line contact (rule of Harris, recalled), so the shorter life of "
-            "both counts: {}{}{}",
-            ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
+        out.notes.push_back(
+            fmt::format("{}: between point and line contact (rule of Harris, recalled), so the "
+                        "shorter of both lives counts: {}{}{}",
+                        ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
         break;
       }
     }
@@ -101,8 +101,8 @@ void note_shapes(BearingLife& out, std::size_t slices) {
   if (lines)
     out.notes.push_back(
         slices > 1
-            ? "every slice of a line contact has its own length and pressure; edge stresses "
-              "beyond the slices' pressure are not in these lives"
+            ? "line contacts are evaluated slice by slice; edge stresses beyond the slices' "
+              "pressure are not in these lives"
             : "a line contact is taken as uniform over the effective length: the solution has "
               "one ellipse per contact and no slices");
 }
@@ -415,26 +415,27 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
       r.stress_capacity[m] = law(m, i, r.line).stress_capacity(*patch, track, nu, peaks_);
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
-      out.notes.push_back(fmt::format(
-          "WARNING: {}: the largest load exceeds the load capacity; below 1e6 revolutions no model "
-          "holds",
-          name));
+      out.notes.push_back(
+          fmt::format("WARNING: {}: the largest load exceeds the load capacity; life models are "
+                      "not valid below 1e6 revolutions",
+                      name));
     if (!validity::range("life.pressure").bounds.contains(r.p_max))
       out.notes.push_back(
           fmt::format("WARNING: {}: the pressure {:.3g} GPa exceeds 4.2 GPa, the static rating; "
-                      "plastic deformation is not modelled",
+                      "plastic deformation is not modeled",
                       name, 1e-9 * r.p_max));
     if (out.state.factors.residual_refused[i])
       out.notes.push_back(
-          fmt::format("WARNING: {}: the compressive residual stress is twice the largest shear "
-                      "stress or more; its factor has no meaning there and is not applied",
+          fmt::format("WARNING: {}: the compressive residual stress is at least twice the largest "
+                      "shear stress; its factor has no meaning there and is not applied",
                       name));
   }
   const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {
-    out.notes.push_back(fmt::format(
-        "film parameter {} (run option lifeLambda) is taken at every contact; it is not computed",
-        *parameters_.choices.film_parameter));
+    out.notes.push_back(
+        fmt::format("film parameter {} (run option lifeLambda) is taken at every contact instead "
+                    "of a computed one",
+                    *parameters_.choices.film_parameter));
   } else if (films[0] || films[1]) {
     for (std::size_t i = 0; i < 2; ++i)
       if (films[i] && *films[i] <= scene::kNoFilmLeft)
@@ -449,9 +450,8 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
             parameters_.part[i].name, *films[i]));
   } else {
     out.notes.push_back(
-        "no lubricant film is computed: the film factor is 1 and the asperity term of the "
-        "Tallian-type factor is left out, as for a full film; run option lifeLambda gives a film "
-        "parameter");
+        "no lubricant film is computed: the film factor is 1 and the Tallian-type factor has no "
+        "asperity term, as for a full film; run option lifeLambda gives a film parameter");
   }
   if (out.state.factors.thin_film)
     out.notes.push_back(

@@ -22,10 +22,10 @@ void check(const CapacityGeometry& g) {
   positive(g.diameter, "the diameter of the rolling element");
   positive(static_cast<double>(g.count), "the number of rolling elements");
   if (const double ratio = size_ratio(g); !(ratio > 0.0 && ratio < 1.0))
-    throw InputError(fmt::format(
-        "load capacity of a race: D/d_m is {} (D cos(alpha)/d_m {}, cos(alpha) {}); it must lie "
-        "between 0 and 1",
-        ratio, g.gamma, g.cos_alpha));
+    throw InputError(
+        fmt::format("load capacity of a race: D/d_m is {} (D cos(alpha)/d_m {}, cos(alpha) {}); it "
+                    "must be between 0 and 1",
+                    ratio, g.gamma, g.cos_alpha));
 }
 
 /// ∓γ: minus on the inner race.

@@ -79,14 +79,13 @@ std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStr
       const std::string where = body == 0 ? fmt::format("the {} race", kRaceName[race])
                                           : fmt::format("{} {}", element, s.element);
       const Material& material = body == 0 ? bearing.race_material[race] : bearing.element_material;
-      out.push_back(fmt::format(
-          "{} ({}) yields under the contact of {} {} with the {} race: a von Mises stress of "
-          "{:.4g} "
-          "MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa (strain limit "
-          "{:.4g} "
-          "times the modulus); elastic contact, loads and lives beyond that are not real",
-          where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
-          1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
+      out.push_back(
+          fmt::format("{} ({}) yields under the contact of {} {} with the {} race: a von Mises "
+                      "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of "
+                      "{:.4g} MPa (strain limit {:.4g} times the modulus); elastic contact loads "
+                      "and lives are not valid beyond it",
+                      where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
+                      1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
     }
   return out;
 }

@@ -64,10 +64,11 @@ double line_shear_amplitude(double z) noexcept {
 
 double depth_integral(double limit_ratio, double c, double h) {
   if (!(limit_ratio >= 0.0) || !(0.5 * c > h - 1.0))
-    throw InputError(fmt::format(
-        "depth integral of the Ioannides-Harris model: stress exponent {} and depth exponent {} "
-        "let it diverge at the surface; the stress exponent must be above 2 (depth exponent - 1)",
-        c, h));
+    throw InputError(
+        fmt::format("depth integral of the Ioannides-Harris model: it diverges at the surface with "
+                    "stress exponent {} and depth exponent {}; the stress exponent must be above 2 "
+                    "(depth exponent - 1)",
+                    c, h));
   double sum = 0.0;
   for (const Node& node : nodes())
     if (node.amplitude > limit_ratio)

@@ -35,8 +35,8 @@ double film_factor(double film_parameter) {
 
 double filter_factor(double micrometres) {
   if (!(micrometres > 0.0))
-    throw InputError(fmt::format(
-        "filter factor: the filter rating is {} micrometres; it must be above 0", micrometres));
+    throw InputError(
+        fmt::format("filter factor: the filter rating is {} µm; it must be above 0", micrometres));
   return 1.8 * std::pow(micrometres, -0.25);
 }
 

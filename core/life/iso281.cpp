@@ -75,10 +75,10 @@ double size_factor(IsoType type, double pitch_mm) {
 
 double iso_gamma(const IsoGeometry& g) {
   if (!(g.element_diameter > 0.0 && g.pitch_diameter > g.element_diameter && g.count > 0))
-    throw InputError(
-        fmt::format("ISO 281 rating: {} elements of {} mm on a pitch diameter of {} mm make no "
-                    "bearing; sizes must be above 0 and the pitch diameter the larger",
-                    g.count, g.element_diameter, g.pitch_diameter));
+    throw InputError(fmt::format(
+        "ISO 281 rating: {} elements of {} mm on a pitch diameter of {} mm do not make a bearing; "
+        "sizes must be above 0 and the pitch diameter larger than the element",
+        g.count, g.element_diameter, g.pitch_diameter));
   const double ratio = g.element_diameter / g.pitch_diameter;
   return is_axial(g) ? ratio : ratio * std::cos(g.contact_angle);
 }
@@ -204,7 +204,7 @@ double iso_load_exponent(IsoType type) { return is_ball(type) ? 3.0 : 10.0 / 3.0
 double iso_reliability_factor(double survival) {
   if (!(survival > 0.0 && survival < 1.0))
     throw InputError(fmt::format(
-        "ISO 281: the survival probability is {}; it must lie between 0 and 1", survival));
+        "ISO 281: the survival probability is {}; it must be between 0 and 1", survival));
   return 0.95 * std::pow(std::log(survival) / std::log(0.9), 2.0 / 3.0) + 0.05;
 }
 

@@ -67,12 +67,12 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
   out.asperity_traction = given_or(input.asperity_traction, {c.asperity_traction, "derived"});
   out.residual_stress = input.residual_stress;
   if (!own && !has_stle)
-    notes.push_back(
-        fmt::format("{}: no STLE factors are known for {}; 1 is taken for material and process",
-                    out.name, material.name));
+    notes.push_back(fmt::format(
+        "{}: no STLE factors are known for {}; material and process factors are set to 1", out.name,
+        material.name));
   if (!own && !has_tallian)
-    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; 1 is taken", out.name,
-                                material.name));
+    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; they are set to 1",
+                                out.name, material.name));
 }
 
 void set_limit(PartParameters& out, const Material& material, double limit_factor,
@@ -86,9 +86,8 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
     notes.push_back(
-        fmt::format("{}: no fatigue limit is known for {}; 0 is taken, so that no life is "
-                    "infinite; with the calibration at 684 MPa the "
-                    "Ioannides-Harris lives come out far too short",
+        fmt::format("{}: no fatigue limit is known for {}; it is set to 0, so no life is infinite; "
+                    "with the calibration at 684 MPa the Ioannides-Harris lives are far too short",
                     out.name, material.name));
 }
 
@@ -106,10 +105,9 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
   out.bearing_slope = given_or(inputs.bearing_slope, slope);
   out.point_bearing_slope = given_or(inputs.bearing_slope, c.point_slope);
   if (!(out.survival.value > 0.0 && out.survival.value < 1.0))
-    throw InputError(
-        fmt::format("record 8.6.0: the survival probability sProb is {}; it must lie between 0 and "
-                    "1, e.g. 0.9",
-                    out.survival.value));
+    throw InputError(fmt::format(
+        "record 8.6.0: the survival probability sProb is {}; it must be between 0 and 1, e.g. 0.9",
+        out.survival.value));
   for (std::size_t i = 0; i < 3; ++i) {
     const LifeComponentInput& input = inputs.part[i];
     const Material& material = i == bearing::kElementPart ? element : race[i];

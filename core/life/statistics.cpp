@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void check_survival(double survival) {
   if (!(survival > 0.0 && survival < 1.0))
     throw InputError(fmt::format(
-        "the survival probability is {}; it must lie between 0 and 1, e.g. 0.9", survival));
+        "the survival probability is {}; it must be between 0 and 1, e.g. 0.9", survival));
 }
 
 void check_slope(double slope) {
@@ -26,7 +26,7 @@ void check_slope(double slope) {
 }
 
 double shortest(std::span<const double> lives) {
-  if (lives.empty()) throw InputError("there is no life to combine; give at least one");
+  if (lives.empty()) throw InputError("there is no life to combine");
   for (const double life : lives) check_life(life);
   return *std::min_element(lives.begin(), lives.end());
 }
@@ -35,10 +35,10 @@ double shortest(std::span<const double> lives) {
 
 void check_life(double life) {
   if (!(life > 0.0))
-    throw InputError(fmt::format(
-        "a life of {} million revolutions comes out, which is none; a load, a residual stress or a "
-        "life factor is out of all proportion",
-        life));
+    throw InputError(
+        fmt::format("the computed life is {} million revolutions, which is not a valid number; "
+                    "check loads, residual stresses and life factors",
+                    life));
 }
 
 double race_life(std::span<const double> lives, bool rotating, double slope) {

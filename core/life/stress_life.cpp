@@ -171,7 +171,7 @@ double StressLife::log_hazard(const ContactPatch& patch, const Track& track, dou
   if (!(m.stress > 0.0)) return -kInfinity;
   if (h != 1.0 && !(m.depth > 0.0))
     throw InputError(
-        fmt::format("fatigue life: with Poisson's ratio {} the largest stress of this contact lies "
+        fmt::format("fatigue life: with Poisson's ratio {} the largest stress of this contact is "
                     "at the surface, where a model with a depth exponent has no meaning",
                     poisson));
   return c * std::log(m.stress) + (h == 1.0 ? 0.0 : (1.0 - h) * std::log(m.depth)) + common;

@@ -8,7 +8,7 @@
 namespace adore::listing {
 
 /// Appends `value` with five significant digits and without trailing zeros, behind blanks up to
-/// `width` columns; "-" when it is no number, 0 without a sign. A longer text is not cut.
+/// `width` columns; "-" for NaN, 0 without a sign. A longer text is not cut.
 void append_cell(std::string& line, double value, std::size_t width);
 
 }  // namespace adore::listing

@@ -58,9 +58,9 @@ void lands(Report& report, const Cage& cage) {
         contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_race));
     const bool outer = land.guide == GuideLand::Guide::Outer;
     const double c = 0.5 * land.clearance;
-    report.item(fmt::format("Least radial play at land {} with its errors", i + 1),
+    report.item(fmt::format("Least radial clearance at land {} with its errors", i + 1),
                 c + (outer ? r_least - c_most : c_least - r_most), unit::kLength);
-    report.item(fmt::format("Largest radial play at land {} with its errors", i + 1),
+    report.item(fmt::format("Largest radial clearance at land {} with its errors", i + 1),
                 c + (outer ? r_most - c_least : c_most - r_least), unit::kLength);
   }
 }
@@ -76,21 +76,21 @@ void mass(Report& report, const Bearing& bearing, bool given) {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
     report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
     if (cage.segments.several())
-      report.item("Distance of the mass centre of a segment from the axis", solid.mass_centre.z(),
+      report.item("Distance of the mass center of a segment from the axis", solid.mass_centre.z(),
                   unit::kLength);
     if (cage.cone_angle != 0.0)
-      report.item("Mass centre from the middle of the cage, along x", solid.mass_centre.x(),
+      report.item("Mass center from the middle of the cage, along x", solid.mass_centre.x(),
                   unit::kLength);
     if (bearing.rollers())
       report.text(
-          "Of a roller's pocket the length of the roller and its diameter at mid length plus the "
-          "pocket's play are cut out.");
+          "The pocket of a roller is cut out with the length of the roller and its diameter at mid "
+          "length plus the pocket clearance.");
   } catch (const InputError& error) {
-    report.text(fmt::format("The mass of the cage is not known: {}.", error.what()));
+    report.text(fmt::format("The mass of the cage is unknown: {}.", error.what()));
   }
 }
 
-/// The play that a radially moving cage uses up first: of its lands or its pockets.
+/// The clearance that a radially moving cage uses up first: of its lands or its pockets.
 const CagePlay* least_play(const Bearing& bearing) {
   const CagePlay* out = nullptr;
   for (const CagePlay& play : bearing.operating->plays) {
@@ -117,8 +117,9 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   report.item("Half cone angle of a conical cage (diameters: at mid width)", cage.cone_angle,
               unit::kAngle);
   report.item("Pocket shape", pocket_name(cage, rollers));
-  report.item(!cage.pocket_faces.empty() ? "Least pocket play between the guide faces, diametral"
-                                         : "Pocket clearance I, diametral",
+  report.item(!cage.pocket_faces.empty()
+                  ? "Least pocket clearance between the guide faces, diametral"
+                  : "Pocket clearance I, diametral",
               cage.pocket_clearance_1, unit::kLength);
   if (!rollers)
     report.item("Pocket clearance II, diametral", cage.pocket_clearance_2, unit::kLength);
@@ -146,7 +147,7 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
     report.item(fmt::format("Play, diametral: {}", play.name), play.operating, unit::kLength);
   if (const CagePlay* least = least_play(bearing))
     report.item(
-        "Effective cage play, the least of these that bound it radially",
+        "Effective cage clearance, the smallest of these radial limits",
         fmt::format("{} {}, {}",
                     Report::number(from_si(least->operating, unit::kLength, report.units())),
                     unit_name(unit::kLength, report.units()), least->name));

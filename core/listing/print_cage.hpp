@@ -12,8 +12,8 @@ namespace adore::listing {
 /// Sizes, pockets, lands and mass of the geometry page.
 void print_cage_geometry(Report& report, const bearing::Bearing& bearing, const deck::Deck& deck);
 
-/// What guides the cage in operation, for the quasi-static page: speed, least play, mass. Nothing
-/// without a cage, or when the bearing is not the operating one.
+/// Guidance of the cage in operation, for the quasi-static page: speed, smallest clearance, mass.
+/// Nothing without a cage, or when the bearing is not the operating one.
 void print_cage_operation(Report& report, const bearing::Bearing& bearing);
 
 /// The same for RUN.json. @pre a cage, and a bearing in operation

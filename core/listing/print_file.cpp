@@ -48,7 +48,7 @@ PrintFile PrintFile::continue_after(const WritePath& place, std::string run_id, 
   const std::filesystem::path path = place.path();
   check(path, run_id);
   PrintFile out(GrowingFile::append_after(place, bytes), std::move(run_id), units);
-  // The last page lies in the last bytes.
+  // The last page is in the last bytes.
   constexpr std::uintmax_t kMost = 1 << 16;
   const std::uintmax_t size = std::min(bytes, kMost);
   InputFile stream(path);

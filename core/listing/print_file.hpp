@@ -40,7 +40,7 @@ struct PrintFront {
       options;  ///< named options with the values in force
 };
 
-/// What the friction of elements and races goes by in a run.
+/// Parameters of the friction of elements and races in a run.
 enum class RaceFriction : unsigned char {
   None,    ///< it is left out
   Curve,   ///< hypothetical traction curve: no film, no contact temperature
@@ -66,7 +66,7 @@ class PrintFile {
   /// The check of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const std::string& run_id);
 
-  /// Step and time [s] of the last whole step that stands behind the first `bytes` of a file, or
+  /// Step and time [s] of the last complete step within the first `bytes` of a file, or
   /// the end of a thermal step that is later; zeros when there is none.
   [[nodiscard]] static std::pair<long, double> stored_end(const std::filesystem::path& path,
                                                           std::uintmax_t bytes);
@@ -133,7 +133,7 @@ void print_quasi_static(Report& report, const statics::RollerSolution& solution,
 /// Sizes of rollers, raceways and flanges: the part of the geometry page that balls do not have.
 void print_roller_geometry(Report& report, const bearing::RollerGeometry& rollers,
                            const bearing::Envelope& envelope);
-/// What every quasi-static page says of the inner race: displacement and load; stiffness.
+/// Common content of all quasi-static pages on the inner race: displacement and load; stiffness.
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
                             const bearing::Bearing& bearing);
 void print_race_stiffness(Report& report, const statics::RaceResult& solution);

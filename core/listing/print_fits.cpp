@@ -44,7 +44,7 @@ void fits_table(Report& report, const OperatingFits& fits) {
 }
 
 void growth_table(Report& report, const OperatingFits& fits, bool cage) {
-  report.heading("Radial growth in operation, outward, and what causes it");
+  report.heading("Radial growth in operation, outward, by cause");
   std::vector<Report::Row> rows;
   const auto row = [&](std::string name, const Growth& g) {
     rows.push_back({std::move(name), {g.thermal, g.centrifugal, g.pressure, g.total()}});
@@ -67,7 +67,7 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
                rows, 28);
   report.item("Growth of the rolling element diameter", fits.element_growth, unit::kLength);
   if (cage)
-    report.item("Cage speed taken for its growth (epicyclic)", fits.cage_speed, unit::kRotation);
+    report.item("Cage speed assumed for its growth (epicyclic)", fits.cage_speed, unit::kRotation);
 }
 
 void clearance_table(Report& report, const OperatingFits& fits) {
@@ -99,14 +99,14 @@ void clearance_table(Report& report, const OperatingFits& fits) {
   report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);
   report.item("Pitch diameter, in operation", fits.pitch, unit::kLength);
   if (fits.axial_setting)
-    report.item("Change of the axial setting (above 0: play lost)", *fits.axial_setting,
+    report.item("Change of the axial setting (above 0: clearance lost)", *fits.axial_setting,
                 unit::kLength);
   if (!(fits.locus[0] > 0.0)) return;  // rollers
   for (std::size_t j = 0; j < 2; ++j) {
     const char* race = j == 0 ? "outer" : "inner";
-    report.item(fmt::format("Radius of the {} circle of curvature centres, cold", race),
+    report.item(fmt::format("Radius of the {} circle of curvature centers, cold", race),
                 fits.locus_free[j], unit::kLength);
-    report.item(fmt::format("Radius of the {} circle of curvature centres, in operation", race),
+    report.item(fmt::format("Radius of the {} circle of curvature centers, in operation", race),
                 fits.locus[j], unit::kLength);
   }
 }
@@ -161,12 +161,13 @@ void print_fits(Report& report, const bearing::Bearing& bearing) {
       "Plane-stress rings: free thermal growth, centrifugal growth and growth under fit pressure "
       "are added. Mounted is at room temperature and rest.");
   if (!fits.changed)
-    report.text("Nothing grows and nothing presses on a raceway: the geometry is the input's.");
+    report.text(
+        "Nothing grows and nothing presses on a raceway: the geometry is that of the input.");
   fits_table(report, fits);
   growth_table(report, fits, !fits.plays.empty());
   clearance_table(report, fits);
   if (!fits.plays.empty()) {
-    report.heading("Cage play, diametral");
+    report.heading("Cage clearance, diametral");
     std::vector<Report::Row> rows;
     for (const bearing::CagePlay& play : fits.plays)
       rows.push_back({play.name, {play.free, play.operating}});

@@ -44,7 +44,7 @@ std::string meaning(const deck::VariableSpec& variable, const std::vector<deck::
 }
 
 void defaults(Report& report, const deck::Deck& deck) {
-  report.heading("Defaults used for what the deck leaves out");
+  report.heading("Default values of variables that are not in the deck");
   std::vector<std::vector<std::string>> rows;
   for (const deck::DefaultUsed& used : deck::defaults_used(deck))
     rows.push_back({used.record, used.variable, used.value, used.unit});
@@ -58,8 +58,8 @@ void defaults(Report& report, const deck::Deck& deck) {
 void echo(Report& report, const deck::Deck& deck) {
   report.new_page("INPUT");
   report.text(
-      "Every record that was read, in the deck's own units. Meanings are in our words; codes say "
-      "what was chosen.");
+      "All records as read, in the units of the deck. Meanings are those of this program; codes "
+      "are followed by the chosen option.");
   const deck::Deck shown = deck::with_orbit_records(deck);
   for (const deck::RecordData& record : shown.records) {
     const deck::RecordSpec* spec = deck::find_record(record.id);
@@ -176,7 +176,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
       for (const Part& part : some) {
         // The deck's records leave out what a part does not need: 0 there means not given.
         const double value = part.material->*property.member;
-        // Where no fatigue limit is known the material carries its yield stress in that place.
+        // Without a known fatigue limit the material has its yield stress instead.
         const int code = part.material->code;
         const bool no_limit = property.member == &bearing::Material::fatigue_limit_stress &&
                               code != 1 &&
@@ -195,7 +195,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   report.blank();
   table(all.last(2));
 
-  report.heading("Inertia about the mass centre, geometric axes");
+  report.heading("Inertia about the mass center, geometric axes");
   std::vector<Report::Row> inertia, places;
   const auto add = [&](const char* name, const bearing::Inertia& body) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
@@ -217,8 +217,8 @@ void materials(Report& report, const bearing::Bearing& bearing) {
                inertia, 12);
   if (places.empty()) return;
   report.text(
-      "Unbalance: geometric centre from the mass centre; angles from the principal axes, which the "
-      "moments above belong to, to the geometric ones");
+      "Unbalance: geometric center from the mass center; angles from the principal axes of the "
+      "moments above to the geometric axes");
   report.table("",
                {{"x", &unit::kLength},
                 {"y", &unit::kLength},
@@ -304,7 +304,7 @@ void operation(Report& report, const PrintFront& front) {
     report.item("Whirl speed over angular speed of the cage", start.whirl_ratio, unit::kPure);
     report.item("Angular speed over epicyclic speed", start.speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
-      report.item(fmt::format("Centre along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
+      report.item(fmt::format("Center along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Angle {} of the {}",
                               std::array{"eta", "xi", "lambda"}[static_cast<std::size_t>(k)], name),
@@ -332,7 +332,7 @@ void scales(Report& report, const scene::Scales& s) {
   report.heading("Scale factors");
   report.text(
       "A dimensionless number of the deck (step sizes and end time of record 2.1) times its scale "
-      "is the real one.");
+      "is the dimensional value.");
   report.item("Length: radius of a rolling element", s.length, unit::kLength);
   report.item("Force: largest applied load", s.force, unit::kForce);
   report.item("Time: sqrt(mass / stiffness) of the stiffest race contact", s.time, unit::kTime);

@@ -105,7 +105,7 @@ void network(Report& report, const thermal::BearingHeat& heat) {
   if (is_ladder)
     report.text(
         "Ladder (thermalModel=ladder): half of the heat of a contact goes into either body; "
-        "raceways have the temperature of the rolling elements; no closed balance.");
+        "raceways have the temperature of the rolling elements; the heat balance is not closed.");
   for (const std::string& note : heat.notes) report.text(note);
 }
 
@@ -153,16 +153,16 @@ void print_friction(Report& report, const statics::FrictionEstimate& f,
                rows);
   report.text(
       "Each contact creeps so that it carries no force along the rolling direction; elastic "
-      "hysteresis is left out.");
+      "hysteresis is not included.");
   for (const std::string& note : f.notes) report.text(deck::message_in_units(note, report.units()));
 }
 
 void print_steady_state(Report& report, const thermal::SteadyState& steady) {
   report.new_page("THERMAL STEADY STATE");
   report.text(steady.as_built.thermal->geometry_every > 0
-                  ? "Temperatures, operating geometry, loads and friction agree with each other."
-                  : "Temperatures, oil and friction agree with each other; geometry and material "
-                    "stay those of record 9.1.3 (kGeoMod = 0).");
+                  ? "Temperatures, operating geometry, loads and friction are consistent."
+                  : "Temperatures, oil and friction are consistent; geometry and material stay "
+                    "those of record 9.1.3 (kGeoMod = 0).");
   report.item("Passes", static_cast<long>(steady.passes));
   report.item("Largest change of the last pass", steady.change, unit::kTemperature);
   report.item("Growth of heat with temperature over its removal (unstable above 1)", steady.gain,
@@ -186,7 +186,7 @@ void print_thermal_step(Report& report, const thermal::BearingHeat& heat, long s
   report.item("Thermal step", step);
   report.item("Its end", time, unit::kTime);
   report.text(geometry ? "Geometry and material change with this step."
-                       : "Geometry and material stay; oil and medium follow.");
+                       : "Geometry and material do not change; oil and medium follow.");
   network(report, heat);
 }
 

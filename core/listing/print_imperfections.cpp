@@ -150,8 +150,8 @@ void print_imperfections(Report& report, const bearing::Bearing& b) {
   const bearing::Imperfections& i = b.imperfections;
   if (i.elements == bearing::ElementErrors::Random) {
     report.text(
-        "Rolling elements: rms values of the deck times normal deviates of a table that depends on "
-        "the seed, the number of the element and the dimension only (option seed).");
+        "Rolling elements: rms values of the deck times normal deviates that depend only on the "
+        "seed, the number of the element and the dimension (option seed).");
     report.item("Seed of the random table", static_cast<long>(i.seed));
   }
   for (std::size_t race = 0; race < 2; ++race)

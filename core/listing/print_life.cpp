@@ -45,10 +45,9 @@ const char* shape_text(life::ContactShape shape, bool line) {
 void lives(Report& report, const BearingLife& life) {
   const double S = life.parameters.survival.value;
   report.text(
-      "As if the loads of the quasi-static solution lasted for ever. Lives of the parts and L10 "
-      "are "
-      "those that 90 % survive, in 1e6 revolutions of one race relative to the other; ( ) is not "
-      "counted in the bearing.");
+      "Lives under constant loads of the quasi-static solution. Lives of the parts and L10 are "
+      "those that 90 % survive, in 1e6 revolutions of one race relative to the other; values in ( "
+      ") are not counted in the bearing.");
   report.blank();
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < life::kModels; ++m)
@@ -81,16 +80,15 @@ void lives(Report& report, const BearingLife& life) {
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
       "Origin (of a life with factors: the model's, then the factors'): the constant of the "
-      "original theory is published (seen). The "
-      "constants "
-      "of the three stress models are CALIBRATED on it by this program, at one contact where all "
-      "agree; they are not those of the models' authors. The STLE tables are recalled from the "
-      "literature (film curve +-30 %); the asperity term of the Tallian-type factor is a form of "
-      "this program (derived).");
+      "original theory is published (seen). The constants of the three stress models are "
+      "CALIBRATED on it by this program, at one contact where all models agree; they are not the "
+      "constants of the models' authors. The STLE tables are recalled from the literature (film "
+      "curve +-30 %); the asperity term of the Tallian-type factor is a form of this program "
+      "(derived).");
 }
 
 void races(Report& report, const BearingLife& life) {
-  report.heading("Races: capacities and stresses at the heaviest contact");
+  report.heading("Races: capacities and stresses at the most loaded contact");
   std::vector<std::vector<std::string>> rows;
   const auto row = [&](const char* name, const UnitPair& unit, auto value) {
     rows.push_back({name, with_unit(report, value(life.race[0]), unit),
@@ -105,7 +103,7 @@ void races(Report& report, const BearingLife& life) {
     rows.push_back({"counts as (rule of Harris, recalled)",
                     shape_text(life.state.shape[0], life.race[0].line),
                     shape_text(life.state.shape[1], life.race[1].line), ""});
-    row("ellipse of the heaviest roller, 2a", unit::kLength,
+    row("ellipse of the most loaded roller, 2a", unit::kLength,
         [](const Race& r) { return r.major_axis; });
     row("effective length of a roller", unit::kLength,
         [&](const Race&) { return life.effective_length; });
@@ -132,7 +130,7 @@ void races(Report& report, const BearingLife& life) {
 }
 
 void parameters(Report& report, const BearingLife& life) {
-  report.heading("Constants of the models (life ~ pressure^-n where no limit acts)");
+  report.heading("Constants of the models (life ~ pressure^-n without limit stress)");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < 3; ++m)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -154,9 +152,8 @@ void parameters(Report& report, const BearingLife& life) {
                      {"n", 8}},
                     rows);
   report.text(
-      "The stress exponent of the Gupta-Zaretsky type is one of life; of hazard it is that times "
-      "the "
-      "Weibull slope.");
+      "The stress exponent of the Gupta-Zaretsky type refers to life; the exponent of hazard is "
+      "that times the Weibull slope.");
   report.blank();
   rows.clear();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -198,16 +195,14 @@ void properties(Report& report, const BearingLife& life) {
                 {"modulus", &unit::kPressure},
                 {"Poisson", &unit::kPure}},
                rows, 18);
+  report.text(follows ? "Moduli, pressures and ellipses are those at the temperature of each part "
+                        "(kMatPropMod = 1; constant beyond the range of each law)."
+                      : "The moduli are those of room temperature (kMatPropMod is not 1), "
+                        "independent of the temperature of the part.");
   report.text(
-      follows
-          ? "The moduli, and with them the pressures and ellipses, are those at the temperature of "
-            "each part (kMatPropMod = 1; held at the ends of each law's range)."
-          : "The moduli are those of room temperature (kMatPropMod is not 1), whatever the "
-            "temperature of the part.");
-  report.text(
-      "Poisson's ratio, fatigue limit and the life factors are those of room temperature at any "
-      "temperature: the material table has no law for them. The hardness factor is the record's, "
-      "meant at operating temperature; by default it is 1.");
+      "Poisson's ratio, fatigue limit and life factors are those of room temperature, because the "
+      "material table has no law for them. The hardness factor is that of the record, for "
+      "operating temperature; its default is 1.");
 }
 
 void factors(Report& report, const BearingLife& life) {

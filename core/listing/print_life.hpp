@@ -27,7 +27,7 @@ struct RunLife {
   /// Standard error of the life over the life; NaN: too few batches.
   double relative_error = std::numeric_limits<double>::quiet_NaN();
   double skipped_turns = 0.0;  ///< of the shaft, before the window
-  bearing::LifeModel model{};  ///< whose lives were added up
+  bearing::LifeModel model{};  ///< race of the summed lives
   bearing::LifeModification modification{};
   life::DamageParts slopes{1.0, 1.0, 1.0};  ///< Weibull, of the parts
 };

@@ -27,7 +27,7 @@ void ball_contacts(Report& report, const statics::StaticSolution& solution) {
   }
 }
 
-/// What the columns s and t of a race are to be compared with.
+/// Reference values for the columns s and t of a race.
 std::string edge_limits(const bearing::Bearing& bearing, std::size_t race, UnitSystem units) {
   const auto length = [&](double si) {
     return Report::number(from_si(si, unit::kLength, units)) + " " +

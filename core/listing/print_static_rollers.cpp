@@ -43,7 +43,7 @@ void flanges(Report& report, const bearing::RollerGeometry& g) {
   report.table("flange", {{"layback", &unit::kAngle}, {"height", &unit::kLength}}, rows, 14);
   for (std::size_t race = 0; race < 2; ++race)
     if (g.flange[race][0] && g.flange[race][1])
-      report.item(fmt::format("Axial play between the {} flanges", kRaceName[race]),
+      report.item(fmt::format("Axial clearance between the {} flanges", kRaceName[race]),
                   g.flange_play[race], unit::kLength);
 }
 
@@ -71,7 +71,7 @@ void summary(Report& report, const statics::RollerSolution& s) {
   if (s.guide_force > 0.0) {
     report.item("Held along each roller by guide ring or cage", s.guide_force, unit::kForce);
   }
-  report.text("Skew of the rollers is held at zero. " + s.unloaded_rule);
+  report.text("Skew of the rollers is kept at zero. " + s.unloaded_rule);
 }
 
 /// Position of the largest pressure: the middle of the neighbouring slices that carry it (to 1e-9,
@@ -208,7 +208,7 @@ void print_roller_geometry(Report& report, const bearing::RollerGeometry& g,
   report.item("Half angle of the roller's taper", g.half_angle, unit::kAngle);
   report.item("Angle of the roller axis to the bearing axis", g.axis_angle, unit::kAngle);
   report.item("Pitch diameter", g.pitch_diameter, unit::kLength);
-  report.item("Diametral play", g.clearance, unit::kLength);
+  report.item("Diametral clearance", g.clearance, unit::kLength);
   report.item("Bearing bore", envelope.bore, unit::kLength);
   report.item("Bearing outside diameter", envelope.outer_diameter, unit::kLength);
   report.item("Shaft bore", envelope.shaft_bore, unit::kLength);

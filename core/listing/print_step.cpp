@@ -404,7 +404,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
 }
 
 void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
-  report.heading("3. Applied parameters: forces and moments on the races, about their centres");
+  report.heading("3. Applied parameters: forces and moments on the races, about their centers");
   std::vector<Report::Row> rows;
   for (std::size_t race = 0; race < 2; ++race) {
     const scene::RaceSnapshot& body = snapshot.races[race];
@@ -452,7 +452,7 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
   report.item("Cage pocket clearance I, diametral", bearing.cage->pocket_clearance_1,
               unit::kLength);
   for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i)
-    report.item(fmt::format("Cage play at guide land {}, diametral", i + 1),
+    report.item(fmt::format("Cage clearance at guide land {}, diametral", i + 1),
                 bearing.cage->lands[i].clearance, unit::kLength);
 }
 

@@ -64,7 +64,7 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
   if (!row.operating) return;
   const bearing::OperatingFits& fits = *row.operating;
-  report.item(fits.axial_setting ? "Change of the diametral play at this speed"
+  report.item(fits.axial_setting ? "Change of the diametral clearance at this speed"
                                  : "Diametral clearance at this speed",
               fits.operating.clearance, unit::kLength);
   if (fits.locus[0] > 0.0)
@@ -79,11 +79,11 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
   report.new_page("STIFFNESS OVER SPEED");
   report.text(
       "Change of the load on the inner race (rows) with its displacement (columns) at fixed speed, "
-      "every rolling element in equilibrium. Exact: linearised.");
+      "every rolling element in equilibrium. Exact linearization.");
   if (share > 0.0)
     report.text(
-        fmt::format("By difference: the race displaced either way by {:.4g} % of the largest "
-                    "contact deflection.",
+        fmt::format("By difference: the race is displaced in both directions by {:.4g} % of the "
+                    "largest contact deflection.",
                     100.0 * share));
   for (const statics::StiffnessRow& row : rows) print_row(report, row);
 }

@@ -23,7 +23,7 @@ class Report {
   [[nodiscard]] int lines_left() const noexcept { return kLines - line_; }
 
   void new_page(std::string_view title);
-  /// Goes on with the page that `text`, printed earlier, ends with.
+  /// Continues the last page of `text`, which was printed earlier.
   void resume(std::string_view text);
   /// Underlined heading within a page; keeps a few of the following lines with it.
   void heading(std::string_view title);
@@ -52,7 +52,7 @@ class Report {
   void text_table(const std::vector<std::pair<std::string, std::size_t>>& columns,
                   const std::vector<std::vector<std::string>>& rows);
 
-  /// What was written since the last call.
+  /// Text written since the last call.
   [[nodiscard]] std::string take();
 
   /// Seven significant digits; "-" for not-a-number.

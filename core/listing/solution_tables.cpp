@@ -160,7 +160,7 @@ StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows)
     solved(fmt::format("displacement {}", kMotions[k]), k < 3 ? unit::kLength : unit::kRadian,
            [&](const statics::RaceResult& r) { return r.displacement[k]; });
   solved("largest load", unit::kForce, [](const statics::RaceResult& r) { return r.max_load; });
-  // Where the caller knows the fits at each speed.
+  // If the caller knows the fits at each speed.
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.operating; })) {
     add("clearance", unit::kLength,
         [](const auto& row) { return row.operating ? row.operating->operating.clearance : kNone; });

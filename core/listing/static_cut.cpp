@@ -68,7 +68,7 @@ void add_row(StaticTables& out, std::size_t element, double azimuth,
 /// One groove in the cut. An angle φ on it counts from its bottom towards +x; a split race has
 /// another centre on either side.
 struct Groove {
-  double sigma = 1.0;       ///< +1 outer: the bottom lies outside
+  double sigma = 1.0;       ///< +1 outer: the bottom is outside
   double radius = 0.0;      ///< of the arc [m]
   double centre_r = 0.0;    ///< [m]
   double centre_low = 0.0;  ///< x of the centre of the part towards -x [m]
@@ -87,7 +87,7 @@ struct Groove {
   }
 };
 
-/// Through the contact: the groove's centre lies behind it on the line of contact.
+/// Through the contact: the groove's center is behind it on the line of contact.
 Groove groove_of(const statics::StaticBall& ball, const Bearing& bearing,
                  const contact::GrooveGeometry& geometry, std::size_t j) {
   Groove out;

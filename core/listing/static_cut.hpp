@@ -2,8 +2,8 @@
 
 #include "listing/solution_tables.hpp"
 
-/// Radial cut through the most loaded element: where its contacts lie on the raceways, and how far
-/// they are from the raceways' edges. Tables for plots, in metres, x along the bearing's axis, r
+/// Radial section through the most loaded element: positions of its contacts on the raceways, and
+/// their distances from the raceway edges. Tables for plots, in meters, x along the bearing axis, r
 /// the distance from it, in the azimuth plane of that element.
 ///
 /// "cut": one row with the element's number, azimuth and loads, and per race and side, as "outer -x
@@ -11,8 +11,8 @@
 /// roller ends (negative: over the edge); NaN where the deck gives no edge, or without a contact.
 /// "cut outer race", "cut inner race", "cut element": outlines "x", "r".
 /// "cut outer contact", "cut inner contact": the raceway from one edge of the contact to the other.
-/// Balls and their grooves stand at the angles of the solution; rollers, whose displacements no eye
-/// would see at this scale, at their nominal place.
+/// Balls and their grooves are drawn at the angles of the solution; rollers, whose displacements
+/// would be invisible at this scale, at their nominal position.
 namespace adore::listing {
 
 void add_cut(StaticTables& out, const statics::StaticSolution& solution,

@@ -134,7 +134,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
                     cell(fits.operating.*member, unit)});
   };
   const bool cones = fits.axial_setting.has_value();
-  row(cones ? "change of diametral play" : "diametral clearance", unit::kLength,
+  row(cones ? "change of diametral clearance" : "diametral clearance", unit::kLength,
       &bearing::ClearanceState::clearance);
   if (fits.locus[0] > 0.0) {
     row("free contact angle", unit::kAngle, &bearing::ClearanceState::contact_angle);
@@ -146,7 +146,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
   report.text_table({{"operating geometry", 42}, {"cold", 22}, {"mounted", 22}, {"operating", 22}},
                     rows);
   if (cones)
-    report.text("Axial setting taken up (above 0: play lost): " +
+    report.text("Axial setting taken up (above 0: clearance lost): " +
                 cell(*fits.axial_setting, unit::kLength));
   report.blank();
   rows.clear();
@@ -166,7 +166,7 @@ void geometry(Report& report, const bearing::OperatingFits& fits) {
                     rows);
 }
 
-/// Where the constants of a model are from: the original theory's is published, those of the three
+/// Origin of a model's constants: the original theory's is published, those of the three
 /// stress models are calibrated on it; the deck may give its own multipliers.
 std::string origin(const life::BearingLife& life, std::size_t model) {
   bool own = false, built_in = false;
@@ -220,7 +220,7 @@ void lives(Report& report, const life::BearingLife& life) {
 void remarks(Report& report, const std::vector<std::string>& warnings,
              const std::vector<std::string>& notes) {
   report.text(fmt::format("Warnings: {}. Notes: {}.", warnings.size(), notes.size()));
-  // Whole where there is room, cut where there is room for one line, which the last one keeps free.
+  // Complete if there is room, cut to one line otherwise; the last line is kept free.
   const auto shown = [&](const std::string& text) {
     constexpr std::size_t kWidth = 112;
     const int lines = static_cast<int>(text.size() / kWidth) + 1;
@@ -295,7 +295,7 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
       bearing.type == bearing::Type::Tapered || bearing.type == bearing::Type::SphericalTapered;
   std::string place = cones               ? "both races just touch the rollers"
                       : bearing.rollers() ? "the mid planes of both races coincide"
-                                          : "the planes of the groove centres coincide";
+                                          : "the planes of the groove centers coincide";
   if (!bearing.rollers()) {
     const contact::GrooveGeometry g = contact::groove_geometry(bearing.balls());
     const double apart = g.centre_x[1] - g.centre_x[0];
@@ -303,19 +303,18 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
         bearing.operating ? bearing.operating->free.contact_angle : bearing.balls().contact_angle;
     if (apart != 0.0)
       place = fmt::format(
-          "all balls just touch both grooves at {}, by +x (the planes of the groove centres "
+          "all balls just touch both grooves at {}, by +x (the planes of the groove centers "
           "coincide at x = {})",
           quantity(angle, unit::kAngle, units), quantity(-apart, unit::kLength, units));
   }
-  const char* const kept = !bearing.rollers() ? "the plane of its groove centres"
+  const char* const kept = !bearing.rollers() ? "the plane of its groove centers"
                            : bearing.type == bearing::Type::Spherical
-                               ? "the plane of the outer groove's centres"
+                               ? "the plane of the outer groove's centers"
                                : "the middle plane of the row";
   return fmt::format(
       "Zero of displacements: the bearing unmounted, at room temperature and at rest, races "
-      "coaxial; at x = 0 {}. Fits, temperatures and speeds move the raceways against this datum, "
-      "not the datum: each race keeps {}; axial growth of the rings against their faces is not "
-      "modelled.",
+      "coaxial; at x = 0 {}. Fits, temperatures and speeds move the raceways, but not this datum: "
+      "each race keeps {}; axial growth of the rings against their faces is not modeled.",
       place, kept);
 }
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// What an engineer wants first of a quasi-static solution: one page of PRINT.txt, and a few lines
+/// Main results of a quasi-static solution: one page of PRINT.txt, and a few lines
 /// for the terminal and the run panel. SI inside; every printed number has its unit.
 namespace adore::listing {
 

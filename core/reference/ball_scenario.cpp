@@ -59,8 +59,8 @@ tribology::ContactSurface contact_surface(const std::string& name) {
   if (name == "flat_half") return ContactSurface::FlatHalf;
   if (name == "flat_edge") return ContactSurface::FlatEdge;
   throw InputError(
-      fmt::format("contact_surface \"{}\" is none of curved_edge, curved_half, curved_undeformed, "
-                  "flat_undeformed, flat_half, flat_edge",
+      fmt::format("contact_surface \"{}\" is not one of curved_edge, curved_half, "
+                  "curved_undeformed, flat_undeformed, flat_half, flat_edge",
                   name));
 }
 
@@ -76,7 +76,7 @@ void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>
   balls.clearance = 4.0 * (centre_radius[0] + outer - 0.5 * balls.pitch_diameter);
   const double cosine = gamma * balls.pitch_diameter / diameter;
   require(cosine >= 0.0 && cosine <= 1.0 + 1e-12,
-          "the centre circles of the grooves do not fit the ball and pitch diameters");
+          "the center circles of the grooves do not fit the ball and pitch diameters");
   scene.hertz_angle.fill(std::acos(std::min(cosine, 1.0)));
 }
 

@@ -109,7 +109,7 @@ struct RollerMotion {
     for (std::size_t j = 0; j < 2; ++j)
       require(walls->line[j].approach <= kDeepest * walls->half,
               fmt::format("{}.raceway_radius = {:.6g} m: the roller of D = {:.6g} m overlaps this "
-                          "race by {:.4g} m at initial_state. Enter a radius that leaves room.",
+                          "race by {:.4g} m at initial_state. Enter a radius without overlap.",
                           kRace[j], walls->radius[j], 2.0 * walls->half, walls->line[j].approach));
   }
   /// With events where a contact opens or passes the kink of the law.

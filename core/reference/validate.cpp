@@ -233,10 +233,10 @@ FileResult run_file(const std::filesystem::path& path, const Json& content) {
 std::string wrong_case(const Json& cases) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Json& one = cases[i];
-    if (!one.is_object()) return fmt::format("case {} is no object", i + 1);
+    if (!one.is_object()) return fmt::format("case {} is not an object", i + 1);
     for (const char* key : {"id", "kind", "provenance"})
       if (one.contains(key) && !one.at(key).is_string())
-        return fmt::format("\"{}\" of case {} is no text", key, i + 1);
+        return fmt::format("\"{}\" of case {} is not a string", key, i + 1);
     for (const char* key : {"inputs", "expected"})
       if (!one.contains(key) || !one.at(key).is_object())
         return fmt::format("case {} has no object \"{}\"", i + 1, key);
@@ -271,7 +271,7 @@ Json read_cases(const std::filesystem::path& path, const std::string& standard_i
   }
   if (!content.is_object() || !content.value("family", Json()).is_string() ||
       !content.value("cases", Json()).is_array())
-    complain("the file holds no reference cases");
+    complain("the file contains no reference cases");
   else if (const std::string wrong = wrong_case(content.at("cases")); !wrong.empty())
     complain(wrong);
   return content;
@@ -301,12 +301,12 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
   }
   if (out.quantities.empty()) {
     out.status = "not_covered";
-    out.message = "the case expects nothing that can be compared";
+    out.message = "the case has no expected value that can be compared";
   }
   if (out.status == "fail" && the_case.value("provenance", "") == "recalled") {
     out.status = "not_covered";
     out.message =
-        fmt::format("recalled value, does not gate: {} is off by {:.3g}", out.worst_key, out.error);
+        fmt::format("recalled value, not decisive: {} is off by {:.3g}", out.worst_key, out.error);
   }
   return out;
 }

@@ -77,7 +77,7 @@ void RunAverages::add_loads(double time, std::span<const double> outer,
   if (started_) add_largest(time, std::max(largest_of(outer), largest_of(inner)));
 }
 
-/// A run that goes on from before its last look passes the time up to there twice: it counts once.
+/// A run that continues from before its last sample passes that time twice: it counts once.
 void RunAverages::add_largest(double time, double largest) {
   const double passed = std::max(time - largest_time_, 0.0);
   const double impulse = 0.5 * passed * (largest_ + largest);
@@ -94,7 +94,8 @@ void RunAverages::add_cage_position(double time, const scene::Vec3& position) {
   if (!whirl_started_) whirl_start_ = whirl_now_;
   whirl_started_ = true;
   const double y = position[1], z = position[2], passed = time - swept_time_;
-  if (swept_started_ && !(passed > 0.0)) return;  // of a run that goes on from before its last look
+  if (swept_started_ && !(passed > 0.0))
+    return;  // of a run that continues from before its last sample
   if (swept_started_) {
     const double area = swept_y_ * z - swept_z_ * y;
     const double square =

@@ -27,12 +27,12 @@ struct Averages {
 };
 
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
-/// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
-/// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
+/// so they are exact for any interval between the snapshots; the whirl angle needs at least two
+/// positions per revolution of the whirl. A ratio is 0 while the races have not turned against each
 /// other; before the first span ends the loss and the loads are those of the first snapshot. The
-/// largest contact load is a trapezoidal mean over all looks at it (snapshots, and add_loads()
-/// after each integration step), and its peak is that of the looks: sampled by steps, not
-/// integrated by the run. What held the inner race is such a mean over the snapshots.
+/// largest contact load is a trapezoidal mean over all its samples (snapshots, and add_loads()
+/// after each integration step), and its peak is that of the samples: sampled by steps, not
+/// integrated by the run. The reaction on the inner race is such a mean over the snapshots.
 ///
 /// Two whirls, with (y, z) the cage's mass centre, r its distance from the bearing axis, θ about +X
 /// from Z and Ω the mean speed of the inner race relative to the outer:
@@ -42,9 +42,10 @@ struct Averages {
 ///   swept_whirl_ratio  ∫ (y dz - z dy) / ∫ r² dt / Ω = ∫ r² θ̇ dt / ∫ r² dt / Ω: twice the area
 ///                      swept over the mean square of the radius. Continuous in the path, however
 ///                      close it passes the axis; of a circle about the axis the same as windings.
-/// The second is summed over the looks at the centre, areas of triangles and the square by
-/// trapezoids: a circle of which each look turns by φ has sin φ / φ of its whirl, 1 - φ²/6 (1e-5
-/// below at 800 looks a turn of the whirl). It is 0 for a centre that never left the axis.
+/// The second is summed over the samples of the center, areas of triangles and the square by
+/// trapezoids: a circle sampled in steps of the angle φ has sin φ / φ of its whirl, 1 - φ²/6 (1e-5
+/// below at 800 samples per revolution of the whirl). It is 0 for a center that never left the
+/// axis.
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);

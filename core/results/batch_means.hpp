@@ -58,7 +58,7 @@ struct PairedScatter {
 };
 constexpr double kLeastFall = 0.25;
 
-/// NaN: fewer than 8 batches, or of durations that are no multiples of each other.
+/// NaN: fewer than 8 batches, or durations that are not multiples of each other.
 [[nodiscard]] PairedScatter paired_scatter(const RatioSeries& one, const RatioSeries& other);
 
 /// Half of the 95 % interval of Σ a / Σ s, in its own unit. @param a, s of equal batches
@@ -73,7 +73,7 @@ class BatchSums {
   static constexpr std::size_t kMost = 64;
   using Sums = std::array<double, K>;
 
-  /// What was added during an interval that ends now. A longer interval than a batch is spread
+  /// Value added during an interval that ends now. A longer interval than a batch is spread
   /// evenly over them. @param seconds > 0, others are ignored
   void add(double seconds, const Sums& sums) {
     if (!(seconds > 0.0)) return;

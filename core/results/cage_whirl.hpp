@@ -24,8 +24,8 @@ namespace adore::results {
 inline constexpr std::array<std::string_view, 4> kWhirlFigures{"whirl_ratio", "whirl_deviation",
                                                                "whirl_orbit", "whirl_class"};
 
-/// What the map tells apart. A cage that rests keeps its place (gravity, drag); one that whirls
-/// circles at a steady speed; one between them moves widely without a steady whirl.
+/// Classes of the map. A resting cage keeps its position (gravity, drag); a whirling one
+/// circles at a steady speed; an irregular one moves widely without a steady whirl.
 enum class WhirlClass : unsigned char { Resting = 0, Whirling = 1, Irregular = 2 };
 [[nodiscard]] std::string_view whirl_class_name(WhirlClass of);
 

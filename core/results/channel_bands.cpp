@@ -75,11 +75,11 @@ std::vector<Channel> with_bands(std::span<const Channel> table) {
           {id, label, channel.unit, channel.frame, false, values, meaning, nullptr, band->what});
     };
     constexpr std::string_view kSince =
-        "since the step stored before, one look per integration step";
+        "since the previous stored step, sampled once per integration step";
     add("low", "lowest", band_values<&StepBand::low>(channel.per), kSince);
     add("high", "highest", band_values<&StepBand::high>(channel.per), kSince);
     add("mean", "mean", band_values<&StepBand::mean>(channel.per),
-        "of the looks since the step stored before");
+        "of the samples since the previous stored step");
   }
   return out;
 }

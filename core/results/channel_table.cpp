@@ -17,7 +17,7 @@ namespace {
 
 using Source = ChannelSource;
 
-/// All values of a channel by a loop of its own, in the order of StepRecord: Get is called with the
+/// All values of a channel in a separate loop, in the order of StepRecord: Get is called with the
 /// indices that its `Per` needs.
 template <Per P, int components, class Get>
 void fill(Source s, const Shape& shape, double* out) {
@@ -83,7 +83,7 @@ constexpr auto kTable = std::to_array<Channel>({
     // Rolling elements.
     {"element.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().theta_ddot; }),
-     "second derivative of the azimuth of the mass centre"},
+     "second derivative of the azimuth of the mass center"},
     {"element.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().ar; }),
      "second derivative of the orbit radius"},
@@ -91,7 +91,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 1>([](const Source& s) { return s.ball().ax; }), "along the bearing axis"},
     {"element.orbital_velocity", "orbital velocity", &unit::kRotation, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().theta_dot; }),
-     "rate of the azimuth of the mass centre"},
+     "rate of the azimuth of the mass center"},
     {"element.radial_velocity", "radial velocity", &unit::kSpeed, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().vr; }),
      "rate of the orbit radius"},
@@ -102,7 +102,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "azimuth about +X from +Z, turns accumulate"},
     {"element.radial_position", "radial position", &unit::kLength, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().r; }),
-     "distance of the mass centre from the bearing axis"},
+     "distance of the mass center from the bearing axis"},
     {"element.axial_position", "axial position", &unit::kLength, "N", false,
      each<Per::Element, 1>([](const Source& s) { return s.ball().x; }), "along the bearing axis"},
     {"element.theta", "orientation theta", &unit::kAngle, "A", true,
@@ -130,7 +130,7 @@ constexpr auto kTable = std::to_array<Channel>({
      each<Per::Element, 3>(
          [](const Source& s) { return s.ball().omega[static_cast<int>(s.component)]; }),
      "absolute angular velocity"},
-    {"element.pocket_to_centre", "pocket centre to element centre", &unit::kLength, "P", false,
+    {"element.pocket_to_centre", "pocket center to element center", &unit::kLength, "P", false,
      each<Per::Element, 3>(
          [](const Source& s) { return s.ball().pocket_to_centre[static_cast<int>(s.component)]; }),
      "0 without cage"},
@@ -341,7 +341,7 @@ constexpr auto kTable = std::to_array<Channel>({
      "absolute angular velocity"},
     {"cage.to_next", "gap to the next segment", &unit::kLength, "-", false,
      each<Per::Cage, 1>([](const Source& s) { return s.cage_body().to_next; }),
-     "least distance of the ends of neighbouring segments along the circumference, negative where "
+     "least distance of the ends of neighboring segments along the circumference, negative where "
      "they overlap; 0 for a cage in one piece"},
     {"land.force", "guide land force", &unit::kForce, "-", false,
      each<Per::Land, 1>([](const Source& s) {
@@ -376,12 +376,12 @@ constexpr auto kTable = std::to_array<Channel>({
     // Races, outer then inner.
     {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", false,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta_dot; }),
-     "of the mass centre about the bearing axis"},
+     "of the mass center about the bearing axis"},
     {"race.radial_velocity", "radial velocity", &unit::kSpeed, "N", false,
-     each<Per::Race, 1>([](const Source& s) { return race_orbit(s).r_dot; }), "of the mass centre"},
+     each<Per::Race, 1>([](const Source& s) { return race_orbit(s).r_dot; }), "of the mass center"},
     {"race.axial_velocity", "axial velocity", &unit::kSpeed, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().velocity.x(); }),
-     "of the mass centre"},
+     "of the mass center"},
     {"race.applied_force_x", "applied force x", &unit::kForce, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().applied_force.x(); }),
      "on this race"},
@@ -393,39 +393,39 @@ constexpr auto kTable = std::to_array<Channel>({
      "on this race"},
     {"race.applied_moment_x", "applied moment x", &unit::kMoment, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().applied_moment.x(); }),
-     "on this race about its centre"},
+     "on this race about its center"},
     {"race.applied_moment_y", "applied moment y", &unit::kMoment, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().applied_moment.y(); }),
-     "on this race about its centre"},
+     "on this race about its center"},
     {"race.applied_moment_z", "applied moment z", &unit::kMoment, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().applied_moment.z(); }),
-     "on this race about its centre"},
+     "on this race about its center"},
     {"race.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", false,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta_ddot; }),
-     "of the mass centre about the bearing axis"},
+     "of the mass center about the bearing axis"},
     {"race.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).r_ddot; }),
      "second derivative of the radial position"},
     {"race.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().acceleration.x(); }),
-     "of the mass centre"},
+     "of the mass center"},
     {"race.x", "x position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.x(); }),
-     "of the mass centre from its free position"},
+     "of the mass center from its free position"},
     {"race.y", "y position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.y(); }),
-     "of the mass centre from its free position"},
+     "of the mass center from its free position"},
     {"race.z", "z position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.z(); }),
-     "of the mass centre from its free position"},
+     "of the mass center from its free position"},
     {"race.orbital_position", "orbital position", &unit::kAngle, "N", true,
      each<Per::Race, 1>([](const Source& s) { return race_orbit(s).theta; }),
-     "azimuth of the mass centre"},
+     "azimuth of the mass center"},
     {"race.radial_position", "radial position", &unit::kLength, "N", false,
-     each<Per::Race, 1>([](const Source& s) { return race_orbit(s).r; }), "of the mass centre"},
+     each<Per::Race, 1>([](const Source& s) { return race_orbit(s).r; }), "of the mass center"},
     {"race.axial_position", "axial position", &unit::kLength, "N", false,
      each<Per::Race, 1>([](const Source& s) { return s.race_body().position.x(); }),
-     "of the mass centre"},
+     "of the mass center"},
     {"race.theta", "orientation theta", &unit::kAngle, "N", true,
      each<Per::Race, 1>(
          [](const Source& s) { return theta_of(body_x_axis(s.race_body().orientation)); }),

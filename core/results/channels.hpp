@@ -34,7 +34,7 @@ enum class Per : unsigned char {
   Thermal  ///< once, in runs with a thermal analysis
 };
 
-/// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
+/// Input of a channel's getter: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
   const scene::Snapshot* snapshot = nullptr;
   const StepBand* band = nullptr;  ///< since the step stored last
@@ -42,7 +42,7 @@ struct ChannelSource {
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
   std::size_t element = 0, race = 0, side = 0, surface = 0, cage = 0, land = 0, component = 0;
   const scene::LedgerTerm* term = nullptr;  ///< that of the channel
-  std::optional<scene::Looked> looked;      ///< whose extremes the channel shows
+  std::optional<scene::Looked> looked;      ///< whose extremes the channel contains
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
@@ -101,11 +101,11 @@ struct Channel : ChannelValues {
 /// @throws InternalError for an unknown id.
 [[nodiscard]] std::size_t channel_index(std::string_view id);
 
-/// What one run stores: channels(), and behind them a channel for each item that its energy ledger
-/// may hold, the heat now of those that no race owns, and the residual.
+/// Stored values of one run: channels(), followed by a channel for each item that its energy ledger
+/// may contain, the present heat of those that belong to no race, and the residual.
 class ChannelTable {
  public:
-  /// @param energy whatever a ledger may hold, as dynamics::energy_terms() lists it
+  /// @param energy all possible items of a ledger, as dynamics::energy_terms() lists them
   explicit ChannelTable(scene::LedgerTerms energy);
   /// Those with these ids alone, in the table's order.
   [[nodiscard]] ChannelTable only(std::span<const std::string_view> ids) const;
@@ -162,7 +162,7 @@ class ChannelRecorder {
   [[nodiscard]] const Shape& shape() const noexcept { return record_.shape; }
   [[nodiscard]] const ChannelTable& table() const noexcept { return table_; }
 
-  /// Branches of the angles, for MASTER, and back. Keys that are no such branch are left alone.
+  /// Branches of the angles, for MASTER, and back. Other keys are ignored.
   void save(std::map<std::string, double>& state) const;
   void restore(const std::map<std::string, double>& state);
 

@@ -182,7 +182,7 @@ std::string describe(ResultTable table, const std::filesystem::path& path) {
     const auto shown = [&](double value) {
       return found.any(k) ? fmt::format("{:.7g}", value) : std::string("-");
     };
-    // The columns of the step line have no number of their own.
+    // The columns of the step line have no separate number.
     const bool step_line = column.id == "step" || column.id == "revolutions" ||
                            column.id == "element_revolutions" || column.id == "step_size" ||
                            column.id == "time" || column.id == "shaft_rotation";

@@ -11,10 +11,10 @@ namespace adore::results {
 
 enum class FileKind : unsigned char { Sol, Animation, Final, Master, RunJson, ResultsH5 };
 
-/// What a file is, by its content. @throws InputError when it is none of ours.
+/// Type of a file, by its content. @throws InputError when it is not a file of this program.
 [[nodiscard]] FileKind file_kind(const std::filesystem::path& path);
 
-/// What it is, its header, and the range of each channel with name and unit. @throws InputError
+/// Type, header, and the range of each channel with name and unit. @throws InputError
 [[nodiscard]] std::string describe_file(const std::filesystem::path& path);
 
 /// The same as JSON text. @throws InputError
@@ -22,8 +22,8 @@ enum class FileKind : unsigned char { Sol, Animation, Final, Master, RunJson, Re
 
 /// The whole content. CSV: one line per stored step, the first line names the columns with their
 /// units (FINAL and MASTER: one line per component; RUN.json: one line per leaf). Decimal point and
-/// full precision whatever the locale; missing values are empty (csv) or null (json). @param format
-/// "csv" or "json". @returns empty, or what is wrong with the file and left out. @throws InputError
+/// full precision in every locale; missing values are empty (csv) or null (json). @param format
+/// "csv" or "json". @returns empty, or a message on damaged parts left out. @throws InputError
 std::string convert_file(const std::filesystem::path& path, std::string_view format,
                          std::ostream& out);
 

@@ -56,7 +56,7 @@ constexpr std::array<std::uint32_t, 10> kTens{1,      10,      100,      1000,  
       --power;
       continue;
     }
-    // In units of 2^-32; what stands below is no matter.
+    // In units of 2^-32; smaller parts do not matter.
     const std::uint64_t part =
         (high << static_cast<unsigned>(128 - down) |
          static_cast<std::uint64_t>(product) >> static_cast<unsigned>(down - 64)) >>

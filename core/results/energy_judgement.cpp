@@ -55,34 +55,33 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
   const auto limit = [none](Trust trust, double value) {
     return none && trust == Trust::None ? fmt::format(" (limit {:g})", value) : "";
   };
-  out.text =
-      fmt::format("{:.3g} J of energy have no account{}: {:.2g} of the {:.3g} J that moved{}",
-                  residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
-                  limit(shares.by_moved(), kMovedLimit));
+  out.text = fmt::format("energy residual of {:.3g} J{}: {:.2g} of the {:.3g} J exchanged{}",
+                         residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
+                         limit(shares.by_moved(), kMovedLimit));
   if (elastic > 0.0)
     out.text +=
         fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
                     out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
   if (falsifies_heat)
     out.text += fmt::format(
-        ". At the end the energy without account is {:.2g} % of the {:.3g} J of heat, so heat and "
-        "power loss are uncertain by that much",
+        ". At the end the energy residual is {:.2g} % of the {:.3g} J of heat, so heat and power "
+        "loss have that uncertainty",
         100.0 * out.over_heat, heat);
   out.text += ". ";
   constexpr double kNothingElse = 0.5;  // of what moved, error of the steps
   if (none && shares.by_elastic() != Trust::None && out.over_moved > kNothingElse) {
     out.text +=
-        "The results of this run cannot be trusted. Next to nothing moves in it but the error of "
-        "its steps: contacts neither roll nor slide, and a lubricant that is not sheared is a "
-        "solid. Shorter steps do not help. Solve a bearing that stands or creeps in equilibrium "
-        "(mode = -1), or with the hypothetical law of traction (kTrac = 0)";
+        "The results of this run cannot be trusted. Almost nothing moves except by the errors of "
+        "the steps: contacts neither roll nor slide, and a lubricant without shear is a solid. "
+        "Shorter steps do not help. Use the equilibrium (mode = -1) for a bearing at rest or "
+        "nearly at rest, or the hypothetical traction law (kTrac = 0)";
     return out;
   }
   out.text += out.trust == Trust::None
                   ? "The results of this run cannot be trusted. Lower the tolerance (tol on record "
-                    "2.1, or --tol) or the longest step (stpMax), lower stpMin when steps were "
+                    "2.1, or --tol) or the longest step (stpMax), lower stpMin if steps were "
                     "accepted above the tolerance, or choose another integrator"
-                  : "Where that matters, lower the tolerance (tol on record 2.1, or --tol) or the "
+                  : "If this matters, lower the tolerance (tol on record 2.1, or --tol) or the "
                     "longest step (stpMax)";
   return out;
 }

@@ -26,12 +26,12 @@ struct EnergyJudgement {
   std::string text;           ///< a sentence when trust is not Full
 };
 
-/// A residual that is no number is never trusted.
-/// @param elastic elastic energy of the quasi-static solution [J]; 0 where there is none to measure
-/// by: nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
-/// @param largest |residual| that the run had at any stored step [J]: one that comes and goes is
-/// warned of (contacts that open and close take energy and give it back within a vibration). One
-/// above a limit that ends above a warning has not gone: nothing is trusted (decision 482)
+/// A NaN residual is never trusted.
+/// @param elastic elastic energy of the quasi-static solution [J]; 0 without a reference:
+/// nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
+/// @param largest largest |residual| of the run at any stored step [J]: a temporary one is
+/// warned of (contacts that open and close take energy and return it within a vibration). If one
+/// above a limit ends above a warning, the run is not trusted (decision 482)
 [[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic,
                                            double largest = 0.0);
 

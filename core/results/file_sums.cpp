@@ -55,9 +55,9 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
   try {
     const FileSum found = sum_of_file(path);
     if (found.bytes != bytes)
-      out.detail = fmt::format("it has {} bytes, and the run wrote {}", found.bytes, bytes);
+      out.detail = fmt::format("it has {} bytes, but the run wrote {}", found.bytes, bytes);
     else if (hex(found.sum) != sum)
-      out.detail = fmt::format("its {} bytes have the checksum {}, and the run wrote {}", bytes,
+      out.detail = fmt::format("its {} bytes have the checksum {}, but the run wrote {}", bytes,
                                hex(found.sum), sum);
     else
       out = {path, State::Intact, fmt::format("{} bytes", bytes)};
@@ -67,9 +67,9 @@ FileCheck compare(const fs::path& path, std::uintmax_t bytes, const std::string&
   return out;
 }
 
-/// The checksum that RUN.json has of its own text.
+/// The checksum of RUN.json over its own text.
 FileCheck check_summary(const fs::path& path, const std::string& text, const Json& json) {
-  FileCheck out{path, State::Unchecked, "an earlier version wrote no checksum of it"};
+  FileCheck out{path, State::Unchecked, "it was written by an earlier version without a checksum"};
   const auto measured = json.find("measured");
   if (measured == json.end() || !measured->is_object() || !measured->contains(kOwnChecksum))
     return out;
@@ -77,7 +77,7 @@ FileCheck check_summary(const fs::path& path, const std::string& text, const Jso
   const bool same = stored.is_string() && stored.get<std::string>() == own_checksum(text);
   out.state = same ? State::Intact : State::Damaged;
   out.detail = same ? fmt::format("{} bytes", text.size())
-                    : "its text does not have the checksum that it contains";
+                    : "its text does not match the checksum that it contains";
   return out;
 }
 
@@ -170,7 +170,7 @@ std::uint64_t sum_of_steps(const H5Reader& file, std::size_t rows) {
 std::string damage_of(const MasterFile& file, const fs::path& path, long last_step) {
   if (!file.sum) return {};
   constexpr const char* kDiffers =
-      "what the run stored up to its last checkpoint has the checksum {}, and was written with {}";
+      "its part up to the last checkpoint has the checksum {}, but was written with {}";
   if (file.role == "RESULTS") {
     const H5Reader reader(path);
     const std::vector<long> steps = reader.step_numbers();
@@ -181,7 +181,7 @@ std::string damage_of(const MasterFile& file, const fs::path& path, long last_st
   }
   const FileSum found = sum_of_start(path, file.bytes);
   if (found.bytes < file.bytes)
-    return fmt::format("it has {} bytes, and the run left {} at its last checkpoint", found.bytes,
+    return fmt::format("it has {} bytes, but the run left {} at its last checkpoint", found.bytes,
                        file.bytes);
   return found.sum == *file.sum ? std::string()
                                 : fmt::format(kDiffers, hex(found.sum), hex(*file.sum));

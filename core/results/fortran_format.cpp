@@ -85,7 +85,7 @@ constexpr std::uint32_t four_digits(std::uint32_t number) {
   return (tens | (pairs - 10 * tens) << 8U) + 0x30303030U;
 }
 
-/// The field of nearly all numbers of a run, of a width that leaves room for all there is: of 0, or
+/// The field of nearly all numbers of a run, wide enough for all cases here: 0, or
 /// of a number between 1e-75 and 1e75 whose digits 64 bits decide. The compiler knows all but the
 /// value.
 template <int width, int digits, Scale scale>

@@ -11,7 +11,7 @@
 /// becomes stars, an exponent of three digits loses its letter ("1.2345678-100").
 namespace adore::results::fortran {
 
-/// Where the decimal point stands: Ew.d writes 0.1234568E+01, the 1p scale factor 1.2345678E+00.
+/// Position of the decimal point: Ew.d writes 0.1234568E+01, the 1p scale factor 1.2345678E+00.
 enum class Scale : unsigned char { Zero, One };
 
 /// Appends iw. Stars when the number needs more than `width` columns.

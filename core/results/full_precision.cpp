@@ -18,32 +18,33 @@ namespace adore::results {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Where the two sums of a long run's turns have rounded apart.
+/// If the two sums of the revolutions of a long run differ by rounding.
 constexpr double kLeastTurns = 1e-9;
 
 /// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room.
 constexpr double kSolDigits = 1e-6;
 
-/// RESULTS.h5 beside `file` when it has the run code; else nothing and the reason.
+/// RESULTS.h5 in the folder of `file` if it has the run code; otherwise nothing and the reason.
 std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std::string& run_id,
                                     std::string& why_not) {
   const std::filesystem::path path = file.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    why_not = "there is no RESULTS.h5 beside the file";
+    why_not = "there is no RESULTS.h5 in the folder of the file";
     return std::nullopt;
   }
   try {
     H5Reader reader(path);
     if (reader.run_id() == run_id) return reader;
-    why_not = fmt::format("RESULTS.h5 beside the file is of the run '{}'", reader.run_id());
+    why_not = fmt::format("RESULTS.h5 in the folder of the file belongs to the run '{}'",
+                          reader.run_id());
   } catch (const InputError& error) {
     why_not = error.what();
   }
   return std::nullopt;
 }
 
-/// The pocket that a cage file begins with: classic files do not say which element's it is.
+/// First pocket of a cage file: classic files do not store the number of its element.
 void take_first_pocket(SolHeader& header, const H5Reader& reader) {
   const auto first = reader.geometry().find("first_pocket");
   if (first == reader.geometry().end() || header.segments < 2) return;
@@ -51,7 +52,7 @@ void take_first_pocket(SolHeader& header, const H5Reader& reader) {
     header.first_pocket = static_cast<int>(first->second) - 1;
 }
 
-/// Where each step number stands in RESULTS.h5.
+/// Row of each step number in RESULTS.h5.
 std::unordered_map<long, std::size_t> positions_of(const H5Reader& reader) {
   std::unordered_map<long, std::size_t> positions;
   const std::vector<long> numbers = reader.step_numbers();
@@ -75,7 +76,7 @@ UnitSystem units_of(const SolFile& file, const std::vector<SolColumn>& columns) 
   return UnitSystem::SI;
 }
 
-/// What is read of a channel for some columns of a file: neighbouring ones share it.
+/// Parts of a channel that are read for some columns of a file: adjacent columns share them.
 struct ChannelColumns {
   const H5Reader& reader;
   const SolFile& file;
@@ -107,9 +108,9 @@ struct ChannelColumns {
 };
 
 constexpr const char* kOtherRun =
-    "RESULTS.h5 beside the file holds other numbers, so it is of another run";
+    "RESULTS.h5 in the folder of the file contains different numbers and belongs to another run";
 
-/// Steps of the classic file that stand in RESULTS.h5 at even distances: a piece of bounded size.
+/// Steps of the classic file at even distances in RESULTS.h5: a part of bounded size.
 struct StepBlock {
   std::size_t step = 0, count = 0;   ///< of the classic file
   std::size_t first = 0, every = 1;  ///< in RESULTS.h5
@@ -209,7 +210,8 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
       at[i] = found->second;
       ++out.exact;
     }
-    if (out.exact == 0) return {"RESULTS.h5 beside the file holds none of these steps"};
+    if (out.exact == 0)
+      return {"RESULTS.h5 in the folder of the file contains none of these steps"};
     out.from_start = at[out.exact - 1] < reader->steps() &&
                      std::all_of(at.begin() + static_cast<std::ptrdiff_t>(out.exact), at.end(),
                                  [&](std::size_t place) { return place == reader->steps(); });
@@ -242,7 +244,7 @@ FullPrecision use_full_precision(SolFile& file, std::size_t most_added) {
     out.added = std::min(behind, most_added);
     out.more = out.added < behind;
     add_steps(file, *reader, times, first, out.added, every);
-    // The end of a run is stored whatever its distance.
+    // The end of a run is stored at any distance.
     if (!out.more && file.steps.back().step < out.end && out.added < most_added) {
       add_steps(file, *reader, times, rows - 1, 1, 1);
       ++out.added;
@@ -283,7 +285,7 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
     if (c >= columns.size() || columns[c].channel < 0) continue;
     std::string id(channels()[static_cast<std::size_t>(columns[c].channel)].id);
     std::size_t at = columns[c].at;
-    // The cage's columns have the first two lands of each piece by names of their own.
+    // The cage's columns name the first two lands of each piece separately.
     for (const auto& [name, land] : {std::pair{"cage.land1_force", 0U}, {"cage.land2_force", 1U}}) {
       if (id != name) continue;
       id = "land.force";
@@ -305,7 +307,7 @@ std::map<std::size_t, ColumnBand> bands_of(const SolFile& file,
   std::vector<std::size_t> step_of(rows.size(), file.steps.size());
   for (std::size_t row = 0, step = 0; row < rows.size(); ++row) {
     while (step < file.steps.size() && file.steps[step].step < rows[row]) ++step;
-    // What comes before the first step of the file is no time between two of them.
+    // The time before the first step of the file is not an interval between two steps.
     if (step < file.steps.size() && (step > 0 || file.steps[0].step == rows[row]))
       step_of[row] = step;
   }

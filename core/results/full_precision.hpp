@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-/// What RESULTS.h5 beside a classic file adds to it. The classic files alone are enough to plot and
-/// to play; where the HDF5 file of the same run lies in their folder, its numbers are used.
+/// Additions of RESULTS.h5 to a classic file in the same folder. The classic files alone are
+/// sufficient to plot and to play; if the HDF5 file of the same run is in their folder, its numbers
+/// are used.
 namespace adore::results {
 
-/// What RESULTS.h5 gave to a classic file.
+/// Parts of a classic file that came from RESULTS.h5.
 struct FullPrecision {
   std::string why_not;      ///< empty: values were replaced
   std::size_t exact = 0;    ///< of the file's own steps have all digits
@@ -23,13 +24,13 @@ struct FullPrecision {
 };
 
 /// Replaces the values of a SOL1-SOL7 file by those of RESULTS.h5 in the same folder: all digits,
-/// and numbers where the file shows stars. Columns without a channel, and steps that RESULTS.h5
-/// does not hold, keep what they have. Up to `most_added` steps that RESULTS.h5 has behind the
-/// file's last one are added, as far apart as those of the file that were read: a run that was
-/// killed loses the end of either.
-/// The file is left as it is, `why_not` saying why, for example when there is no RESULTS.h5, or
-/// when it is of another run: its run code differs, or a number beyond the digits that the classic
-/// file shows. Never throws for a bad RESULTS.h5.
+/// and numbers instead of stars. Columns without a channel, and steps that are not in RESULTS.h5,
+/// do not change. Up to `most_added` steps of RESULTS.h5 after the
+/// file's last one are added, at the same interval as those read from the file: a killed
+/// run loses the end of either.
+/// If the file is not changed, `why_not` has the reason, for example that there is no RESULTS.h5,
+/// or that it belongs to another run: its run code differs, or a number beyond the digits that the
+/// classic file shows. Never throws for a bad RESULTS.h5.
 [[nodiscard]] FullPrecision use_full_precision(SolFile& file, std::size_t most_added = 0);
 
 /// Extremes of a column since the step before in the file, one per step, in the file's unit; NaN

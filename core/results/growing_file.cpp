@@ -33,7 +33,7 @@ std::string_view remedy(int error) {
     case EISDIR:
       return "give the name of a file, not of a folder";
     case ELOOP:
-      return "put the file itself in place of the symbolic link";
+      return "replace the symbolic link by the file";
     case EFBIG:
       return "no larger files are allowed here (ulimit -f, or the file system): raise the limit, "
              "choose "
@@ -94,7 +94,7 @@ GrowingFile::~GrowingFile() {
   try {
     flush();
   } catch (const std::exception&) {
-    // Nobody can be told from here; flush() reports.
+    // Errors cannot be reported here; flush() reports them.
   }
   ::close(descriptor_);
 }
@@ -109,7 +109,7 @@ GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t byt
   GrowingFile file(path, descriptor, bytes);
   struct stat status {};
   if (::fstat(descriptor, &status) != 0)
-    fail(path, errno, "the file to be continued cannot be examined");
+    fail(path, errno, "the file to be continued cannot be read");
   if (static_cast<std::uintmax_t>(status.st_size) < bytes)
     throw InputError(
         fmt::format("{}: the file has {} bytes, but the run to be continued left {}; restore the "
@@ -118,7 +118,7 @@ GrowingFile GrowingFile::append_after(const WritePath& place, std::uintmax_t byt
   file.sum_ = sum_of(descriptor, bytes);
   if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 ||
       ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET) < 0)
-    fail(path, errno, "the file to be continued cannot be cut back");
+    fail(path, errno, "the file to be continued cannot be truncated");
   return file;
 }
 
@@ -152,7 +152,7 @@ void GrowingFile::write(std::string_view pieces) {
       // step.
       if (::ftruncate(descriptor_, static_cast<off_t>(bytes_)) == 0)
         (void)::lseek(descriptor_, static_cast<off_t>(bytes_), SEEK_SET);
-      fail(path_, error, "the file cannot be written any further");
+      fail(path_, error, "the file cannot be written further");
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }

@@ -65,7 +65,7 @@ struct File {
   haddr_t size = 0;       ///< of the file
   int error = 0;
   bool writing = false, has_superblock = false;
-  Superblock superblock{};  ///< as it stands in the file
+  Superblock superblock{};  ///< as it is in the file
   dev_t device = 0;
   ino_t inode = 0;
 
@@ -106,7 +106,7 @@ struct File {
            (block[8] == 2 || block[8] == 3) && block[9] == 8 && block[10] == 8;
   }
 
-  /// What the file says of its length follows what is given away, before anything behind the old
+  /// The length stored in the file follows the released parts, before any part after the old
   /// end is referred to.
   bool announce(haddr_t end) {
     if (end > size && !resize(end)) return false;
@@ -131,7 +131,7 @@ struct File {
 File& file_of(H5FD_t* head) { return *reinterpret_cast<File*>(head); }
 const File& file_of(const H5FD_t* head) { return *reinterpret_cast<const File*>(head); }
 
-/// What the access list holds for the driver: where names are looked up.
+/// Entry of the driver in the access list, for the lookup of names.
 struct Place {
   int folder = -1;
 };

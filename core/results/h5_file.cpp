@@ -40,7 +40,7 @@ std::string read_text(hid_t object, const char* name) {
   const Handle type(H5Aget_type(attribute)), space(H5Aget_space(attribute));
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
       H5Sget_simple_extent_npoints(space) != 1)
-    damaged(fmt::format("the attribute {} is no text", name));
+    damaged(fmt::format("the attribute {} is not a string", name));
   const std::size_t size = H5Tget_size(type);
   if (size > kLongestText) damaged(fmt::format("the attribute {} has {} bytes", name, size));
   std::string text(size, '\0');
@@ -114,7 +114,7 @@ herr_t add_link(hid_t group, const char* name, const H5L_info_t* link, void* dat
 
 File::File(const std::filesystem::path& path) {
   if (H5Fis_hdf5(path.c_str()) <= 0)
-    throw InputError("this is no HDF5 file, or a damaged one; give the RESULTS.h5 of a run");
+    throw InputError("this is not an HDF5 file, or it is damaged; give the RESULTS.h5 of a run");
   const Handle access = access_list();
   H5Pset_metadata_read_attempts(access, kMostReadAttempts);
   file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access));
@@ -126,7 +126,7 @@ File::File(const std::filesystem::path& path) {
   content_.version = read_text(root, "program");
   content_.run_id = read_text(root, "run_id");
   if (H5Lexists(file_, "step", H5P_DEFAULT) <= 0 || content_.version.empty())
-    throw InputError("this HDF5 file holds no bearing results; give the RESULTS.h5 of a run");
+    throw InputError("this HDF5 file contains no bearing results; give the RESULTS.h5 of a run");
 
   Walk walk;
   if (H5Literate(file_, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_link, &walk) < 0)
@@ -144,8 +144,8 @@ File::File(const std::filesystem::path& path) {
     std::uint64_t width = sizeof(double) * dataset.width;
     if (dataset.compressed) width = width / kLargestCompression + 1;
     if (content_.steps > (size - taken) / width)
-      damaged(fmt::format("it says that it holds {}, for which it is too short",
-                          counted(content_.steps, "step")));
+      damaged(
+          fmt::format("it is too short for the {} that it lists", counted(content_.steps, "step")));
     taken += content_.steps * width;
   }
 
@@ -165,7 +165,7 @@ void File::add_dataset(const std::string& path) {
   bool compressed = false;
   if (!dataset.valid()) damaged(last_error());
   if (!plainly_stored(dataset, compressed) || !holds_doubles(dataset))
-    damaged(fmt::format("{} is stored in another way than this program does", path));
+    damaged(fmt::format("{} is not stored in the format of this program", path));
   const std::vector<hsize_t> dims = extent(dataset, path);
   content_.steps = std::min<std::size_t>(content_.steps, dims[0]);
   H5Reader::ChannelInfo info;
@@ -178,13 +178,13 @@ void File::add_dataset(const std::string& path) {
   }
   info.dimensions = made.dimensions;
   info.id = read_text(dataset, "id");
-  // The series have no id of their own.
+  // The series have no separate id.
   const std::string id = info.id.empty() ? path : info.id;
   if (!datasets_.emplace(id, std::move(made)).second) damaged(fmt::format("{} is there twice", id));
   if (info.id.empty()) {
     const bool series = std::any_of(kSeries.begin(), kSeries.end(),
                                     [&](const StepSeries& s) { return s.name == path; });
-    if (!series || dims.size() != 1) damaged(fmt::format("{} is no channel", path));
+    if (!series || dims.size() != 1) damaged(fmt::format("{} is not a channel", path));
     return;
   }
   info.label = read_text(dataset, "label");

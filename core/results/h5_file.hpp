@@ -14,7 +14,7 @@
 /// crafted bookkeeping, so only the process of h5_process.hpp opens files with this.
 namespace adore::results::h5 {
 
-/// What a file holds, beside the numbers themselves.
+/// Contents of a file except the numbers.
 struct Content {
   std::string version, run_id;
   std::vector<H5Reader::ChannelInfo> channels;

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-/// What writer and reader of RESULTS.h5 agree on.
+/// Layout of RESULTS.h5, common to writer and reader.
 namespace adore::results::h5 {
 
-/// The per-step numbers that are no channels.
+/// Per-step numbers that are not channels.
 struct StepSeries {
   std::string_view name, unit, description;
 };

@@ -28,7 +28,7 @@
 #endif
 #endif
 
-/// There under the preset `coverage` alone: the child then ends by itself, and tells what it ran.
+/// Only with the preset `coverage`: the child then ends normally and writes its coverage.
 extern "C" void __gcov_dump() __attribute__((weak));
 
 namespace adore::results::h5 {
@@ -153,7 +153,7 @@ void answer_with(int socket, const std::function<void()>& act) {
   } catch (const InputError& error) {
     refuse(error.what());
   } catch (const std::bad_alloc&) {
-    refuse("reading it takes more memory than such a file needs; the file is damaged");
+    refuse("reading it needs more memory than such a file should; the file is damaged");
   } catch (const std::exception& error) {
     refuse(fmt::format("the file is damaged ({})", error.what()));
   }
@@ -189,7 +189,7 @@ Process::Process(std::filesystem::path path, Limits limits, const std::function<
     : path_(std::move(path)), limits_(limits) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_outside(fmt::format("no process can be started to read it ({})", std::strerror(errno)));
+    fail_outside(fmt::format("a process to read it cannot be started ({})", std::strerror(errno)));
   {
     const std::scoped_lock nobody_inside(library_mutex());
     child_ = ::fork();
@@ -205,7 +205,7 @@ Process::Process(std::filesystem::path path, Limits limits, const std::function<
   ::close(ends[1]);
   socket_ = ends[0];
   if (child_ < 0)
-    fail_outside(fmt::format("no process can be started to read it ({})", std::strerror(reason)));
+    fail_outside(fmt::format("a process to read it cannot be started ({})", std::strerror(reason)));
 }
 
 std::string read_apart(const std::filesystem::path& path,
@@ -250,13 +250,13 @@ void Process::child_gone() {
   child_ = -1;
   const int signal = gone > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    fail(fmt::format("reading it came to no end in {} s of processor time; the file is damaged",
+    fail(fmt::format("reading it did not end within {} s of processor time; the file is damaged",
                      limits_.cpu.count()));
   if (signal == SIGKILL)  // somebody, or the system when memory ends; our limits do not
-    fail_outside("the process that read it was killed from outside; try again");
-  fail(signal != 0 ? fmt::format("the HDF5 library failed on it ({}); the file is damaged",
+    fail_outside("the process that read it was killed; try again");
+  fail(signal != 0 ? fmt::format("the HDF5 library failed to read it ({}); the file is damaged",
                                  ::strsignal(signal))
-                   : std::string("the HDF5 library failed on it; the file is damaged"));
+                   : std::string("the HDF5 library failed to read it; the file is damaged"));
 }
 
 void Process::receive(char* bytes, std::size_t count) {
@@ -271,10 +271,9 @@ void Process::receive(char* bytes, std::size_t count) {
     const int any = ::poll(&ready, 1, static_cast<int>(std::max<long>(left, 0)));
     if (any < 0 && errno == EINTR) continue;
     if (any == 0)
-      fail_outside(
-          fmt::format("reading it came to no end in {} s; the file is damaged, or its disk does "
-                      "not answer",
-                      limits_.silence.count()));
+      fail_outside(fmt::format(
+          "reading it did not end within {} s; the file is damaged, or its disk does not respond",
+          limits_.silence.count()));
     const ssize_t got = ::recv(socket_, bytes, count, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) child_gone();

@@ -6,9 +6,9 @@
 #include <functional>
 #include <sys/types.h>
 
-/// A process of its own that reads one RESULTS.h5, or another HDF5 file, for us. What a crafted
+/// A separate process that reads one RESULTS.h5, or another HDF5 file. Effects of a crafted
 /// file does to the HDF5 library (crash, endless loop, gigabytes of memory) happens there, within
-/// limits, and reaches the caller as one sentence. The child holds no open file but this one,
+/// limits, and reach the caller as one sentence. The child has only this file open,
 /// writes nothing, and ends with its Process or when its parent dies.
 namespace adore::results::h5 {
 
@@ -20,8 +20,8 @@ struct Limits {
 
 class Process {
  public:
-  /// Opens the file in a new process. @throws InputError naming it: what is wrong with it, or how
-  /// the process ended; ReaderKilled when that says nothing about the file.
+  /// Opens the file in a new process. @throws InputError with the file's error, or
+  /// the end of the process; ReaderKilled when the cause is not the file.
   explicit Process(std::filesystem::path path, Limits limits = {});
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -42,7 +42,7 @@ class Process {
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void fail(std::string_view why);
   [[noreturn]] void fail_outside(std::string_view why);  ///< @throws ReaderKilled
-  /// Its end of the socket is closed: says how it ended.
+  /// Its end of the socket is closed: reports how it ended.
   [[noreturn]] void child_gone();
   void end();
 
@@ -53,7 +53,7 @@ class Process {
   Content content_;
 };
 
-/// What `reader` makes of another kind of HDF5 file, in such a process: at most `most` bytes.
+/// Result of `reader` for another kind of HDF5 file, in such a process: at most `most` bytes.
 /// @throws InputError naming the file, as Process()
 [[nodiscard]] std::string read_apart(const std::filesystem::path& path,
                                      const std::function<std::string()>& reader, std::size_t most,

@@ -13,8 +13,8 @@
 /// Reading RESULTS.h5; what is in it: results_h5.hpp.
 namespace adore::results {
 
-/// Reads RESULTS.h5, also while it grows and after its writer was killed. A process of its own does
-/// it (h5_process.hpp), so that a damaged or crafted file costs a sentence, not the program.
+/// Reads RESULTS.h5, also while it grows and after its writer was killed. A separate process
+/// reads it (h5_process.hpp), so that a damaged or crafted file causes a message, not a crash.
 class H5Reader {
  public:
   /// @throws InputError when the file is missing, none of ours or damaged.

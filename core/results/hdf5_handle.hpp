@@ -19,9 +19,9 @@ inline std::recursive_mutex& library_mutex() {
   return mutex;
 }
 
-/// While it lives, this thread alone uses the library, which prints no error stack to the terminal.
-/// One within another costs a lock alone: a handle that goes is quiet by itself, and a block of
-/// stored steps lets hundreds go.
+/// While it exists, only this thread uses the library, which prints no error stack to the terminal.
+/// A nested one costs only a lock: destructors of handles are quiet anyway, and a block of
+/// stored steps destroys hundreds.
 class Quiet {
  public:
   Quiet() : lock_(library_mutex()) {
@@ -111,7 +111,7 @@ inline Handle text_type(std::size_t width, std::string_view text) {
   return type;
 }
 
-/// What the library's error stack says, its deepest entry.
+/// Deepest entry of the library's error stack.
 inline std::string last_error() {
   std::string text = "unknown reason";
   H5Ewalk2(

@@ -43,7 +43,7 @@ constexpr KeyResultSpec kSpecs[] = {
     {"load_about_y_Nm", "Load", "about y", &unit::kMoment},
     {"load_about_z_Nm", "Load", "about z", &unit::kMoment},
     {"largest_contact_load_N", "Largest contact load", "", &unit::kForce,
-     "Largest contact load at the end"},  // the peak has a line of its own
+     "Largest contact load at the end"},  // the peak has a separate line
     {"largest_pressure_Pa", "Largest pressure", "", &unit::kPressure},
     {"stiffness_x_N_per_m", "Stiffness", "x", &unit::kStiffness},
     {"stiffness_y_N_per_m", "Stiffness", "y", &unit::kStiffness},

@@ -27,7 +27,7 @@ struct KeyResult {
 using KeyResults = std::vector<KeyResult>;
 
 [[nodiscard]] std::span<const KeyResultSpec> key_result_specs();
-/// What it is called: by of_motion in a table of motions.
+/// Name of the result: by of_motion in a table of motions.
 [[nodiscard]] constexpr std::string_view label_of(const KeyResultSpec& spec, bool motion) {
   return motion && !spec.of_motion.empty() ? spec.of_motion : spec.label;
 }

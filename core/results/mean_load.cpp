@@ -8,13 +8,13 @@
 namespace adore::results {
 namespace {
 
-/// How far the carried load is off the asked one along a direction with a given one [N].
+/// Difference between actual and specified load along a direction with a specified load [N].
 double off(const MeanLoad& load, std::size_t k) {
   const auto i = static_cast<Eigen::Index>(k);
   return load.given[k] ? std::abs(load.mean[i] - load.asked[i]) : 0.0;
 }
 
-/// The same across the asked load, along directions of which 0 is asked.
+/// The same across the specified load, along directions with a specified load of 0.
 double across(const MeanLoad& load) {
   double out = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -74,8 +74,8 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
 std::string load_warning(const MeanLoad& load, UnitSystem units) {
   const double departure = load.departure();
   if (departure <= (load.balanced ? kBalanceWarning : kLoadWarning)) return {};
-  // What is carried follows what is asked nearly in proportion, if it is not another load
-  // altogether.
+  // The actual load is nearly proportional to the specified one, unless the load is
+  // entirely different.
   scene::Vec3 instead = load.asked;
   bool scalable = true;
   for (int k = 0; k < 3; ++k) {
@@ -85,52 +85,50 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (ratio != 0.0) instead[k] = load.asked[k] / ratio;
   }
   std::string out = fmt::format(
-      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): ",
+      "the elements carried {} on average over {:.3g} s instead of {} specified in the deck "
+      "({:.1f} % off): ",
       named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
   std::size_t furthest = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (off(load, k) > off(load, furthest)) furthest = k;
   if (load.balanced)
     return out +
-           "in mode 2 the inner race has no inertia, and elements that centrifugal force, gravity "
-           "or the cage move more than the load does leave it for moments; give more load or "
-           "preload, or set mode to 0 with kDCR = 1 and kFD = 0";
+           "in mode 2 the inner race has no inertia. Centrifugal force, gravity or the cage move "
+           "the elements more than the load does, so they lose contact for short times; give more "
+           "load or preload, or set mode to 0 with kDCR = 1 and kFD = 0";
   if (load.moves[furthest])
     return out + fmt::format(
-                     "a race moves under its load along {}, and over so short a time the rest "
-                     "accelerates it; a longer run comes nearer",
+                     "a race moves under its load along {}, and in this short time part of the "
+                     "load accelerates it; a longer run reduces the difference",
                      "xyz"[furthest]);
   if (load.tilts)
     return out +
-           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) from where the "
-           "equilibrium held "
-           "it, which changes what the elements carry; hold its tilt, or give the moments that the "
-           "equilibrium needs";
+           "a race tilts freely (kMD21, kMD31, kMD22 or kMD32 of record 2.2) from its position in "
+           "the equilibrium, which changes the load of the elements; hold its tilt, or give the "
+           "moments of the equilibrium";
   if (load.shaken)
     return out +
-           "record 9.3B moves a race to and fro past its quasi-static place, and springs that "
-           "stiffen under load, or periods that are not whole, leave a mean of their own; compare "
-           "with a run without the vibration before the load is changed";
+           "record 9.3B makes a race vibrate about its quasi-static position; springs that stiffen "
+           "under load, or incomplete periods, give a nonzero mean. Compare with a run without "
+           "vibration before changing the load";
   constexpr double kMost =
-      0.5;  // of all that is off: another load along the asked one mends the rest
+      0.5;  // fraction of the difference: another load along the specified one corrects the rest
   if (across(load) > kMost * off(load))
     return out +
-           "a dynamic run holds the inner race where the quasi-static solution put it, and "
-           "moving elements push across the load there, by where they stand and how far they lead "
-           "or "
-           "lag; another load along the asked one would not mend that. A longer run or a cage "
-           "spreads them more evenly, and a race that moves under its load (kDCR = 1 and kFD = 0) "
-           "carries it on the mean";
+           "a dynamic run holds the inner race at its quasi-static position, and the moving "
+           "elements exert forces across the load there; a different load in the specified "
+           "direction does not correct that. A longer run or a cage distributes the elements more "
+           "evenly. A race that moves under its load (kDCR = 1 and kFD = 0) carries the specified "
+           "mean load";
   out +=
-      "a dynamic run holds the inner race where the quasi-static solution put it, and moving "
-      "elements push back differently there. ";
-  out += scalable
-             ? fmt::format(
-                   "A first guess for the load that brings about the one you want: {}; "
-                   "or give the displacement (kFS1-3, appDispX to Z)",
-                   named(load, instead, units))
-             : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and change it "
-               "until the mean load of the run is the one you want";
+      "a dynamic run holds the inner race at its quasi-static position, where moving elements "
+      "exert different forces. ";
+  out += scalable ? fmt::format(
+                        "First guess for the load that gives the specified mean: {}; or give the "
+                        "displacement (kFS1-3, appDispX to Z)",
+                        named(load, instead, units))
+                  : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and adjust "
+                    "it until the mean load is the specified one";
   return out;
 }
 

@@ -15,12 +15,12 @@
 /// time. A radial load that turns (record 9.3A) has no one value to compare with.
 namespace adore::results {
 
-/// Above this departure the run says so; a race in balance (mode 2) is meant to carry its load at
+/// Above this difference the run warns; a race in balance (mode 2) should carry its load at
 /// every instant.
 inline constexpr double kLoadWarning = 0.05, kBalanceWarning = 0.01;
 /// Preload, centrifugal force or weight load contacts by much more than a small external load does.
-/// What the contacts balance to 1e-3 of their own load is no departure (limit 5 % of 1 %: 5e-4 of
-/// the largest contact load).
+/// A balance of the contacts to 1e-3 of their load does not count as a difference (limit 5 % of 1
+/// %: 5e-4 of the largest contact load).
 inline constexpr double kLoadFloor = 0.01;
 
 struct MeanLoad {

@@ -45,8 +45,8 @@ struct OrbitMotion {
 /// Speed of the faster race about its own axis, sign kept [rad/s] (N54); 0 when both stand still.
 [[nodiscard]] double faster_race_speed(const scene::Snapshot& snapshot);
 
-/// What the cage's mass centre is divided by (N71): the mean radial clearance of the guided lands,
-/// so that 1 means touching; without guided lands the radial pocket clearance I; where that is not
+/// Reference length of the cage's mass center (N71): the mean radial clearance of the guided lands,
+/// so that 1 means contact; without guided lands the radial pocket clearance I; if that is not
 /// positive either, the deck's unit of length.
 struct CageScale {
   enum class Of : unsigned char { GuideLands, Pockets, UnitOfLength };

@@ -21,7 +21,7 @@ constexpr double kTimeDigits = 1e-6;
 /// Is `stored` what SOL8 makes of `exact`? It keeps three digits behind 0. (e10.3), so that half of
 /// the last one is 0.2 to 0.5 % of the value.
 bool same_digits(double stored, double exact) {
-  constexpr double kHalf = 0.51e-3;  // with some room for the last bit
+  constexpr double kHalf = 0.51e-3;  // with a tolerance for the last bit
   return std::abs(stored - exact) <=
          kHalf * std::pow(10.0, std::floor(std::log10(std::abs(exact))) + 1.0);
 }
@@ -61,12 +61,13 @@ MotionFile MotionFile::open(const std::filesystem::path& h5, UnitSystem units,
   out.units_ = units;
   out.file_.path = h5;
   if (out.reader_->steps() == 0)
-    throw InputError(h5.string() + " holds no complete step yet; let the run store at least one");
+    throw InputError(h5.string() +
+                     " does not contain a complete step yet; let the run store at least one");
   for (const char* needed : {"element.axial_position", "element.radial_position",
                              "element.orbital_position", "race.orientation", "race.x"})
     if (!out.has(needed))
       throw InputError(
-          fmt::format("{} lacks the channel {}, so there is no motion to show; it was "
+          fmt::format("{} does not contain the channel {}, so there is no motion to show; it was "
                       "written by another program, or is damaged",
                       h5.string(), needed));
   out.read_frames(std::max<std::size_t>(most_frames, 1));
@@ -78,13 +79,14 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
   const std::filesystem::path path = file.path.parent_path() / "RESULTS.h5";
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
-    why_not = "there is no RESULTS.h5 beside the file";
+    why_not = "there is no RESULTS.h5 in the folder of the file";
     return std::nullopt;
   }
   try {
     MotionFile out{H5Reader(path)};
     if (out.reader_->run_id() != file.run_id) {
-      why_not = fmt::format("RESULTS.h5 beside the file is of the run '{}'", out.reader_->run_id());
+      why_not = fmt::format("RESULTS.h5 in the folder of the file belongs to the run '{}'",
+                            out.reader_->run_id());
       return std::nullopt;
     }
     const std::vector<long> numbers = out.reader_->step_numbers();
@@ -93,13 +95,13 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
     const auto n = static_cast<std::size_t>(file.elements);
     const auto* radius = out.reader_->find("element.radial_position");
     if (radius == nullptr || radius->size() != n) {
-      why_not = "RESULTS.h5 beside the file has another number of rolling elements";
+      why_not = "RESULTS.h5 in the folder of the file has a different number of rolling elements";
       return std::nullopt;
     }
     const UnitSystem units = units_of(file);
-    // A few frames tell one run from another; the last one that both hold is among them.
-    // RESULTS.h5 of a run that was killed or goes on ends before SOL8: it is used as far as it
-    // goes.
+    // A few frames identify a run; the last one in both files is among them.
+    // RESULTS.h5 of a killed or unfinished run ends before SOL8: its available part is
+    // used.
     constexpr std::size_t kLooks = 16;
     const auto held = static_cast<std::size_t>(std::find_if(file.frames.begin(), file.frames.end(),
                                                             [&](const Sol8Frame& frame) {
@@ -107,9 +109,9 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
                                                                      frame.step > numbers.back();
                                                             }) -
                                                file.frames.begin());
-    // Of a run that has just begun it may hold next to nothing of what SOL8 has.
+    // For a run that has just begun it may contain only a few frames of SOL8.
     if (2 * held < file.frames.size()) {
-      why_not = fmt::format("RESULTS.h5 beside the file has {} of its {} frames", held,
+      why_not = fmt::format("RESULTS.h5 in the folder of the file has {} of its {} frames", held,
                             file.frames.size());
       return std::nullopt;
     }
@@ -120,7 +122,8 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
       const Sol8Frame& frame = file.frames[i];
       const auto found = at.find(frame.step);
       if (found == at.end()) {
-        why_not = fmt::format("RESULTS.h5 beside the file lacks step {}", frame.step);
+        why_not = fmt::format("RESULTS.h5 in the folder of the file does not contain step {}",
+                              frame.step);
         return std::nullopt;
       }
       const double time = out.times_[found->second];
@@ -132,13 +135,15 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
         same = same_digits(frame.elements[k].r, exact);
       }
       if (!same) {
-        why_not = "RESULTS.h5 beside the file holds other numbers, so it is of another run";
+        why_not =
+            "RESULTS.h5 in the folder of the file contains different numbers and belongs to "
+            "another run";
         return std::nullopt;
       }
       any = true;
     }
     if (!any) {
-      why_not = "the file has no frame that RESULTS.h5 could share";
+      why_not = "the file has no frame that is also in RESULTS.h5";
       return std::nullopt;
     }
     MotionFile whole = open(path, units, most_frames);

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-/// The motion of a run as RESULTS.h5 holds it: what SOL8 shows, with all digits, at every stored
-/// step, for bearings that SOL8 has no room for (segments, more than 88 elements), and with every
-/// other channel beside it.
+/// The motion of a run in RESULTS.h5: the content of SOL8 with all digits, at every stored
+/// step, also for bearings that SOL8 does not support (segments, more than 88 elements), and with
+/// all other channels.
 namespace adore::results {
 
 /// Values of one channel at the frames of a motion, in the motion's units (angles in rad).

@@ -4,8 +4,8 @@
 
 namespace adore::results {
 
-/// A file could not be read for a reason that lies outside it: its reader's process was killed, did
-/// not start, or its disk did not answer. It says nothing about the file; trying again is sound.
+/// A file could not be read for an external reason: its reader's process was killed, did
+/// not start, or its disk did not respond. The file may be good; trying again is sensible.
 class ReaderKilled : public InputError {
  public:
   using InputError::InputError;

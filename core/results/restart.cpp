@@ -26,10 +26,9 @@ constexpr double kLongestTime = 1e9;
 constexpr long kMostSteps = 1'000'000'000'000'000;
 
 void append_title(std::string& out, std::string_view kind) {
-  out +=
-      fmt::format("{} {}: {}\n", kProgramVersion, kind,
-                  kind == kFinal ? "last solution vector of a run, start state of another one"
-                                 : "bookkeeping and state of a run, so that it can be continued");
+  out += fmt::format("{} {}: {}\n", kProgramVersion, kind,
+                     kind == kFinal ? "last solution vector of a run, start state of another run"
+                                    : "bookkeeping and state of a run, for its continuation");
   out +=
       "SI units and radians. Made by the program: a changed line is found by the checksum at the "
       "end.\n";
@@ -58,9 +57,9 @@ void append_end(std::string& out) { out += fmt::format("end {:016x}\n", checksum
 void check_title(const std::filesystem::path& path, std::string_view kind, std::string_view title) {
   if (title.find(fmt::format(" {}: ", kind)) == std::string_view::npos ||
       title.find("Adore") == std::string_view::npos)
-    throw InputError(
-        fmt::format("{}: this is no {} file of this program; give the {} of the run to start from",
-                    path.string(), kind, kind));
+    throw InputError(fmt::format(
+        "{}: this is not a {} file of this program; give the {} of the run to start from",
+        path.string(), kind, kind));
 }
 
 /// A file of another kind may be large: its first line tells before the rest is read.
@@ -74,7 +73,7 @@ std::string text_of(const std::filesystem::path& path, std::string_view kind) {
   return read_text_file(path);
 }
 
-/// Reads "keyword value" lines in their fixed order and says where it goes wrong.
+/// Reads "keyword value" lines in their fixed order and reports the position of errors.
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::string_view kind)
@@ -84,7 +83,7 @@ class Reader {
     format_ = integer("format");
     if (format_ < 1 || format_ > kFormat)
       throw InputError(
-          fmt::format("{}: the file has format {}, this program reads formats 1 to {}; use the "
+          fmt::format("{}: the file has format {}, but this program reads formats 1 to {}; use the "
                       "program version that wrote it",
                       path.string(), format_, kFormat));
   }
@@ -103,7 +102,7 @@ class Reader {
   }
   std::size_t count(std::string_view keyword) {
     const long value = integer(keyword);
-    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is no possible count", value));
+    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is not a possible count", value));
     return static_cast<std::size_t>(value);
   }
   /// A finite number between the limits, which belong to it.
@@ -138,20 +137,20 @@ class Reader {
     const std::string sum = fmt::format("{:016x}", sum_);
     const std::string stored = text("end");
     if (format_ >= 3 && stored != sum)
-      fail(fmt::format("its lines have the checksum {}, and it was written with {}", sum,
+      fail(fmt::format("its lines have the checksum {}, but it was written with {}", sum,
                        stored.empty() ? "none" : stored));
   }
   [[noreturn]] void fail(std::string_view why) const {
     throw InputError(
-        fmt::format("{}:{}: the file is damaged: {}; take the file of an earlier run, or start "
-                    "from statics (kIcOpt = 0)",
+        fmt::format("{}:{}: the file is damaged: {}; use the file of an earlier run, or start from "
+                    "statics (kIcOpt = 0)",
                     path_.string(), lines_.number(), why));
   }
 
  private:
   double number(std::string_view text) const {
     const auto value = fortran::parse_real(text);
-    if (!value) fail(fmt::format("'{}' is no number", text));
+    if (!value) fail(fmt::format("'{}' is not a number", text));
     return *value;
   }
   std::string_view line() {
@@ -279,10 +278,10 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
     return at == end ? std::string("nothing more") : "'" + *at + "'";
   };
   throw InputError(
-      fmt::format("{}: the stored state does not fit this deck: it has {} components, the deck "
-                  "needs {}; the first that differs is {}, the deck needs {}; keep the "
-                  "number of elements, cage, degrees of freedom, oriented elements and qFac on or "
-                  "off of the stored run, or start from statics (kIcOpt = 0)",
+      fmt::format("{}: the stored state does not match this deck: it has {} components, the deck "
+                  "needs {}; the first difference is {}, where the deck needs {}. Keep number of "
+                  "elements, cage, degrees of freedom, oriented elements and qFac (on or off) of "
+                  "the stored run, or start from statics (kIcOpt = 0)",
                   path.string(), state.components.size(), components.size(),
                   name(stored, state.components.end()), name(wanted, components.end())));
 }
@@ -291,10 +290,10 @@ void check_bodies(const FinalState& state, const std::vector<std::string>& compo
                   const std::filesystem::path& path) {
   const std::string stored = bodies_text(state.components), wanted = bodies_text(components);
   if (stored == wanted) return;
-  throw InputError(fmt::format(
-      "{}: the stored state is of {}, this deck has {}; give the FINAL of such a bearing, or start "
-      "from statics (kIcOpt = 0)",
-      path.string(), stored, wanted));
+  throw InputError(
+      fmt::format("{}: the stored state is of {}, but this deck has {}; give the FINAL of such a "
+                  "bearing, or start from statics (kIcOpt = 0)",
+                  path.string(), stored, wanted));
 }
 
 }  // namespace adore::results

@@ -34,7 +34,7 @@ struct MasterFile {
   std::string role;  ///< "PRINT", "SOL1" ... "SOL8", "RESULTS"
   std::string name;  ///< relative to MASTER's folder
   std::uintmax_t bytes =
-      0;  ///< length at MASTER's step; 0 where the length says nothing (RESULTS.h5)
+      0;  ///< length at MASTER's step; 0 if the length has no meaning (RESULTS.h5)
   std::optional<std::uint64_t> sum;  ///< of these bytes, or of the steps in RESULTS.h5
 };
 

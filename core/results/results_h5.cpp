@@ -266,7 +266,7 @@ struct H5Writer::Impl {
                   const FindingsText& findings);
 
   /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
-  /// comes last, so that its length tells of whole rows.
+  /// comes last, so that its length is the number of complete rows.
   template <class Use>
   void for_each(Use use) {
     for (std::size_t c = 0; c < channels().size(); ++c) {
@@ -342,8 +342,8 @@ struct H5Writer::Impl {
   void write_waiting() {
     if (waiting == 0) return;
     if (broken)
-      throw InputError(fmt::format(
-          "{}: the file could not be written earlier and takes no more steps", path.string()));
+      throw InputError(
+          fmt::format("{}: an earlier write error prevents further steps", path.string()));
     // Every other dataset is on its way to the disk before /step, written last, counts the rows.
     const Series* const counts = &series.back();
     for (Series& one : series) {
@@ -370,10 +370,10 @@ struct H5Writer::Impl {
       ok = ok && (!is_last || (H5Dflush(one.dataset) >= 0 && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0));
       const int error = write_error(file);
       if (!ok || error != 0) {
-        broken = true;  // /step, written last, tells of the steps that all of them hold
+        broken = true;  // /step, written last, counts the steps that are in all of them
         throw WriteError(fmt::format(
-            "{}: the file cannot be written any further ({}); free some disk space or "
-            "choose another disk",
+            "{}: the file cannot be written further ({}); free some disk space or choose another "
+            "disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.sum = sum_of_values(one.waiting, one.sum);
@@ -399,7 +399,7 @@ H5Writer::~H5Writer() {
   try {
     if (!impl_->broken) flush();
   } catch (const std::exception&) {
-    // Nobody can be told from here; flush() reports.
+    // Errors cannot be reported here; flush() reports them.
   }
   impl_->series.clear();
   impl_->file.reset();
@@ -411,7 +411,7 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing,
   const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
   H5Pset_obj_track_times(creation, false);
   H5Pset_fapl_core(access, kGrowth, false);
-  // Of its own name: the library takes files in memory of one name for one file.
+  // With a unique name: the library treats files in memory with the same name as one file.
   const std::string alone = fmt::format("RESULTS.h5 in memory, {}", static_cast<const void*>(this));
   file = Handle(H5Fcreate(alone.c_str(), H5F_ACC_TRUNC, creation, access));
   if (!file.valid()) fail(path, "the file cannot be created");
@@ -476,7 +476,8 @@ H5Writer H5Writer::create(const WritePath& place, const bearing::Bearing& bearin
 
 namespace {
 
-/// Throws unless the file is of this run and has a dataset of the right sizes for every channel.
+/// Throws unless the file belongs to this run and has a dataset of the right sizes for every
+/// channel.
 void check_file(const H5Reader& file, const std::filesystem::path& path,
                 const bearing::Bearing& bearing, const ChannelTable& table) {
   check_run_id(path, file.run_id(), bearing.run_id);
@@ -489,14 +490,14 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
                                        found->dimensions.end()))
       continue;
     if (found == nullptr)
-      throw InputError(fmt::format(
-          "{}: there is no {} in it: an earlier version of Adore wrote it, or it is not whole. It "
-          "can be looked at, but not continued; start new files with kIcOpt = -1, or run the deck "
-          "in another folder",
-          path.string(), channel.id));
+      throw InputError(
+          fmt::format("{}: it does not contain {}: an earlier version of Adore wrote it, or it is "
+                      "incomplete. It can be displayed, but not continued; start new files with "
+                      "kIcOpt = -1, or run the deck in another folder",
+                      path.string(), channel.id));
     throw InputError(
-        fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this run, "
-                    "or start new files with kIcOpt = -1",
+        fmt::format("{}: {} does not match the sizes of this bearing; restore the file of this "
+                    "run, or start new files with kIcOpt = -1",
                     path.string(), channel.id));
   }
 }

@@ -41,14 +41,14 @@ class H5Writer {
   static H5Writer create(const WritePath& place, const bearing::Bearing& bearing,
                          const ChannelTable& table, int block = kBlock,
                          std::span<const Finding> findings = {});
-  /// Continues a file: checks run code and sizes, and goes on behind the steps <= `last_step` in a
-  /// new file that takes the old one's place when all of them are in it.
-  /// @throws InputError saying what does not fit or cannot be read; the old file is as it was.
+  /// Continues a file: checks run code and sizes, copies the steps <= `last_step` into a
+  /// new file, which replaces the old one when complete.
+  /// @throws InputError with the mismatch or read error; the old file is unchanged.
   static H5Writer continue_after(const WritePath& place, const bearing::Bearing& bearing,
                                  const ChannelTable& table, long last_step, int block = kBlock,
                                  std::span<const Finding> findings = {});
 
-  /// Where continue_after() makes the new file: what a process killed there leaves behind.
+  /// Path of the new file of continue_after(): left behind if the process is killed there.
   [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& path);
 
   /// The checks of continue_after() alone; nothing is touched. @throws InputError
@@ -73,7 +73,7 @@ class H5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What /geometry holds: SOL8's twelve values and what its views lack (widths, angles, pocket
+/// Content of /geometry: SOL8's twelve values and additional ones (widths, angles, pocket
 /// shape).
 [[nodiscard]] std::map<std::string, double> geometry_of(const bearing::Bearing& bearing);
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Reader of RESULTS.h5: what callers may ask for, checked here, read by a process of its own.
+/// Reader of RESULTS.h5: requests of callers are checked here and read by a separate process.
 namespace adore::results {
 
 struct H5Reader::Impl {
@@ -75,7 +75,7 @@ std::vector<double> H5Reader::read(std::string_view id, std::size_t first, std::
     throw InputError(fmt::format("{}: the file has no channel '{}'", impl_->path.string(), id));
   if (every == 0 ||
       (count > 0 && (first >= steps() || (count - 1) > (steps() - 1 - first) / every)))
-    throw InputError(fmt::format("{}: {} from {} on, every {}, asked for, but the file has {}",
+    throw InputError(fmt::format("{}: {} from {} on, every {}, are not available: the file has {}",
                                  impl_->path.string(), counted(count, "step"), first + 1, every,
                                  steps()));
   return impl_->process.read(std::string(id), info == nullptr ? 1 : info->size(), first, count,

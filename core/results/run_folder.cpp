@@ -53,7 +53,7 @@ RunFolder run_folder(const fs::path& folder) {
   for (int number = 1; number <= 7; ++number)
     if (const fs::path file = folder / fmt::format("SOL{}", number);
         fs::is_regular_file(file, ignored))
-      out.plots.push_back(file);  // damaged ones say so when they are opened
+      out.plots.push_back(file);  // damaged ones are reported when they are opened
   if (const fs::path file = folder / "SOL8"; fs::is_regular_file(file, ignored))
     out.animation = file;
   for (const std::string& name : listed(folder)) {

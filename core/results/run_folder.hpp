@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-/// What of a run's folder can be drawn, whatever record 2.3 of its deck has named the files.
+/// Files of a run's folder that can be drawn, for any file names of record 2.3 of its deck.
 namespace adore::results {
 
 struct RunFolder {
-  /// SOL1 to SOL7 that are there, then those of other names that RUN.json lists and whose header
-  /// says that they are such files.
+  /// Existing SOL1 to SOL7, then those of other names that RUN.json lists and whose header
+  /// has this format.
   std::vector<std::filesystem::path> plots;
   std::optional<std::filesystem::path> animation;  ///< SOL8
 };
@@ -17,8 +17,8 @@ struct RunFolder {
 /// Nothing where nothing is found; a RUN.json that cannot be read adds nothing.
 [[nodiscard]] RunFolder run_folder(const std::filesystem::path& folder);
 
-/// What is animated of a run: of a folder its SOL8, else its RESULTS.h5; any other path is itself.
-/// Throws InputError where a folder has neither.
+/// Animation of a run: for a folder its SOL8, otherwise its RESULTS.h5; any other path is itself.
+/// @throws InputError for a folder without either.
 [[nodiscard]] std::filesystem::path animation_file(const std::filesystem::path& path);
 
 }  // namespace adore::results

@@ -27,7 +27,7 @@ template <class T>
 Json object_of(const std::vector<std::pair<std::string, T>>& items) {
   Json out = Json::object();
   for (const auto& [name, value] : items) out[name] = value;
-  // JSON knows no infinity; lives may be infinite.
+  // JSON has no infinity; lives may be infinite.
   for (Json& entry : out)
     if (entry.is_number_float() && std::isinf(entry.template get<double>())) entry = "infinite";
   return out;
@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSumma
       {"math functions", portable_math_functions()
                              ? "bound in, the same on every processor"
                              : "of the C library, which differ between processors"}};
-  if (run.integrator.empty()) return items;  // the equilibrium knows no contact kernel
+  if (run.integrator.empty()) return items;  // the equilibrium does not use a contact kernel
   items.emplace_back("instruction set of the contacts", run.instruction_set);
   items.emplace_back("note",
                      "another instruction set rounds differently, and the motion magnifies that: "

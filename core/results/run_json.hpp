@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-/// RUN.json: what was run and what it cost, so that a run from last year still explains itself.
-/// Everything is reproduced byte by byte by the same deck, machine and build, but what stands under
+/// RUN.json: inputs and cost of a run, so that it can be understood a year later.
+/// The same deck, machine and build reproduce every byte, except the entries under
 /// "measured".
 namespace adore::results {
 
@@ -31,12 +31,12 @@ using Counters = std::vector<std::pair<std::string, long>>;
 
 struct RunSummary {
   std::string run_id, deck_file;     ///< deck's file name without folders
-  std::string request;               ///< digest of what was asked for
+  std::string request;               ///< digest of the request
   std::string status;                ///< "done", "interrupted", "failed"
   std::string message;               ///< diagnosis, empty when done
   nlohmann::ordered_json plan;       ///< the scene plan
-  std::string stability;             ///< what was decided on the integrator's steps; also in plan
-  nlohmann::ordered_json stored;     ///< what stored values are of (stored_json); null: no motion
+  std::string stability;             ///< decisions on the integrator's steps; also in plan
+  nlohmann::ordered_json stored;     ///< meaning of stored values (stored_json); null: no motion
   nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
   std::optional<scene::Scales> scales;
   std::string integrator;
@@ -83,9 +83,9 @@ struct RunSummary {
 [[nodiscard]] nlohmann::ordered_json mean_errors_json(const MeanErrors& errors);
 /// Replaces the file atomically. @throws InputError
 void write_run_json(const RunSummary& run, const WritePath& place);
-/// Adds members to the RUN.json of a finished run, in the places of those of the same name: what is
-/// known only afterwards (verification). A new text is appended to PRINT.txt, and both checksums
-/// follow. @throws InputError
+/// Adds members to the RUN.json of a finished run, replacing those of the same name: results
+/// that are known only afterwards (verification). A new text is appended to PRINT.txt, and both
+/// checksums follow. @throws InputError
 void amend_run(const WriteFolder& folder, const nlohmann::ordered_json& members,
                const std::string& print);
 
@@ -94,8 +94,8 @@ inline constexpr const char* kOwnChecksum = "checksum of this file";
 /// As write_run_json() puts it into the text; empty where the text has none.
 [[nodiscard]] std::string own_checksum(std::string text);
 
-/// What an earlier RUN.json says first, as far as it says it; empty texts when there is none of
-/// this program.
+/// First members of an earlier RUN.json, as far as present; empty strings without a file
+/// of this program.
 struct RunMark {
   std::string request, status;
 };
@@ -103,7 +103,7 @@ struct RunMark {
 /// Member of the outer object of a RUN.json; null where the file or the member is missing.
 [[nodiscard]] nlohmann::json read_run_member(const std::filesystem::path& path, const char* name);
 
-/// What decides the last digits beside deck and build. Shared with PRINT.txt.
+/// Causes of different last digits in addition to deck and build. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> arithmetic_items(
     const RunSummary& run);
 

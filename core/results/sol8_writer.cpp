@@ -111,13 +111,13 @@ void check_allowed(const bearing::Bearing& bearing) {
 std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
   if (elements > kMostElements)
     return fmt::format(
-        "SOL8 is not written: its three-digit counts hold at most {} rolling elements, this "
-        "bearing has {}; RESULTS.h5 holds the motion, and AGORE draws it from there",
+        "SOL8 is not written: its format allows at most {} rolling elements, this bearing has {}; "
+        "AGORE draws the motion from RESULTS.h5",
         kMostElements, elements);
   if (cage_segments > 1)
     return fmt::format(
-        "SOL8 is not written: it has room for one cage, this bearing has {} segments; RESULTS.h5 "
-        "holds their motion, and AGORE draws it from there",
+        "SOL8 is not written: its format allows one cage, this bearing has {} segments; AGORE "
+        "draws their motion from RESULTS.h5",
         cage_segments);
   return std::nullopt;
 }

@@ -179,7 +179,7 @@ void add_cage_columns(Columns& columns, const SolHeader& header) {
   const int segment = header.index - header.elements - 1;
   for (std::string_view id : kCageFile) columns.add(id, static_cast<std::size_t>(segment));
   const int surfaces = std::max(header.pocket_surfaces, 1);
-  // Faces of roller pockets say where along them the contact is, round pockets its angle.
+  // Faces of roller pockets store the axial position of the contact, round pockets its angle.
   const bool place = header.bearing_type != kBall && header.pocket_type != kRoundRollerPocket;
   // The count decides: a segment whose cut goes through a pocket carries half a pocket more than
   // the header says.

@@ -30,7 +30,7 @@ void check(const SolRange& range) {
   if (range.from < 1 || range.to < range.from || range.every < 1)
     throw InputError(
         fmt::format("stored steps {} to {}, every {}: the first must be at least 1, the last not "
-                    "before it, the interval at least 1",
+                    "below the first, the interval at least 1",
                     range.from, range.to, range.every));
 }
 
@@ -46,8 +46,8 @@ std::string for_each_step(SolParser& parser, const std::string& name, const SolR
     if (parser.next(step, kept) != BlockStatus::Complete) {
       if (position <= range.from && range.from > 1)
         throw InputError(
-            fmt::format("{}: the stored steps from {} on are asked for, but the file holds {}",
-                        name, range.from, position - 1));
+            fmt::format("{}: stored steps from {} on are not available: the file contains {}", name,
+                        range.from, position - 1));
       return parser.note();
     }
     last_step = step.step;

@@ -8,14 +8,14 @@
 
 /// Readers of the classic result files SOL1-SOL8 (formats: columns, never blanks; N51-N53, N59-N61,
 /// N65, N103). They also read files cut off anywhere: complete steps are returned and `note` says
-/// what is missing.
+/// the missing part.
 namespace adore::results {
 
 enum class SolKind : unsigned char { Element, Cage, Race, Power, Animation };
 
-/// The version fields of SOL1 to SOL8 have room for the program's own version alone (N60): that of
-/// routines of the user follows the run code, from this column of line 1 on, where readers of the
-/// format look for nothing.
+/// The version fields of SOL1 to SOL8 have room only for the program's version (N60): that of
+/// user routines follows the run code, from this column of line 1 on, which readers of the
+/// format ignore.
 inline constexpr int kUserVersionColumn = 58;
 struct FileVersion {
   std::string_view program, user;  ///< "Adore0.1.0", "+my laws 1"
@@ -63,18 +63,18 @@ struct SolFile {
   std::vector<SolStep> steps;
   std::vector<std::size_t> columns;  ///< of each step's values; empty: all of the file's
   std::string note;    ///< empty, or what was wrong with the file ("cut off in step 120")
-  std::string gaps;    ///< empty, or how many of its values are no numbers (SolParser::gaps)
+  std::string gaps;    ///< empty, or the number of its values that are not finite (SolParser::gaps)
   bool more = false;   ///< there are stored steps behind the range
   bool part = false;   ///< it has other stored steps than those that were read
   long every = 1;      ///< of so many stored steps one was read
   long last_step = 0;  ///< of those up to the range's end, kept or not: the file's last one but for
                        ///< `more`; 0: not known, then it is the last that was kept
 
-  /// Where in a step's values the column of the file stands; beyond their end when it was not kept.
+  /// Index of the file's column in a step's values; beyond their end when it was not kept.
   [[nodiscard]] std::size_t place(std::size_t column) const;
 };
 
-/// @throws InputError when the file cannot be read or is no SOL1-SOL7 file (the sentence says why).
+/// @throws InputError when the file cannot be read or is not a SOL1-SOL7 file (with the reason).
 SolFile read_sol(const std::filesystem::path& path, const SolRange& range = {});
 
 /// Complete and cut-off stored steps of a SOL1-SOL7 file by its size: exact, because every step of

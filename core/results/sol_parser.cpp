@@ -58,13 +58,13 @@ SolParser::SolParser(std::istream& stream, std::string name)
 
 void SolParser::reject(const std::string& why) const {
   throw InputError(fmt::format(
-      "{}: this is no SOL1-SOL8 file ({}); give a result file of a dynamic run", name_, why));
+      "{}: this is not a SOL1-SOL8 file ({}); give a result file of a dynamic run", name_, why));
 }
 
 std::string_view SolParser::header_line(std::string_view what) {
   std::string_view line;
   if (reader_.next(line)) return line;
-  if (reader_.too_long()) reject("it holds binary data, or a line without end");
+  if (reader_.too_long()) reject("it contains binary data, or a line without end");
   reject(fmt::format("line {} of the header, {}, is missing", reader_.number() + 1, what));
 }
 
@@ -222,16 +222,15 @@ BlockStatus SolParser::next(SolStep& step, bool with_values) {
   if (status == BlockStatus::Cut)
     note_ = fmt::format("cut off in {} (line {})", where, reader_.number());
   else if (status == BlockStatus::Wrong)
-    note_ =
-        fmt::format("damaged in {} (line {}); what follows is left out", where, reader_.number());
+    note_ = fmt::format("damaged in {} (line {}); the rest is not used", where, reader_.number());
   return status;
 }
 
 std::string SolParser::gaps() const {
   if (missing_ == 0) return {};
-  return fmt::format(
-      "{} no finite number (stars are an overflow of the field), the first in step {}",
-      missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_), first_missing_);
+  return fmt::format("{} not finite (stars mean a field overflow), the first in step {}",
+                     missing_ == 1 ? "1 value is" : fmt::format("{} values are", missing_),
+                     first_missing_);
 }
 
 }  // namespace adore::results

@@ -20,7 +20,7 @@ enum class BlockStatus : unsigned char {
 
 class SolParser {
  public:
-  /// Reads the header. `name` is the file's name for messages. @throws InputError when it is no
+  /// Reads the header. `name` is the file's name for messages. @throws InputError when it is not a
   /// SOL1-SOL8 file.
   SolParser(std::istream& stream, std::string name);
 
@@ -37,8 +37,8 @@ class SolParser {
 
   /// Why the last next() was not Complete: "cut off in step 120 (line 340)".
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
-  /// Empty, or how many values so far are stars or other than finite numbers, and where they begin;
-  /// they are read as NaN (stars) or as they stand.
+  /// Empty, or the number of values so far that are stars or not finite, and the first one;
+  /// they are read as NaN (stars) or unchanged.
   [[nodiscard]] std::string gaps() const;
   /// First byte after the header or the last complete step, and whether that ended with a line end.
   [[nodiscard]] std::uintmax_t good_bytes() const noexcept { return good_bytes_; }

@@ -35,9 +35,9 @@ class SolWriter {
  public:
   /// A new file, replacing what was there.
   static SolWriter create(const WritePath& place, const SolHeader& header, UnitSystem units);
-  /// Continues a file: checks that it is of the same run and layout, and cuts it back to
+  /// Continues a file: checks that it belongs to the same run and layout, and truncates it to
   /// `last_step`.
-  /// @throws InputError naming both run codes, or what differs.
+  /// @throws InputError with both run codes, or the difference.
   static SolWriter continue_after(const WritePath& place, const SolHeader& header, UnitSystem units,
                                   long last_step);
 
@@ -62,7 +62,7 @@ class SolWriter {
 /// Why this bearing gets no SOL8 (N65, N66), as a sentence; empty when it gets one.
 [[nodiscard]] std::optional<std::string> sol8_refusal(int elements, int cage_segments);
 
-/// What SOL8 says of the geometry, SI. Races are drawn at the bottom of their grooves, so that
+/// Geometry in SOL8, SI. Races are drawn at the bottom of their grooves, so that
 /// balls touch the circles.
 [[nodiscard]] Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing);
 /// One instant, SI; angles of positions and contacts reduced to -π..π (N61).

@@ -85,7 +85,7 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
   try {
     if (!json.is_object() || !(json.contains("quasi_static") || json.contains("thermal_network")))
       throw refuse(
-          "holds no quasi-static solution and no thermal network; plots of this kind come from the "
+          "contains no quasi-static solution and no thermal network; plots of this kind need the "
           "RUN.json of a run with mode -1, or of a motion with kTherm = 1 after a thermal step");
     const Json& section =
         json.at(json.contains("quasi_static") ? "quasi_static" : "thermal_network");

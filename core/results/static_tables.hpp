@@ -39,7 +39,7 @@ struct StaticTables {
 /// SI, each column as "name [unit]"; a value that does not exist is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const StaticTables& tables);
 
-/// What `to_json` wrote into a RUN.json. @throws InputError when the file is none, or is of a run
+/// Reads the output of `to_json` from a RUN.json. @throws InputError for another file, or for a run
 /// without a quasi-static solution and without a thermal network.
 [[nodiscard]] StaticTables read_static_tables(const std::filesystem::path& run_json);
 

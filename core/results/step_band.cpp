@@ -29,7 +29,7 @@ std::string_view channel_of(scene::Looked what) {
 
 void StepBand::look(scene::Looked what, std::span<const double> values) {
   std::vector<Range>& ranges = ranges_[static_cast<std::size_t>(what)];
-  // What the scene does not have is 0 all the time.
+  // Parts that the scene does not have are always 0.
   if (values.size() > ranges.size()) ranges.resize(values.size());
   const bool slip = what == scene::Looked::ContactSlip || what == scene::Looked::FlangeSlip;
   Range* range = ranges.data();

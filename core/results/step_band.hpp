@@ -9,16 +9,16 @@
 #include <string_view>
 #include <vector>
 
-/// Lowest, highest and mean values between two stored steps of what vibrates there: what a run that
-/// stores every tenth step would hide.
+/// Lowest, highest and mean values between two stored steps of vibrating quantities: a run that
+/// stores every tenth step would miss them.
 ///
-/// One look per integration step: at counted steps the accepted state, at the substeps between them
-/// (nStps) the last state that the stepper evaluated, which lies inside that step and is as
-/// accurate as its stages. A step that is stored is looked at as it is stored, so that low <= value
+/// One sample per integration step: at counted steps the accepted state, at the substeps between
+/// them (nStps) the last state that the stepper evaluated, which is inside that step and is as
+/// accurate as its stages. A stored step is sampled as it is stored, so that low <= value
 /// <= high to the last digit, and a run that stores every step has no width.
 ///
-/// Slip is 0 where nothing touches: that is no slip, and looks at it leave no mark on its extremes
-/// and mean, which are 0 only where none of them saw a contact.
+/// Slip is 0 without contact: such samples do not count in its extremes
+/// and mean, which are 0 only if no sample had contact.
 namespace adore::results {
 
 /// The channel of which a look has the values, in the same order.
@@ -35,7 +35,7 @@ class StepBand {
   void clear() noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return looks_ == 0; }
-  // Of the looks, all alike. NaN: nobody looked there. @pre not empty
+  // Of all samples. NaN: no samples. @pre not empty
   [[nodiscard]] double low(scene::Looked what, std::size_t place) const;
   [[nodiscard]] double high(scene::Looked what, std::size_t place) const;
   [[nodiscard]] double mean(scene::Looked what, std::size_t place) const;

@@ -134,7 +134,7 @@ bearing::Churning churning(const Deck& deck) {
     *value = deck.si(name);
     if (!(*value > 0.0))
       throw InputError({deck.issue(Severity::Error, name,
-                                   "leaves no medium that could drag on elements and cage",
+                                   "leaves no medium that could cause drag on elements and cage",
                                    "give a ratio above 0, or set kChrn to 0")});
   }
   return out;
@@ -180,9 +180,9 @@ bearing::ThermalInputs thermal_inputs(const Deck& deck) {
       for (const auto& [name, value] :
            {std::pair{"reHTC", out.element_convection}, std::pair{"cageHTC", out.cage_convection}})
         if (!(value > 0.0) && (name[0] == 'r' || deck.integer("nCseg") > 0))
-          throw InputError({deck.issue(Severity::Error, name,
-                                       "lets the coolant take no heat from what it flows around",
-                                       "give a value above 0, or kHTC = 0 to have it computed")});
+          throw InputError(
+              {deck.issue(Severity::Error, name, "prevents heat transfer to the coolant",
+                          "give a value above 0, or set kHTC = 0 to compute it")});
   }
   if (out.coolant == 2) {
     out.density = deck.si("xRo");
@@ -230,7 +230,7 @@ bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynami
 bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* user) {
   bearing::Cage out =
       read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
-  // Guide faces count as windows of their least play.
+  // Guide faces count as windows of their smallest clearance.
   if (bearing.rollers() && deck.integer("kPocType") > 0) {
     out.pocket_faces = pocket_faces(deck);
     out.pocket_clearance_1 =
@@ -370,13 +370,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
     throw InputError(
-        {deck.issue(Severity::Error, "brgOD", "the outer raceway reaches through the ring",
-                    fmt::format("give more than the raceway's diameter, {}{}",
+        {deck.issue(Severity::Error, "brgOD", "the outer raceway diameter is not inside the ring",
+                    fmt::format("give more than the raceway diameter, {}{}",
                                 length_text(deck, groove_bottom_outer), cones))});
   if (out.envelope.bore >= groove_bottom_inner)
     throw InputError(
-        {deck.issue(Severity::Error, "brgBore", "the inner raceway reaches through the ring",
-                    fmt::format("give less than the raceway's diameter, {}{}",
+        {deck.issue(Severity::Error, "brgBore", "the inner raceway diameter is not inside the ring",
+                    fmt::format("give less than the raceway diameter, {}{}",
                                 length_text(deck, groove_bottom_inner), cones))});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
                                    out.envelope.race_width[0], out.race_material[0].density),

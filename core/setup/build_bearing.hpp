@@ -11,8 +11,8 @@
 /// Deck -> SI model: the only place where deck variables become physics, and where units end.
 namespace adore::setup {
 
-/// What this deck asks for that the program cannot simulate yet, as errors that name record and
-/// variable, and what it asks for that has no effect, as warnings. Empty when everything asked for
+/// Features of this deck that the program cannot simulate yet, as errors that name record and
+/// variable, and values without effect, as warnings. Empty if all of the deck
 /// will be simulated.
 [[nodiscard]] std::vector<Issue> check_buildable(const deck::Deck& deck,
                                                  const UserHooks* user = nullptr);

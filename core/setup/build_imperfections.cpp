@@ -21,8 +21,8 @@ using bearing::Harmonic;
 using bearing::RaceErrors;
 using deck::Deck;
 
-/// Amplitude, waves per turn and phase of the variables stem1j, stem2j, stem3j; nothing when the
-/// record in force has none.
+/// Amplitude, waves per revolution and phase of the variables stem1j, stem2j, stem3j; nothing when
+/// the record in force has none.
 Harmonic wave(const Deck& deck, const std::string& stem, std::size_t race) {
   const auto name = [&](int i) { return fmt::format("{}{}{}", stem, i, race + 1); };
   if (!deck.has(name(1))) return {};
@@ -65,18 +65,18 @@ void check_positive(const Deck& deck, double value, const char* what, std::size_
   if (value > 0.0) return;
   throw InputError({deck.issue(
       Severity::Error, variable,
-      fmt::format("the deviation of rolling element {} leaves a {} of {}, which must stay above 0",
+      fmt::format("the deviation of rolling element {} makes its {} {}, which must be above 0",
                   element + 1, what, length_text(deck, value)),
       "give smaller deviations")});
 }
 
-/// What the factor of a groove comes from.
+/// Origin of the factor of a groove.
 std::string curvature_variable(const bearing::Bearing& b, std::size_t race) {
   return fmt::format("{}{}", b.imperfections.race[race].given ? "kRaceGeoImp" : "cFacVar1",
                      race + 1);
 }
 
-/// Each ball must fit in its grooves wherever it stands: groove radius between half its diameter
+/// Each ball must fit in its grooves at every position: groove radius between half its diameter
 /// and its diameter.
 void check_grooves(const Deck& deck, const bearing::Bearing& b) {
   const double D = b.balls().diameter;
@@ -84,13 +84,13 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
     for (std::size_t j = 0; j < 2; ++j) {
       const double ratio = b.balls().groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
       if (ratio > 0.5 && (ratio < 1.0 || b.balls().groove_factor[j] >= 1.0)) continue;
-      throw InputError({deck.issue(
-          Severity::Error, diameter_variable(b.imperfections.elements, k),
-          fmt::format("ball {} with its deviation of {} does not fit the {} groove: the groove "
-                      "radius would be {:.6g} of its diameter",
-                      k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
-                      j == 0 ? "outer" : "inner", ratio),
-          "give smaller deviations; above 0.5 and below 1 is possible")});
+      throw InputError(
+          {deck.issue(Severity::Error, diameter_variable(b.imperfections.elements, k),
+                      fmt::format("ball {} with its deviation of {} does not fit the {} groove: "
+                                  "the groove radius would be {:.6g} of its diameter",
+                                  k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
+                                  j == 0 ? "outer" : "inner", ratio),
+                      "give smaller deviations; the ratio must be above 0.5 and below 1")});
     }
   double smallest = D, largest = D;
   for (const double growth : b.imperfections.ball_diameter) {
@@ -100,14 +100,14 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
   for (std::size_t j = 0; j < 2; ++j) {
     const auto [low, high] = b.imperfections.race[j].curvature_range();
     const double f = b.balls().groove_factor[j];
-    // A groove that is open by itself (f >= 1) has its own limit: groove_geometry.
+    // A groove that is open (f >= 1) has a separate limit: groove_geometry.
     if ((f + low) * D > 0.5 * largest && (f >= 1.0 || (f + high) * D < smallest)) continue;
-    throw InputError({deck.issue(
-        Severity::Error, curvature_variable(b, j),
-        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
-                    "race, where the balls do not fit",
-                    j + 1, f, f + low, f + high),
-        "give an amplitude that keeps it above 0.5 and below 1")});
+    throw InputError(
+        {deck.issue(Severity::Error, curvature_variable(b, j),
+                    fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
+                                "{:.6g} around the race, where the balls do not fit",
+                                j + 1, f, f + low, f + high),
+                    "give an amplitude that keeps it above 0.5 and below 1")});
   }
 }
 
@@ -117,12 +117,12 @@ void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
     const double f = b.rollers()->groove_factor[j];
     const auto [low, high] = b.imperfections.race[j].curvature_range();
     if (f + low > 0.5) continue;
-    throw InputError({deck.issue(
-        Severity::Error, curvature_variable(b, j),
-        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
-                    "race, where the rollers do not fit",
-                    j + 1, f, f + low, f + high),
-        "give an amplitude that keeps it above 0.5")});
+    throw InputError(
+        {deck.issue(Severity::Error, curvature_variable(b, j),
+                    fmt::format("the groove factor raceCurFac{} = {:.6g} varies from {:.6g} to "
+                                "{:.6g} around the race, where the rollers do not fit",
+                                j + 1, f, f + low, f + high),
+                    "give an amplitude that keeps it above 0.5")});
   }
 }
 
@@ -179,8 +179,8 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   check_roller_deviations(deck, rollers);
 }
 
-/// Record 7.4 by `value`, which is asked for a variable and its column of the random table. Guide
-/// faces have their own width (record 7.3), whatever the wall.
+/// Record 7.4 by `value`, which takes a variable and its column of the random table. Guide
+/// faces have separate widths (record 7.3), independent of the wall.
 template <class Value>
 bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, bool faces, Value&& value) {
   bearing::PocketDeviation out;
@@ -196,7 +196,7 @@ bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, bool faces
   return out;
 }
 
-/// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
+/// kCagePocImp: 1 the first pocket, 2 all identical, 3 each separately.
 void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   if (!b.cage || !deck.has("bPocClsVar1")) return;
   const bool two = !b.rollers() && deck.integer("kPocType") >= 2;  // pockets with clearance II

@@ -10,7 +10,7 @@
 /// pockets.
 namespace adore::setup {
 
-/// The random table that kReGeoImp = 1 uses when no other seed is asked for.
+/// The random table of kReGeoImp = 1 without a specified seed.
 inline constexpr std::uint64_t kDefaultSeed = 1;
 
 /// Columns of the random table (base/random_table.hpp); its rows are the rolling elements from 0.
@@ -32,10 +32,11 @@ enum class RandomColumn : unsigned char {
 
 /// Fills bearing.imperfections, and the deviations of rollers; rolling elements and their count are
 /// already built. kReGeoImp = 1: deviation = rms value of record 5G.1A, B or C times a standard
-/// normal deviate of its own; neither the mean nor the rms of the elements of one bearing is forced
-/// to the record's. The central land of a roller stays between nothing and the roller's length.
-/// Pockets: a quasi-static solution uses their clearances only, which the cage's play follows from.
-/// @throws InputError naming the element that the deviations leave without size.
+/// normal deviate; neither the mean nor the rms of the elements of one bearing is forced
+/// to the record's. The central land of a roller is limited to 0 and the roller's length.
+/// Pockets: a quasi-static solution uses only their clearances, which determine the cage's
+/// clearance.
+/// @throws InputError with the element whose size would not be above 0.
 /// Codes that ask for routine ADRX8 get one call of it, inertia of elements included.
 void build_imperfections(const deck::Deck& deck, std::uint64_t seed, bearing::Bearing& bearing,
                          const UserHooks* user = nullptr);

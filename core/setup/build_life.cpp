@@ -26,17 +26,17 @@ class Reader {
     const std::optional<double> out = value(name);
     if (out && !(*out > 0.0))
       issues_.push_back(
-          deck_.issue(Severity::Error, name, "makes every life zero; it must be above 0", remedy));
+          deck_.issue(Severity::Error, name, "gives zero life; it must be above 0", remedy));
     return out;
   }
   /// Every stress falls with depth exponents and stress exponents that are far enough apart.
   void check_exponents(const std::string& stress, const std::string& depth) {
     const auto c = value(stress), h = value(depth);
     if (c && h && *c > 0.0 && !(*c - *h + 1.0 > 0.0))
-      issues_.push_back(deck_.issue(Severity::Error, stress,
-                                    "with the depth exponent of the same record makes life grow "
-                                    "with load",
-                                    "give more than the depth exponent"));
+      issues_.push_back(
+          deck_.issue(Severity::Error, stress,
+                      "with the depth exponent of the same record makes life increase with load",
+                      "give more than the depth exponent"));
   }
   void finish() {
     if (!issues_.empty()) throw InputError(std::move(issues_));

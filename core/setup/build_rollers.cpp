@@ -33,7 +33,7 @@ void read_race_crowns(const Deck& deck, bearing::RollerGeometry& out) {
         0.5 * (std::max(out.length, out.land_width[j]) - out.race_central_length[j]);
     if (!(out.race_crown_radius[j] > reach))
       throw InputError(
-          {deck.issue(Severity::Error, crown, "is a crown that ends before the raceway does",
+          {deck.issue(Severity::Error, crown, "is a crown that ends inside the raceway width",
                       fmt::format("give more than {}, or 0 for a straight raceway",
                                   length_text(deck, reach)))});
   }
@@ -54,8 +54,9 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
     out.land_width = {deck.si("raceLandLmt1"), deck.si("raceLandLmt2")};
     for (const char* name : {"raceLandLmt1", "raceLandLmt2"}) {
       if (!(deck.si(name) > 0.0))
-        throw InputError({deck.issue(Severity::Error, name, "is no width of a raceway",
-                                     "give the usable width; at least bReLen sets no limit")});
+        throw InputError(
+            {deck.issue(Severity::Error, name, "is not a valid raceway width",
+                        "give the usable width; a value of bReLen or more sets no limit")});
     }
     read_race_crowns(deck, out);
   }

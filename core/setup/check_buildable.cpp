@@ -70,7 +70,7 @@ class Checker {
     for (const Gate& gate : gates)
       if (deck_.has(gate.variable) && deck_.integer(gate.variable) != gate.supported)
         error(gate.variable,
-              fmt::format("asks for {}, which this version does not simulate yet", gate.asks_for),
+              fmt::format("specifies {}, which this version does not simulate yet", gate.asks_for),
               fmt::format("set {} to {}", gate.variable, gate.supported));
   }
 
@@ -96,23 +96,24 @@ class Checker {
   std::vector<Issue> issues_;
 };
 
-/// Code that asks for a routine needs a plug-in that has it. Code is loaded on the command line
-/// alone: the deck cannot say where it is.
+/// A code for a user routine needs a plug-in that has it. Code is loaded from the command line
+/// only: the deck cannot name it.
 void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
   const bool dynamic = deck.integer("mode") >= 0;
-  const deck::ReportOnly quiet(deck, !dynamic);  // to be asked about is no part in an equilibrium
+  const deck::ReportOnly quiet(deck,
+                               !dynamic);  // reading this value is not an effect in an equilibrium
   for (const Request& request : kRequests) {
     const std::string variable(request.variable);
     if (!deck.has(variable) || deck.integer(variable) != request.code) continue;
     if ((request.motion_only && !dynamic) || has_routine(user, request.routine)) continue;
-    const std::string asks = fmt::format("asks for user routine ADRX{}", request.routine);
+    const std::string asks = fmt::format("needs user routine ADRX{}", request.routine);
     const std::string otherwise = fmt::format("set {} to {}", variable, request.otherwise);
     check.error(variable.c_str(),
-                user == nullptr ? asks + ", and no plug-in was given"
-                                : fmt::format("{}, which {} does not have, or does not activate",
+                user == nullptr ? asks + ", but no plug-in was given"
+                                : fmt::format("{}, which {} does not have or does not activate",
                                               asks, user->source),
-                fmt::format("give one that has it with --user PLUG-IN (`adore user new adrx{}` "
-                            "writes an example), or {}",
+                fmt::format("give a plug-in that has it with --user PLUG-IN (`adore user new "
+                            "adrx{}` writes an example), or {}",
                             request.routine, otherwise));
   }
 }
@@ -136,11 +137,11 @@ void check_waves(const Deck& deck, Checker& check) {
                       fmt::format("give {}, or a phase of 90 degrees for a constant", waves));
       if (deck.real(waves) == std::round(deck.real(waves))) continue;
       const std::string step =
-          "is not a whole number of waves per turn: the surface has a step where the turn closes, "
-          "at the z axis of the race";
+          "is not a whole number of waves per revolution: the surface has a step at the z axis of "
+          "the race";
       if (deck.integer("mode") >= 0)
         check.error(waves.c_str(), step + ", over which no element rolls",
-                    "give a whole number of waves per turn");
+                    "give a whole number of waves per revolution");
       else
         check.warning(waves.c_str(), step);
     }
@@ -170,10 +171,10 @@ void check_law_ranges(const Deck& deck, Checker& check) {
       laws += fmt::format("{}{} ({} to {})", laws.empty() ? "" : ", ", law.property,
                           temperature_text(deck, law.T_min), temperature_text(deck, law.T_max));
     if (!laws.empty())
-      check.warning(place.temperature,
-                    fmt::format("lies outside of what is known of {}: {}; the value at the nearer "
-                                "end is used",
-                                material.name, laws));
+      check.warning(
+          place.temperature,
+          fmt::format("is outside the known range of {}: {}; the value at the nearer end is used",
+                      material.name, laws));
   }
 }
 
@@ -183,10 +184,9 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
   if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // bPocCls1 has no part
   const double given = deck.si("bPocCls1"), left = given + deck.si("bPocClsVar1");
   if (given >= 0.0 && left < 0.0)
-    check.warning("bPocClsVar1",
-                  fmt::format("makes every pocket smaller than its rolling element, which it "
-                              "clamps: bPocCls1 + bPocClsVar1 is {}",
-                              length_text(deck, left)));
+    check.warning("bPocClsVar1", fmt::format("makes every pocket smaller than its rolling element "
+                                             "and clamps it: bPocCls1 + bPocClsVar1 is {}",
+                                             length_text(deck, left)));
 }
 
 /// Errors of a guide land and of its race: waves that close, on lands that stay nearly round.
@@ -202,7 +202,7 @@ void check_land_errors(const Deck& deck, Checker& check) {
     const int index = static_cast<int>(i) + 1;
     const double radius = 0.5 * land.diameter;
     if (!land.ideal() && deck.integer("kGsHydro") == 1)
-      check.error("kGsHydro", "computes the films of round lands, and these have shape errors",
+      check.error("kGsHydro", "computes the films of round lands, but these have shape errors",
                   "set kGsHydro to 0, or kCageGsImp and kRaceGsImp to 0");
     for (const auto& [stem, errors] :
          {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
@@ -217,21 +217,22 @@ void check_land_errors(const Deck& deck, Checker& check) {
         for (const int k : {1, 2})
           if (std::abs(v[static_cast<std::size_t>(k - 1)]) > kMost * radius)
             error(k,
-                  fmt::format("makes land {} an ellipse far from a circle: the law of lands knows "
-                              "deviations of at most a twentieth of the radius",
+                  fmt::format("makes land {} an ellipse far from a circle: the law of lands is "
+                              "valid for deviations up to 1/20 of the radius",
                               index),
-                  fmt::format("give at most {} either way", length_text(deck, kMost * radius)));
+                  fmt::format("give an absolute value of at most {}",
+                              length_text(deck, kMost * radius)));
         continue;
       }
       if (v[1] != std::round(v[1]))
         error(2,
-              fmt::format("is not a whole number of waves per turn: land {} has a step where the "
-                          "turn closes, over which nothing slides",
+              fmt::format("is not a whole number of waves per revolution: land {} has a step where "
+                          "the revolution closes, over which nothing slides",
                           index),
-              "give a whole number of waves per turn");
+              "give a whole number of waves per revolution");
       if (std::abs(v[1]) > kMostWaves)
         error(2, fmt::format("is more than the law of lands resolves on land {}", index),
-              fmt::format("give at most {:g} waves per turn", kMostWaves));
+              fmt::format("give at most {:g} waves per revolution", kMostWaves));
       if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
         check.add(deck.issue(
             Severity::Warning, variable(1),
@@ -243,9 +244,9 @@ void check_land_errors(const Deck& deck, Checker& check) {
       if (std::abs(v[0]) > most)
         error(1,
               fmt::format("makes waves on land {} that are too high or too steep: the law of lands "
-                          "knows heights and slopes of at most a twentieth",
+                          "is valid for relative heights and slopes up to 1/20",
                           index),
-              fmt::format("give at most {} either way", length_text(deck, most)));
+              fmt::format("give an absolute value of at most {}", length_text(deck, most)));
     }
   }
 }
@@ -283,21 +284,20 @@ void check_segments(const Deck& deck, Checker& check) {
   const double cut = cage.segments.cut_angle;
   if (cut == 0.0)
     check.warning("cageAngCut",
-                  "leaves no gap between the segments, which do not touch each other: their ends "
-                  "overlap as soon as they move",
-                  "give the angle that is cut out");
+                  "leaves no gap between the segments. The model has no contact between segments, "
+                  "so their ends overlap as soon as they move",
+                  "give the angle of the cut");
   for (std::size_t i = 0; i < cage.lands.size(); ++i)
     if (cage.lands[i].guide != bearing::GuideLand::Guide::None && cage.lands[i].clearance < 0.0)
-      check.error(
-          "cageGsCls",
-          fmt::format("lets land {} of the segments press on its race all around, which only "
-                      "a whole ring does",
-                      i + 1),
-          "give 0 or more");
+      check.error("cageGsCls",
+                  fmt::format("lets land {} of the segments press on its race all around, which "
+                              "only a whole ring can do",
+                              i + 1),
+                  "give 0 or more");
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
     check.warning("cageGeoCenZ",
-                  "puts the mass centre of every segment on the bearing axis; record 7.7 is about "
-                  "one segment, whose z axis goes through its angular middle",
+                  "puts the mass center of every segment on the bearing axis; record 7.7 describes "
+                  "one segment, whose z axis passes through its angular middle",
                   "give the distance, negative, or set kCageIP to 0");
   const bool faces = deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0;
   if (faces || cut_fits(deck, cage, cut)) return;
@@ -309,26 +309,25 @@ void check_segments(const Deck& deck, Checker& check) {
   const std::string limit = fmt::format("give at most {:.4g} degrees",
                                         std::floor(most * 180.0 / std::numbers::pi * 1e4) / 1e4);
   if (!cage.segments.through_pockets)
-    check.error("cageAngCut", "cuts more than the bars between the pockets", limit);
+    check.error("cageAngCut", "removes more than the bars between the pockets", limit);
   else
     check.error("cageAngCut",
-                "leaves half pockets whose opening the rolling element touches on both sides",
+                "leaves half pockets whose opening touches the rolling element on both sides",
                 fmt::format("{}, or cut between the pockets (positive numbers)",
                             most > 0.0 ? limit : "give more pocket clearance"));
 }
 
-/// What the motion of unequal elements leaves out.
+/// Limits of the motion of unequal elements.
 void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
   if (deck.integer("kReGeoImp") == 0) return;
   if (rollers)
-    check.note(
-        "kReGeoImp",
-        "the contacts of each roller are those of its own shape; mass and moments of inertia "
-        "stay those of the nominal roller");
+    check.note("kReGeoImp",
+               "the contacts of each roller use its actual shape; mass and moments of inertia are "
+               "those of the nominal roller");
   else if (deck.integer("kTrac") != 0)
     check.note("kReGeoImp",
-               "the contacts of each ball are those of its own diameter; the thickness and the "
-               "traction of the lubricant's film are those on the nominal ball");
+               "the contacts of each ball use its actual diameter; film thickness and traction of "
+               "the lubricant are those of the nominal ball");
 }
 
 void check_lubricant(const Deck& deck, Checker& check) {
@@ -336,14 +335,12 @@ void check_lubricant(const Deck& deck, Checker& check) {
   if (deck.integer("kTrac") <= 0) return;
   if (deck.si("strParam") == 0.0)
     check.note("strParam",
-               "leaves no oil before the contacts: they have no film, and the traction of record "
-               "10.1; 10 or more is flooded");
+               "leaves no oil at the contact inlets: the contacts have no film, and the traction "
+               "of record 10.1; 10 or more is flooded");
   else if (deck.si("reRaceFilm") < tribology::kThinnestFilm)
-    check.note(
-        "reRaceFilm",
-        fmt::format("a film of a few molecules is no liquid: below {:g} nm contacts have the "
-                    "traction of record 10.1",
-                    1e9 * tribology::kThinnestFilm));
+    check.note("reRaceFilm", fmt::format("a film of a few molecules is not a liquid: below {:g} nm "
+                                         "contacts have the traction of record 10.1",
+                                         1e9 * tribology::kThinnestFilm));
 }
 
 /// Which films of the pockets act.
@@ -351,8 +348,8 @@ void check_pocket_films(const Deck& deck, Checker& check) {
   const deck::ReportOnly quiet(deck);
   if (!(deck.si("pocLubFilm") > 0.0))
     check.error("pocLubFilm",
-                "leaves the pockets no film, which kPocHydro = 1 asks for: walls farther than this "
-                "feel none",
+                "leaves no film in the pockets, which kPocHydro = 1 needs: elements farther than "
+                "this from a wall have none",
                 "give the largest film, e.g. half the pocket clearance, or set kPocHydro to 0");
 }
 
@@ -378,10 +375,10 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);
   if (!deck.user_lines.empty() && user == nullptr)
-    check.warning("runID",
-                  "the deck has lines after its last record, for user routines, and no plug-in was "
-                  "given",
-                  "give it with --user PLUG-IN, or remove the lines");
+    check.warning(
+        "runID",
+        "the deck has lines for user routines after its last record, but no plug-in was given",
+        "give a plug-in with --user PLUG-IN, or remove the lines");
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})

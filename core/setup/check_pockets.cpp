@@ -70,11 +70,11 @@ class PocketCheck {
                    : given,
           clearance > 0.0 ? fmt::format("makes an opening of {}, wider than the pitch circle",
                                         length_text(deck_, D + clearance))
-                          : fmt::format("leaves no opening for an element {} in diameter",
+                          : fmt::format("leaves no opening for an element of diameter {}",
                                         length_text(deck_, D)),
           faces && !deviates
-              ? std::string("put the guide faces beside the roller, at about half its diameter")
-              : fmt::format("give a clearance between {} and {}, best above 0",
+              ? std::string("put the guide faces next to the roller, at about half its diameter")
+              : fmt::format("give a clearance between {} and {}, preferably above 0",
                             length_text(deck_, -D), length_text(deck_, pitch - D)));
   }
 
@@ -89,7 +89,7 @@ class PocketCheck {
       error(variable,
             fmt::format("makes the pocket of element {} narrower than the element, by {}", k + 1,
                         length_text(deck_, -left)),
-            "leave a play of at least 0", instance);
+            "leave a clearance of at least 0", instance);
     }
   }
 
@@ -138,7 +138,7 @@ class PocketCheck {
         return contact::roller_pocket_play(std::span(&face, 1), roller);
       };
       bearing::RollerPocketFace face = cage_.pocket_faces[f];
-      // A face beside the ends of the roller touches nothing.
+      // A face outside the ends of the roller cannot touch it.
       if (std::abs(face.centre[0]) - 0.5 * face.length > 0.5 * roller.length) continue;
       if (play_with(face) >= 0.0) continue;
       for (int a = 0; a < 3; ++a) {
@@ -158,7 +158,7 @@ class PocketCheck {
     const double left = thickness + own.thickness;
     if (left > 0.0 && 0.5 * left < middle) return;
     error("bPocThknsVar",
-          left > 0.0 ? std::string("makes a wall that reaches through the bearing's axis")
+          left > 0.0 ? std::string("makes a wall that reaches through the bearing axis")
                      : std::string("leaves no wall around the pocket"),
           fmt::format("give more than {} and less than {}", length_text(deck_, -thickness),
                       length_text(deck_, 2.0 * middle - thickness)));
@@ -166,17 +166,17 @@ class PocketCheck {
 
   void place(const PocketDeviation& own) {
     if (!(std::abs(own.axial) < 0.5 * cage_.width))
-      error("bPocCenVar1", "puts the middle of the pocket beside the cage",
-            fmt::format("give less than {} either way", length_text(deck_, 0.5 * cage_.width)));
+      error("bPocCenVar1", "puts the middle of the pocket outside the cage",
+            fmt::format("give an absolute value below {}", length_text(deck_, 0.5 * cage_.width)));
     const double share = std::numbers::pi / bearing_.element_count();
     if (!(std::abs(own.angular) < share))
-      error("bPocCenVar2", "puts the pocket nearer to the next element than to its own",
-            fmt::format("give less than {:.6g} degrees either way",
+      error("bPocCenVar2", "puts the pocket nearer to the next element than to its element",
+            fmt::format("give an absolute value below {:.6g} degrees",
                         share * 180.0 / std::numbers::pi));
     for (int k = 0; k < 3; ++k)
       if (!(std::abs(own.tilt[k]) < 0.25 * std::numbers::pi))
-        error(fmt::format("bPocAngVar{}", k + 1), "turns the pocket's frame by 45 degrees or more",
-              "give less than 45 degrees either way");
+        error(fmt::format("bPocAngVar{}", k + 1), "turns the pocket frame by 45 degrees or more",
+              "give an absolute value below 45 degrees");
   }
 
   const Deck& deck_;

@@ -5,10 +5,10 @@
 
 namespace adore::setup {
 
-/// Pockets that a cage can have, with their deviations (records 7.1, 7.3 and 7.4): a wall is left
+/// Valid pockets of a cage, with their deviations (records 7.1, 7.3 and 7.4): a wall remains
 /// between two radii above the axis, an element has room in it and it is smaller than the bearing,
-/// its middle lies in the cage, nearer to its own element than to the next one, and its frame leans
-/// by less than 45 degrees. What follows from nothing but motion is looked at for mode >= 0 only.
+/// its middle is in the cage, nearer to its own element than to the next one, and its frame is
+/// tilted by less than 45 degrees. Conditions of the motion are checked for mode >= 0 only.
 /// @throws InputError naming the variable, with its limit
 void check_pockets(const deck::Deck& deck, const bearing::Bearing& bearing);
 

@@ -84,7 +84,7 @@ class ShapeCheck {
     const double limit = limit_between(shape_, length, given_.length, 1e-9 * given_.length);
     issues_.push_back(
         deck_.issue(Severity::Error, "bReLen",
-                    "the taper of the rollers brings them to a point before their end",
+                    "the taper makes the roller diameter zero before the end of the roller",
                     fmt::format("give less than {}, or cone angles closer to each other",
                                 length_text(deck_, limit))));
     finish();
@@ -124,7 +124,7 @@ void check_roller_shape(const Deck& deck, const RollerGeometry& rollers) {
   check.check_length();
   check.put(
       "bReCrn", "a crown radius", [](RollerProfile& p) -> double& { return p.crown_radius; }, true);
-  // Corners before end radii: the limit of an end is the one beside the corners that are there.
+  // Corners before end radii: the limit of an end depends on the corners.
   for (std::size_t end = 0; end < 2; ++end)
     check.put(
         fmt::format("bReCorRad{}", end + 1), "a corner",
@@ -141,7 +141,7 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
     if (fits(contact::roller_profile(rollers, rollers.deviation[k]))) continue;
     throw InputError({deck.issue(
         Severity::Error, culprit(deck, rollers, k),
-        fmt::format("the deviations of rolling element {} leave no possible roller", k + 1),
+        fmt::format("the deviations of rolling element {} do not give a possible roller", k + 1),
         "give smaller deviations")});
   }
 }
@@ -164,28 +164,28 @@ std::vector<Issue> check_flanges(const Deck& deck) {
       const std::string corner = fmt::format("bReCorRad{}", side);
       const double height = deck.si("flngHt" + code);
       if (height <= 0.0)
-        warn("flngHt" + code, "is no height: no end of a roller meets this flange",
-             "give its height, or no flange");
+        warn("flngHt" + code, "is not a valid height: no roller end can touch this flange",
+             "give the height, or remove the flange");
       else if (deck.has(corner) && height <= deck.si(corner))
         warn("flngHt" + code,
-             fmt::format("ends within the rounding {} of the roller: its end never meets the face "
-                         "of the flange, but its corner the lip",
+             fmt::format("ends within the corner radius {} of the roller: not the roller end, but "
+                         "its corner touches the flange, at the lip",
                          corner),
-             "give a height above the corner, or no flange");
+             "give a height above the corner radius, or remove the flange");
     }
     const std::string name = fmt::format("flngCls{}", race);
     if (!both) continue;
     const double play = deck.si(name);
     if (play < 0.0)
       warn(name,
-           "is negative: the flanges of this race press on both ends of every roller, at all times",
+           "is negative: the flanges of this race press on both ends of every roller all the time",
            "give a play, or 0");
     else if (play > kWidePlay * deck.si("bReLen"))
       warn(name,
-           fmt::format("is more than {:g} of the length of the rollers: they move far off their "
-                       "raceways before a flange holds them",
+           fmt::format("is more than {:g} of the roller length: the rollers move far off their "
+                       "raceways before a flange stops them",
                        kWidePlay),
-           "give the free travel between the flanges, a small part of a millimetre");
+           "give the free travel between the flanges, a small fraction of a millimeter");
   }
   return out;
 }

@@ -10,7 +10,7 @@
 /// How the builder speaks of a deck: in its units, and with record and variable.
 namespace adore::setup {
 
-/// "0.0127 m" or "0.5 in", as the deck has it.
+/// "0.0127 m" or "0.5 in", in the units of the deck.
 [[nodiscard]] std::string length_text(const deck::Deck& deck, double metres);
 
 /// "353.15 K" or "635.67 R".
@@ -20,7 +20,7 @@ namespace adore::setup {
 [[nodiscard]] InputError located(const deck::Deck& deck, std::string_view variable,
                                  const InputError& error);
 
-/// What `make` returns; what it refuses is said of `variable`.
+/// Result of `make`; its errors become errors of `variable`.
 template <class Make>
 auto at_variable(const deck::Deck& deck, std::string_view variable, Make&& make) {
   try {

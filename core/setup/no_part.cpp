@@ -11,7 +11,7 @@ namespace {
 
 using deck::Deck;
 
-/// What the reasons depend on.
+/// Conditions of the reasons.
 struct Scene {
   bool motion = false;      ///< mode >= 0
   bool heat = false;        ///< a thermal analysis
@@ -48,16 +48,15 @@ std::string of_material(std::string_view name, const Scene& scene) {
   if (name.ends_with("TC") || name.ends_with("TC1") || name.ends_with("TC2") ||
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
     return !scene.heat
-               ? "no heat flow is computed, so that conductivity and specific heat are only "
-                 "printed"
-               : "of the cage only heat capacity depends on it, which acts with "
+               ? "no heat flow is computed, so conductivity and specific heat are only printed"
+               : "for the cage only the heat capacity depends on it, which is used with "
                  "thermalTransient=on";
   if (name.starts_with("cage"))
-    return scene.motion ? "no fatigue of the cage is judged"
-                        : "a quasi-static solution moves and wears no cage";
+    return scene.motion ? "fatigue of the cage is not computed"
+                        : "a quasi-static solution does not move or wear the cage";
   if (name.starts_with("hsng") || name.starts_with("shft"))
-    return "no contact stresses this part, only its fit is computed";
-  if (!scene.motion) return "a quasi-static solution has no sliding, thus no wear";
+    return "this part has no contact stresses, only its fit is computed";
+  if (!scene.motion) return "a quasi-static solution has no sliding and no wear";
   return {};
 }
 
@@ -66,12 +65,12 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   const std::string_view record = value.record;
   const std::string_view name =
       std::string_view(value.variable).substr(0, value.variable.find('['));
-  // What is not there.
+  // Missing parts.
   if (starts_with_one_of(name, {"kFlngInd"})) return "a ball bearing has no roller flanges";
   if (is_one_of(name, {"kRFTrac", "kRFTracType"}) && !scene.flanges)
     return "no roller meets a flange";
   if (is_one_of(name, {"kRRTrac", "kRRTracType"}) && scene.cage)
-    return "the cage keeps rolling elements from touching each other";
+    return "the cage separates the rolling elements";
   if (is_one_of(name, {"kCPTrac", "kCPTracType", "kPocHydro"}) && !scene.cage)
     return "there is no cage";
   if (is_one_of(name, {"kPocHydro", "kGsHydro"}) && scene.segments)
@@ -81,40 +80,41 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
     return "the asymptotic law has three coefficients";
   if ((record.starts_with("10.2") || name == "kRFTracType") && scene.flanges && !scene.motion)
-    return "without thrust no flange of cylindrical rollers carries a load at rest";
+    return "without thrust the flanges of cylindrical rollers carry no load at rest";
   if (name == "reRaceFilm")
-    return "without oil before the contacts (strParam = 0) there is no film";
+    return "without oil at the contact inlets (strParam = 0) there is no film";
   if (record.starts_with("10") && !scene.motion)
-    return "a quasi-static solution knows the friction of elements and races, but none of the cage";
+    return "a quasi-static solution includes the friction of elements and races, but not of the "
+           "cage";
   if (name == "iTherm") return "only visco-elastic traction (kTrac 12) has this correction";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "there is no such flange";
   if (record.starts_with("10.2") && !scene.flanges) return "no roller meets a flange";
-  // What an option holds or replaces.
+  // Values that an option fixes or replaces.
   if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
                        "appDispY", "appDispZ", "appMis12", "appMis22"}))
-    return "of load and displacement in one direction only that counts which kFS1 to kFS5 choose";
+    return "for each direction kFS1 to kFS5 choose either load or displacement";
   if (name == "freeIntCls") return "freeConAng above 0 sets the clearance";
-  if (name.starts_with("rpmRange")) return "a table of one speed has no last one";
+  if (name.starts_with("rpmRange")) return "a table with one speed has no last speed";
   if (name == "pltNames8") return "kAGraf = 0 stores no animation";
   if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
   if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
   if (name == "bPocCls2") return "a pocket of this shape has one clearance";
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
-    return "guide faces have their own width, whatever the wall";
+    return "guide faces have separate widths, independent of the wall";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (starts_with_one_of(name,
                          {"rotLoadRpm", "raceVibFreq", "raceSpeedFreq", "startTime", "endTime"}))
-    return "the law of the time that this belongs to has an amplitude of 0 for this race";
-  if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
+    return "the law of time of this value has an amplitude of 0 for this race";
+  if (name == "cageAngCut" && !scene.segments) return "a one-piece cage has no cut";
   if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
     return "an ellipse has two half axes and no third value, or no race guides this land";
   if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
     return "no race guides this land";
-  if (name == "pocLubFilm") return "no hydrodynamics of the pockets is asked for (kPocHydro)";
+  if (name == "pocLubFilm") return "pocket hydrodynamics are off (kPocHydro)";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
-  if (name == "kAngVel") return "rollers roll without slip, their axes are given by geometry";
+  if (name == "kAngVel") return "rollers roll without slip; the geometry gives their axes";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "without a lubricant (kTrac) no film is computed";
   if (name == "cFlowRate") return "without a coolant (kCoolant) nothing flows";
@@ -122,24 +122,24 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return scene.convection ? "convection coefficients are given"
                             : "convection coefficients are computed, or no coolant flows";
   if (is_one_of(name, {"aveTime", "skipTime"}))
-    return scene.motion ? "the geometry is never changed" : "a steady state has no thermal steps";
+    return scene.motion ? "the geometry does not change" : "a steady state has no thermal steps";
   if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
-    return "no thermal steps are computed: the temperatures of record 9.1.3 rule, and of record "
-           "3.5 only kMatPropMod acts";
+    return "no thermal steps are computed: the temperatures of record 9.1.3 apply, and of record "
+           "3.5 only kMatPropMod has an effect";
   if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
   if (name.starts_with("raceCenLen")) return "a raceway without crown (raceCrn = 0) is straight";
   if (record.starts_with("6.2") || (name.starts_with("kRaceIP") && scene.motion))
-    return "record 2.2 (kDCR, kFD, kMD) frees no direction of this race in which it would act";
-  if (name == "qFac" && scene.motion) return "modes 1 and 2 hold every element in force balance";
+    return "record 2.2 (kDCR, kFD, kMD) does not free this race in a direction where it would act";
+  if (name == "qFac" && scene.motion) return "modes 1 and 2 keep every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.
   if (name == "kFnOpt" || record == "2.3")
     return "a quasi-static solution writes PRINT.txt and RUN.json only";
-  if (record == "1" || record == "2.2") return "a quasi-static solution has no steps in time";
+  if (record == "1" || record == "2.2") return "a quasi-static solution has no time steps";
   if (record.starts_with("7") || name == "kCageMat")
-    return "a quasi-static solution knows the cage's size and play, but neither its motion nor its "
+    return "a quasi-static solution uses size and clearance of the cage, but not its motion or "
            "forces";
   if (record == "9.6" || record == "9.6.k") return "a quasi-static solution does not move the cage";
   return {};
@@ -186,7 +186,7 @@ std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck
   out.severity = Severity::Note;
   out.file = deck.file;
   out.message = fmt::format("without effect on this run: {}", names);
-  out.remedy = "PRINT.txt and RUN.json list every value that plays no part";
+  out.remedy = "PRINT.txt and RUN.json list all values without effect";
   return out;
 }
 

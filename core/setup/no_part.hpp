@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// Every variable of a deck acts, or is refused, or is named here with the reason why it plays no
-/// part.
+/// Every variable of a deck acts, or is rejected, or is listed here with the reason why it has no
+/// effect.
 namespace adore::setup {
 
 /// Values that no builder read, each with its reason. The deck's log (Deck::reads) must have been
@@ -22,7 +22,7 @@ namespace adore::setup {
 [[nodiscard]] std::optional<Issue> note_of(const std::vector<deck::NoPart>& values,
                                            const deck::Deck& deck, const std::vector<Issue>& said);
 
-/// What is said of a value that no rule explains: a gap in the table of reasons.
+/// Text for a value without a rule: a gap in the table of reasons.
 inline constexpr const char* kNoReason = "nothing in this version reads it";
 
 }  // namespace adore::setup

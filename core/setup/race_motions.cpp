@@ -53,7 +53,7 @@ bool given_and_not_zero(const Deck& deck, const std::string& name) {
 
 double rpm(double speed) { return speed * 30.0 / std::numbers::pi; }
 
-/// What a free race starts from and does, in words.
+/// Start and motion of a free race, in words.
 std::string free_text(const bearing::FreeRace& free) {
   std::string out;
   const auto add = [&out](std::string_view before, const std::string& which) {
@@ -80,13 +80,13 @@ void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motio
     plan.bodies.push_back(
         {kRaces[j],
          fmt::format("in force balance along {}, speed {:g} rpm{}", listed(free),
-                     rpm(bearing.speed[j]), driven ? ", turned and else moved by ADRX1" : ""),
+                     rpm(bearing.speed[j]), driven ? ", turned and otherwise moved by ADRX1" : ""),
          driven ? 11 : 3});
     return;
   }
   const char* place = j == 0 ? "fixed" : "at the static position";
   std::string text = fmt::format("{}, speed {:g} rpm", place, rpm(bearing.speed[j]));
-  if (motions.excited(static_cast<int>(j))) text += ", moved by laws of the time";
+  if (motions.excited(static_cast<int>(j))) text += ", moved by laws of time";
   plan.bodies.push_back({kRaces[j], text, 0});
 }
 
@@ -127,14 +127,14 @@ bearing::Inertia given_race_inertia(const Deck& deck, int race) {
   return given_inertia(deck, "race", race == 1 ? "1" : "2");
 }
 
-/// What is left out of record 6.1.
+/// Parts of record 6.1 that are not used.
 std::vector<Issue> check_element_inertia(const Deck& deck) {
   std::vector<Issue> out;
   const long long code = moves(deck) ? deck.integer("kReIP") : 0;
   if (code == 1 && deck.integer("kBrg") != 1)
     out.push_back(deck.issue(Severity::Note, "kReIP",
-                             "element 1 moves with an inertia of its own; the static solution at "
-                             "the start takes all elements for alike",
+                             "element 1 moves with its actual inertia; the static solution at the "
+                             "start treats all elements as identical",
                              {}));
   return out;
 }
@@ -151,8 +151,8 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
       if (given_and_not_zero(deck, name))
         add(Severity::Error, name,
-            fmt::format("moves the {} by a law of the time, but {} = 0 lets it {} freely there",
-                        body, flag, what),
+            fmt::format("moves the {} by a law of time, but {} = 0 lets it {} freely there", body,
+                        flag, what),
             fmt::format("set {} to 0, or {} to 1", name, flag));
     };
     for (int axis = 1; axis <= 3; ++axis) {
@@ -168,22 +168,23 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       clash(fmt::format("raceAngAcc{}", race), flag, "turn");
       clash(fmt::format("raceSpeedAmp{}", race), flag, "turn");
       add(Severity::Warning, flag,
-          fmt::format("lets the {} turn under moments, but none about x is given without user "
-                      "routine ADRX1: it coasts, and friction takes its speed",
+          fmt::format("lets the {} turn under moments, but without user routine ADRX1 there is no "
+                      "moment about x: it coasts, and friction slows it down",
                       body),
           fmt::format("set {} to 1 for a constant speed", flag));
     }
   }
   if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
     add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not turn: no effect",
-        "give its speed, or set kRotFrame to 0");
+        "give the speed of the frame, or set kRotFrame to 0");
   if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
     for (int race = 1; race <= 2; ++race)
       if (const std::string share = fmt::format("brgLoadFrac{}", race);
           given_and_not_zero(deck, share) && !translation_free(deck, 2, race) &&
           !translation_free(deck, 3, race))
         add(Severity::Warning, share,
-            "has no effect, because kFS2 and kFS3 give the place of the inner race, not its load",
+            "has no effect, because kFS2 and kFS3 give the position of the inner race, not its "
+            "load",
             "set it to 0, or kFS2 or kFS3 to 0");
   if (deck.integer("kVarLoad") == 1)
     for (int race = 1; race <= 2; ++race) {
@@ -191,39 +192,39 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
       if (!given_and_not_zero(deck, share) || std::abs(deck.real(share)) <= 1.0) continue;
       add(Severity::Warning, share,
           fmt::format("is more than 1: the {} moves on a circle larger than the whole radial "
-                      "deflection, or its load turns with more than the load applied; contacts "
-                      "may carry many times the load of the equilibrium",
+                      "deflection, or the rotating load exceeds the applied load; contact loads "
+                      "may be many times those of the equilibrium",
                       kRaces[static_cast<std::size_t>(race - 1)]),
           "give a fraction between -1 and 1");
     }
   if (deck.integer("mode") > 0 && deck.integer("kDOF") == 5)
     add(Severity::Error, "kDOF",
-        fmt::format("suppresses all motions of the elements, and mode = {} asks for their balance",
+        fmt::format("suppresses all motions of the elements, but mode = {} needs their balance",
                     deck.integer("mode")),
         "set mode to 0, or kDOF to 0 to 4");
   if (deck.integer("mode") == 2) {
     for (int axis = 1; axis <= 3; ++axis) {
       if (rotation_free(deck, axis, 2))
         add(Severity::Error, fmt::format("kMD{}2", axis),
-            "mode = 2 places the inner race by its balance of forces, but this frees it",
+            "mode = 2 positions the inner race by its force balance, but this value frees it",
             "set it to 1, or mode to 0 or 1");
       const std::string amplitude = fmt::format("raceVibAmp{}2", axis);
       const std::string given = fmt::format("kFS{}", axis);
       if (given_and_not_zero(deck, amplitude) && deck.integer(given) == 0)
         add(Severity::Error, amplitude,
-            fmt::format("moves the inner race along {}, where mode = 2 places it by its load",
+            fmt::format("moves the inner race along {}, where mode = 2 positions it by its load",
                         kAxes[static_cast<std::size_t>(axis - 1)]),
             fmt::format("set it to 0, {} to 1, or mode to 0 or 1", given));
     }
     if (given_and_not_zero(deck, "rotLoadFrac2") &&
         (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
       add(Severity::Error, "rotLoadFrac2",
-          "turns a share of the radial load of the inner race, which mode = 2 needs along y and z, "
-          "but kFS2 or kFS3 gives its place there",
+          "turns a fraction of the radial load of the inner race, which mode = 2 needs along y and "
+          "z, but kFS2 or kFS3 gives its position there",
           "set it to 0, kFS2 and kFS3 to 0, or mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
       add(Severity::Error, "kFS1",
-          "gives the place of the inner race along x, y and z, so that mode = 2 has no load to "
+          "gives the position of the inner race along x, y and z, so mode = 2 has no load to "
           "balance",
           "set kFS1, kFS2 or kFS3 to 0, or mode to 1");
   }
@@ -231,7 +232,7 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
     for (const char* code : {"kRaceIP1", "kRaceIP2"})
       if (deck.integer(code) == 1)
         add(Severity::Warning, code,
-            "has no effect: the record of a race's inertia belongs to mode 0 only",
+            "has no effect: the inertia record of a race is used in mode 0 only",
             fmt::format("set {} to 0", code));
   return out;
 }

@@ -14,10 +14,10 @@
 /// 6.2, 7.7).
 namespace adore::setup {
 
-/// What cannot act together, and what a deck leaves open.
+/// Incompatible values, and missing conditions of a deck.
 [[nodiscard]] std::vector<Issue> check_race_motions(const deck::Deck& deck);
 
-/// What of record 6.1 cannot be simulated.
+/// Parts of record 6.1 that cannot be simulated.
 [[nodiscard]] std::vector<Issue> check_element_inertia(const deck::Deck& deck);
 
 /// Loads of free races come from record 9.1.1: they act on the inner race, the opposite ones on the
@@ -28,9 +28,9 @@ namespace adore::setup {
 /// @throws InputError where a value of the record is missing or its radius negative
 [[nodiscard]] std::optional<bearing::FrameMotion> frame_motion(const deck::Deck& deck);
 
-/// What the turning base frame (record 9.5) adds to the load that record 9.1.1 gives: the shares of
-/// the races' centrifugal force, that of the outer race reversed, because it reaches the inner race
-/// through the bearing [N]. Zero without such a frame.
+/// Additional load of the turning base frame (record 9.5) to the load of record 9.1.1: the shares
+/// of the races' centrifugal force, that of the outer race reversed, because it reaches the inner
+/// race through the bearing [N]. Zero without such a frame.
 [[nodiscard]] bearing::Vec3 frame_load(const deck::Deck& deck,
                                        const std::array<bearing::Inertia, 2>& races);
 

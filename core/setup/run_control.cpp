@@ -45,7 +45,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   const int code = static_cast<int>(deck.integer("intMet"));
   out.integrator = integrators::name_of_int_met(code);
   if (out.integrator.empty())
-    throw InputError({deck.issue(Severity::Error, "intMet", "is no integrator",
+    throw InputError({deck.issue(Severity::Error, "intMet", "is not an integrator",
                                  "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
                                  "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
   out.step_initial = deck.si("stpInit");
@@ -78,7 +78,7 @@ namespace {
 /// One option: how it is shown and how a text sets it.
 struct Option {
   OptionInfo info;
-  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is no valid value
+  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is not a valid value
 };
 
 template <class T>
@@ -176,40 +176,38 @@ void add_static_options(std::vector<Option>& table) {
 
 /// Thermal analysis (kTherm): model and surroundings.
 void add_thermal_options(std::vector<Option>& table) {
-  table.push_back(
-      {{"thermalModel", "network",
-        "temperatures of a thermal analysis (kTherm): network (closed heat balance, each ring with "
-        "its own temperature) or ladder (one base temperature, contact heat in halves, both "
-        "raceways as warm as the rolling elements)"},
-       [](RunOptions& o, std::string_view v) {
-         if (v != "network" && v != "ladder") return false;
-         o.thermal_model =
-             v == "network" ? bearing::ThermalModel::Network : bearing::ThermalModel::Ladder;
-         return true;
-       }});
+  table.push_back({{"thermalModel", "network",
+                    "temperatures of a thermal analysis (kTherm): network (closed heat balance, "
+                    "each ring with a separate temperature) or ladder (one base temperature, "
+                    "contact heat split in halves, raceways as warm as the rolling elements)"},
+                   [](RunOptions& o, std::string_view v) {
+                     if (v != "network" && v != "ladder") return false;
+                     o.thermal_model = v == "network" ? bearing::ThermalModel::Network
+                                                      : bearing::ThermalModel::Ladder;
+                     return true;
+                   }});
   table.push_back(
       {{"thermalBase", "deck",
-        "boundaries of the thermal network: deck (the place of kBaseTemp is held at baseTemp) or "
-        "none (only ambient and coolant; of the deck baseTemp is the coolant inlet)"},
+        "boundaries of the thermal network: deck (the location of kBaseTemp is kept at baseTemp) "
+        "or none (only ambient and coolant; baseTemp is the coolant inlet temperature)"},
        [](RunOptions& o, std::string_view v) {
          if (v != "deck" && v != "none") return false;
          o.thermal_base = v == "deck";
          return true;
        }});
-  table.push_back(
-      {{"thermalTransient", "off",
-        "heat capacities of the thermal network: off (each thermal step of a motion sets the "
-        "temperatures of the steady state) or on (temperatures follow in time, in a motion times "
-        "thermalAcceleration; mode -1 also gives a time line from record 9.1.3 to the steady state "
-        "or to seizure)"},
-       [](RunOptions& o, std::string_view v) {
-         if (v != "on" && v != "off") return false;
-         o.thermal_transient = v == "on";
-         return true;
-       }});
+  table.push_back({{"thermalTransient", "off",
+                    "heat capacities of the thermal network: off (each thermal step of a motion "
+                    "sets the steady-state temperatures) or on (temperatures follow in time, "
+                    "accelerated by thermalAcceleration in a motion; mode -1 also gives a time "
+                    "line from record 9.1.3 to the steady state or to seizure)"},
+                   [](RunOptions& o, std::string_view v) {
+                     if (v != "on" && v != "off") return false;
+                     o.thermal_transient = v == "on";
+                     return true;
+                   }});
   table.push_back({{"thermalAcceleration", "1",
                     "thermal time over the time of the motion with thermalTransient=on, 1 to "
-                    "1000000000: a run of 0.1 s shows 100 s of warming with 1000"},
+                    "1000000000: with 1000 a run of 0.1 s shows 100 s of warm-up"},
                    [](RunOptions& o, std::string_view v) {
                      constexpr double kFastest = 1e9;
                      return parse(v, o.thermal_acceleration) && o.thermal_acceleration >= 1.0 &&
@@ -251,10 +249,9 @@ void add_life_options(std::vector<Option>& table) {
                      [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
   };
   add("sol7Life", "lp",
-      "the life that SOL7 stores and that terminal and sweeps show: lp (original "
-      "Lundberg-Palmgren), or a model that this program calibrated on it, lpu, gz or ih (updated "
-      "Lundberg-Palmgren, Gupta-Zaretsky, Ioannides-Harris); alone or with the factors -stle or "
-      "-tallian",
+      "life model in SOL7, terminal output and sweeps: lp (original Lundberg-Palmgren), or a model "
+      "that this program calibrated on it, lpu, gz or ih (updated Lundberg-Palmgren, "
+      "Gupta-Zaretsky, Ioannides-Harris); alone or with the factors -stle or -tallian",
       parse_stored_life);
   add("lifeElements", "gz",
       "rolling elements in the life of the bearing: gz (in Gupta-Zaretsky only, not when "
@@ -268,8 +265,8 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeElementTracks", "separate",
-      "the tracks of both races on a rolling element: separate (other volumes) or shared (one "
-      "volume that both stress, as rollers have)",
+      "tracks of both races on a rolling element: separate (different volumes) or shared (one "
+      "volume that both stress, as in rollers)",
       [](bearing::LifeChoices& o, std::string_view v) {
         if (v != "separate" && v != "shared") return false;
         o.shared_track = v == "shared";
@@ -284,16 +281,16 @@ void add_life_options(std::vector<Option>& table) {
         return true;
       });
   add("lifeLambda", "none",
-      "film parameter (film thickness over roughness) taken for the life factors while no film is "
-      "computed, above 0 to 1000, or none",
+      "film parameter (film thickness over roughness) for the life factors if no film is computed, "
+      "above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });
   add("lifeFilter", "none",
-      "filter rating in micrometres at beta 200 (STLE factor), above 0 to 1000, or none",
+      "filter rating in µm at beta 200 (STLE factor), above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
   add("lifeSkip", "0",
-      "turns of the shaft at the start of the run that the run life leaves out, 0 or more",
+      "shaft revolutions at the start of the run that the life of the run excludes, 0 or more",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
       });
@@ -312,16 +309,15 @@ const std::vector<Option>& options() {
     const RunOptions defaults;
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
-          "quadrature nodes along the contact ellipse's major axis, 10 to 100, rounded up to "
-          "a multiple of 5; in oil 12 (with 4 across) or, of whole strips (kTrac 8 and 12), 16 "
-          "(with 2) unless "
-          "given: nodes that are made for films"},
+          "quadrature nodes along the major axis of the contact ellipse, 10 to 100, rounded up to "
+          "a multiple of 5. Default in oil: 12 (with 4 across), or 16 (with 2) for whole strips "
+          "(kTrac 8 and 12); these nodes are made for films"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
         {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
-          "quadrature nodes along its minor axis, 1 to 64; 4 unless given where a film's traction "
-          "follows the pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
+          "quadrature nodes along the minor axis, 1 to 64. Default 4 if the traction of a film "
+          "depends on pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},
@@ -334,8 +330,8 @@ const std::vector<Option>& options() {
            return false;
          }},
         {{"hertzConstants", "moving",
-          "of balls in motion: moving with the contact angle, or frozen at the mean angle of the "
-          "equilibrium, which is a little faster"},
+          "for balls in motion: moving with the contact angle, or frozen at the mean angle of the "
+          "equilibrium, which is slightly faster"},
          [](RunOptions& o, std::string_view v) {
            if (v != "moving" && v != "frozen") return false;
            o.system.moving_angle = v == "moving";
@@ -345,9 +341,9 @@ const std::vector<Option>& options() {
           "energy loss of all normal contacts: material (loss factors and impact losses of the "
           "materials, squeeze of the oil film), 0 (elastic, for conservation studies: contact "
           "vibrations do not decay), a factor on all of these losses (2x, 0.5x; 0.01x to 100x), or "
-          "the impact loss alpha of all pairs in s/m, above 0 to 100, "
-          "in place of that of the materials; an element that hits a race at a small speed v "
-          "leaves it at about (1 - alpha v) v. Dry steel has 0.08 to 0.32"},
+          "the impact loss alpha of all pairs in s/m, above 0 to 100, instead of that of the "
+          "materials; an element that hits a race at a small speed v rebounds at about (1 - alpha "
+          "v) v. Dry steel has 0.08 to 0.32"},
          [](RunOptions& o, std::string_view v) {
            o.system.damping.impact_loss = 0.0;
            o.system.damping.factor = 1.0;
@@ -363,28 +359,27 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"filmStress", "surface",
-          "stress of films of kTrac 8 and 11 to 20: surface (splines made at set-up, their error "
-          "by the run's tolerance), or direct (every strip integrated at every evaluation, of "
-          "kTrac "
-          "8 and 12, thousands of times dearer; every point solved of the others, two to "
-          "three times)"},
+          "stress of films of kTrac 8 and 11 to 20: surface (interpolated, error set by the run's "
+          "tolerance), or direct (integrated at every evaluation: thousands of times slower for "
+          "kTrac 8 and 12, two to three times for the others)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";
            return true;
          }},
         {{"filmLaw", "code",
-          "traction law of oil films: code (that of kTrac), or recommended (that of the code which "
-          "lubricants.json recommends for the same oil; the film stays that of kTrac)"},
+          "traction law of oil films: code (that of kTrac), or recommended (the law that "
+          "lubricants.json recommends for the same oil; the film remains that of kTrac)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "code" && v != "recommended") return false;
            o.recommended_law = v == "recommended";
            return true;
          }},
         {{"filmStressLimit", "on",
-          "limiting shear stress of oil films between elements and races, a share of the pressure "
-          "that each lubricant has (lubricants.json): on, or off (classic laws; friction "
-          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep theirs). off is reported"},
+          "limiting shear stress of oil films between elements and races, as a fraction of the "
+          "pressure for each lubricant (lubricants.json): on, or off (classic laws; friction "
+          "coefficients far above 0.1 beyond 1 GPa; kTrac 8 and 12 keep their limit). off is "
+          "reported"},
          [](RunOptions& o, std::string_view v) {
            if (v != "on" && v != "off") return false;
            o.stress_limit = v == "on";
@@ -402,10 +397,9 @@ const std::vector<Option>& options() {
            return parse(v, o.user_softening) && o.user_softening >= 0.0 && o.user_softening <= 0.1;
          }},
         {{"filmPrecision", "single",
-          "points of films between elements and races (kTrac; of 12 with iTherm never): single (by "
-          "floats, to 3e-5 of the traction, where tol is 1e-6 or more, the method is explicit "
-          "and "
-          "nothing is held in balance), or double"},
+          "precision of film points between elements and races (kTrac; not for 12 with iTherm): "
+          "single (relative error of traction 3e-5; used only where tol is 1e-6 or more, the "
+          "method is explicit and no elements are kept in balance), or double"},
          [](RunOptions& o, std::string_view v) {
            if (v != "single" && v != "double") return false;
            o.single_films = v == "single";
@@ -443,7 +437,7 @@ const std::vector<Option>& options() {
          }},
         {{"seed", fmt::format("{}", defaults.seed),
           "seed of the random imperfections of rolling elements (kReGeoImp 1), a whole number from "
-          "0 to 9223372036854775807; the same seed makes the same bearing"},
+          "0 to 9223372036854775807; the same seed gives the same bearing"},
          [](RunOptions& o, std::string_view v) {
            std::int64_t value = 0;
            if (!parse(v, value) || value < 0) return false;
@@ -451,7 +445,7 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"effectsOff", "",
-          "effects that the run leaves out, by their names in `adore plan`, with commas between: "
+          "effects that the run leaves out, by their names in `adore plan`, separated by commas: "
           "gravity,momentum ledger"},
          [](RunOptions& o, std::string_view v) {
            const bool elastic = std::count(o.effects_off.begin(), o.effects_off.end(),
@@ -461,8 +455,8 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userProcess", "0",
-          "a plug-in of --user runs in a process of its own, so that its crash or endless loop "
-          "ends the run in order: 1 or 0"},
+          "run a plug-in of --user in a separate process, so that its crash or endless loop ends "
+          "the run properly: 1 or 0"},
          [](RunOptions& o, std::string_view v) {
            int value = 0;
            if (!parse_count(v, value, 0, 1)) return false;
@@ -470,14 +464,13 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"userTimeout", fmt::format("{}", defaults.user_timeout),
-          "time after which a call of a plug-in in a process of its own counts as hanging [s], "
-          "above 0"},
+          "time limit for a call of a plug-in in a separate process [s], above 0"},
          [](RunOptions& o, std::string_view v) {
            return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
          }},
         {{"userSample", fmt::format("{}", defaults.user_sample),
-          "one of so many calls of a user routine of the motion is asked twice, to find routines "
-          "that are no pure functions; 0: none, at most 1000000000"},
+          "one in this many calls of a user routine of the motion is repeated to find routines "
+          "that are not pure functions; 0: none, at most 1000000000"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.user_sample, 0, 1'000'000'000);
          }},

@@ -50,8 +50,8 @@ struct RunControl {
 /// @throws InputError
 [[nodiscard]] RunControl build_run_control(const deck::Deck& deck);
 
-/// What the deck cannot say: named options with defaults (`--opt name=value`, or ADORE.json beside
-/// the deck).
+/// Options that are not in the deck: names with defaults (`--opt name=value`, or ADORE.json in the
+/// folder of the deck).
 struct RunOptions {
   scene::SystemOptions system;
   statics::RollerOptions rollers;
@@ -72,9 +72,9 @@ struct RunOptions {
   double thermal_acceleration = 1.0;     ///< thermal over mechanical time of a motion
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out
-  bool user_process = false;             ///< a plug-in of --user runs in a process of its own
+  bool user_process = false;             ///< a plug-in of --user runs in a separate process
   double user_timeout = 10.0;            ///< after which a call of it there counts as hanging [s]
-  int user_sample = 1024;                ///< one of so many calls is asked twice; 0: none
+  int user_sample = 1024;                ///< one in this many calls is repeated; 0: none
 };
 
 struct OptionInfo {

@@ -45,7 +45,7 @@ std::string film_reason(const bearing::Bearing& bearing) {
       limit > 0.0
           ? fmt::format("limiting shear stress {:.3g} of the pressure at {:.4g} K", limit, T)
           : std::string("no limiting shear stress"),
-      lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
+      lubrication.hot_walls ? "; iTherm = 1: walls have the flash temperature of each strip" : "");
 }
 
 /// Does a ball need no orientation to move: equal moments, mass centre in its middle?
@@ -75,14 +75,14 @@ std::string damping_reason(const scene::ContactDampingOptions& options, const st
   if (options.factor != 1.0) out = fmt::format("run option contactDamping = {:g}x", options.factor);
   const bearing::Material& of_element = bearing.element_material;
   if (all_balanced)
-    out += fmt::format("; none on the races, because {} holds all {}s in balance there", mode,
+    out += fmt::format("; none on the races, because {} keeps all {}s in balance there", mode,
                        element);
   else
     out += "; " + losses_of("races", of_element, bearing.race_material[1], options) +
            (bearing.lubrication && bearing.lubrication->meniscus > 0.0 ? ", squeeze of the oil film"
                                                                        : "");
   if (light_load_ratio > 0.0)
-    out += fmt::format("; {}s that qFac = {:g} holds in balance do not vibrate", element,
+    out += fmt::format("; {}s that qFac = {:g} keeps in balance do not vibrate", element,
                        light_load_ratio);
   const bearing::RollerGeometry* rollers = bearing.rollers();
   const bool flanges = rollers != nullptr && (rollers->has_flange(0) || rollers->has_flange(1));
@@ -160,10 +160,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
     if (std::erase(left_out, name) > 0) {
       if (!can_be_left_out(plan, id))
-        throw InputError(fmt::format(
-            "run option effectsOff: {} cannot be left out of this scene by itself; it follows from "
-            "{}",
-            name, because));
+        throw InputError(
+            fmt::format("run option effectsOff: {} cannot be left out of this scene separately; it "
+                        "follows from {}",
+                        name, because));
       because += on ? "; left out by run option effectsOff" : "";
       on = false;
     }
@@ -173,9 +173,9 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   const bool elastic = std::erase(left_out, kContactDamping) > 0;
   effect(Effect::ContactDamping, kContactDamping, !elastic,
          elastic
-             ? std::string("run option contactDamping = 0, or effectsOff: contacts are elastic; "
-                           "contact vibrations do not decay, so that largest loads, life and "
-                           "spectra are not those of a real bearing")
+             ? std::string(
+                   "run option contactDamping = 0, or effectsOff: contacts are elastic; contact "
+                   "vibrations do not decay, so largest loads, life and spectra are not realistic")
              : damping_reason(options.system.damping, element, bearing, mode,
                               deck.integer("mode") > 0, control.light_load_ratio));
   effect(Effect::RaceTraction, element + " / race traction",
@@ -186,7 +186,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     effect(Effect::RollingResistance, element + " / race rolling resistance",
            bearing.lubrication->meniscus > 0.0,
            bearing.lubrication->meniscus > 0.0
-               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction alone",
+               ? fmt::format("kTrac = {}, oil in the inlets; flanges have traction only",
                              bearing.lubrication->code)
                : std::string("strParam = 0, no oil in the inlets"));
   if (bearing.flange_traction) {
@@ -242,8 +242,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   for (std::size_t j = 0; j < 2; ++j)
     if (!bearing.rollers() && bearing.balls().shim[j] > 0.0)
       effect(Effect::RaceContact, j == 0 ? "split outer race" : "split inner race", true,
-             fmt::format("shimThickness{} > 0: contact with one half; the other half is watched in "
-                         "the static solution only",
+             fmt::format("shimThickness{} > 0: contact with one half; the static solution checks "
+                         "the other half",
                          j + 1));
 
   for (std::size_t j = 0; j < 2; ++j)
@@ -272,16 +272,16 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   }
   int oriented = static_cast<int>(plan.oriented_elements.size());
   const bool rigid = plan.rollers || plan.rigid_balls;
-  effect(
-      Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
-      plan.rollers ? std::string("contacts read the axes of all rollers; total rotation of those "
-                                 "in kPltElemInd, kPrtOpt or kAGraf")
-      : rigid ? fmt::format("kReIP = {}: the inertia of balls turns with them; total rotation of "
-                            "those in kPltElemInd, kPrtOpt or kAGraf",
-                            deck.integer("kReIP"))
-      : control.animate
-          ? fmt::format("kAGraf = {}: all balls", control.animate_every)
-          : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
+  effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
+         plan.rollers ? std::string("contacts use the axes of all rollers; total rotation of those "
+                                    "in kPltElemInd, kPrtOpt or kAGraf")
+         : rigid
+             ? fmt::format("kReIP = {}: the inertia of balls turns with them; total rotation of "
+                           "those in kPltElemInd, kPrtOpt or kAGraf",
+                           deck.integer("kReIP"))
+         : control.animate
+             ? fmt::format("kAGraf = {}: all balls", control.animate_every)
+             : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
   if (!plan.has(Effect::ElementOrientation)) {
     plan.oriented_elements.clear();
     oriented = 0;
@@ -309,8 +309,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     for (const scene::EffectEntry& entry : plan.effects)
       if (can_be_left_out(plan, entry.effect)) names += (names.empty() ? "" : ", ") + entry.name;
     throw InputError(
-        fmt::format("run option effectsOff: this deck has no effect named \"{}\"; what can be left "
-                    "out: {}",
+        fmt::format("run option effectsOff: this deck has no effect named \"{}\"; effects that can "
+                    "be left out: {}",
                     left_out.front(), names));
   }
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <string>
 
-/// What routines of the user do while a deck becomes a model and a plan; nobody here knows where
-/// they come from. A null pointer to this: there is no plug-in.
+/// Functions of user routines while a deck becomes a model and a plan, independent of
+/// their origin. A null pointer to this: there is no plug-in.
 namespace adore::setup {
 
 struct UserHooks {
@@ -28,7 +28,7 @@ struct UserHooks {
   std::function<void(std::size_t k, bearing::GivenRace)> out_of_round;
   int slices = 0;       ///< of rollers
   bool points = false;  ///< barrels touch at points, not in slices
-  // What ADRX1 has said of itself, known when the scene is planned.
+  // Announcements of ADRX1, known when the scene is planned.
   std::array<bool, 2> drives{};         ///< races whose accelerations it gives
   bool moves_frame = false;             ///< it accelerates the base frame
   scene::SuppressedMotions suppressed;  ///< kDOF = 6

@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTasks = "tasks.jsonl";
 constexpr const char* kElsewhere =
-    "copy the study file under another name: its results go beside the copy";
+    "copy the study file under another name: its results are written next to the copy";
 constexpr double kRecordMegabytes = 0.0041;  ///< a block of the disk
 constexpr double kEnoughPilot = 20.0;        ///< [s]; after that no further pilot run
 
@@ -77,8 +77,8 @@ std::vector<Record> made(const CampaignRequest& request, const fs::path& folder,
   return out;
 }
 
-/// Runs the pilots, each in a process of its own. @throws InputError when none of them is worth
-/// anything.
+/// Runs the pilots, each in a separate process. @throws InputError when none of them gives a
+/// result.
 Pilot measure(const CampaignRequest& request, const fs::path& folder,
               const std::vector<Task>& tasks, bool keep_files, const std::stop_token& stop) {
   Pilot out;
@@ -101,10 +101,10 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
         continue;
       }
       if (!record.message.empty() && record.exit_code == 0)
-        throw InputError(fmt::format(
-            "quantities that the runs do not have: {}; leave them out, or change the deck so that "
-            "it gives them",
-            record.message));
+        throw InputError(
+            fmt::format("quantities that the runs do not have: {}; remove them, or change the deck "
+                        "so that it provides them",
+                        record.message));
       records.push_back(record);
       out.wall += record.wall;
     }
@@ -153,10 +153,10 @@ Plan plan_of(const CampaignRequest& request, const Study& study, const fs::path&
     exceeds(fmt::format("{}, and the budget has {:g}",
                         counted(fmt::format("{:.3g}", out.hours), "hour"), *study.budget.hours));
   if (study.budget.disk_megabytes && out.disk_megabytes > *study.budget.disk_megabytes)
-    exceeds(fmt::format("{:.3g} MB on disk, and the budget has {:g}", out.disk_megabytes,
+    exceeds(fmt::format("{:.3g} MB on disk, but the budget is {:g}", out.disk_megabytes,
                         *study.budget.disk_megabytes));
   if (!error && out.disk_megabytes > out.free_disk_megabytes)
-    exceeds(fmt::format("{:.3g} MB on disk, and {:.3g} MB are free in {}", out.disk_megabytes,
+    exceeds(fmt::format("{:.3g} MB on disk, but {:.3g} MB are free in {}", out.disk_megabytes,
                         out.free_disk_megabytes, folder.string()));
   return out;
 }
@@ -172,7 +172,7 @@ std::size_t objective_place(const Study& study) {
   return 0;
 }
 
-/// Counts for the display, whatever the engine.
+/// Counts for the display, for every engine.
 class Meter {
  public:
   Meter(const StudySink& sink, const Plan& plan, long total, long done, long failed)
@@ -246,7 +246,7 @@ class Campaign {
                     pilot);
     if (!plan_.over_budget.empty() && !request_.over_budget)
       throw OverBudget(
-          fmt::format("the study takes more than it may: {}; make it smaller, raise the budget, or "
+          fmt::format("the study exceeds its budget: {}; make it smaller, raise the budget, or "
                       "give --over-budget",
                       plan_.over_budget));
     out_.known = count_known(tasks_, folder_);
@@ -395,13 +395,10 @@ Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
 std::string plan_text(const CampaignRequest& request, const Plan& plan) {
   const Study& study = request.study;
   std::string out = fmt::format(
-      "study:     {}, kind {}\n"
-      "runs:      {}{}, {} of them done already\n"
-      "one run:   {:.3g} s ({:.3g} s of the processor), {:.3g} MB of memory, {:.3g} MB of files "
-      "while it is under way\n"
-      "engine:    {}, {} at a time\n"
-      "time:      {}\n"
-      "disk:      {:.3g} MB stay in {}, {:.3g} MB are free there\n",
+      "study:     {}, kind {}\nruns:      {}{}, {} of them done already\none run:   {:.3g} s "
+      "({:.3g} s of the processor), {:.3g} MB of memory, {:.3g} MB of files while it runs\nengine: "
+      "   {}, {} at a time\ntime:      {}\ndisk:      {:.3g} MB remain in {}, {:.3g} MB are free "
+      "there\n",
       study.file.string(), kind_name(study.kind), study.kind == Kind::WorstCase ? "at most " : "",
       plan.runs, plan.known, plan.pilot.wall, plan.pilot.processor, plan.pilot.memory_megabytes,
       plan.pilot.passing_megabytes, request.engine, plan.workers,
@@ -455,8 +452,8 @@ std::vector<results::FileCheck> verify_study(const fs::path& folder) {
       ++intact;
     else
       out.push_back({file, State::Damaged,
-                     "its text does not have the checksum that it contains; `adore study resume` "
-                     "makes the run again"});
+                     "its text does not match the checksum that it contains; `adore study resume` "
+                     "repeats the run"});
   }
   out.push_back(
       {folder / kTasks, State::Intact,

@@ -9,7 +9,7 @@ namespace adore::studies {
 
 /// parse_study() of a file, its lots with an element for each of the first deck. @throws InputError
 [[nodiscard]] Study open_study(const std::filesystem::path& file);
-/// The same for a text that is not saved; `file` names it, and its decks are beside that.
+/// The same for an unsaved text; `file` names it, and its decks are in the folder of that file.
 [[nodiscard]] Study open_study_text(const std::string& text, const std::filesystem::path& file);
 
 /// The plan exceeds the budget of the study, or the disk.
@@ -23,8 +23,8 @@ struct CampaignRequest {
   std::string engine = "local";   ///< or "slurm"
   std::filesystem::path program;  ///< see EngineWork
   int workers = 0;
-  bool retry_failed = false;  ///< runs whose record says that they failed are made again
-  bool over_budget = false;   ///< the user has seen the plan and wants it all the same
+  bool retry_failed = false;  ///< repeat runs whose record reports a failure
+  bool over_budget = false;   ///< the user has seen the plan and starts the study anyway
 };
 
 struct CampaignOutcome {
@@ -49,11 +49,11 @@ struct Plan {
   Pilot pilot;
   int workers = 1;
   double hours = 0.0, disk_megabytes = 0.0, free_disk_megabytes = 0.0;
-  std::string over_budget;  ///< what exceeds the study's budget, or the disk; empty: nothing
+  std::string over_budget;  ///< limits of the study or the disk that are exceeded; empty: none
 };
 
 /// Measures the pilot (in the middle of the points: neither the easiest nor the hardest corner) in
-/// this process and says what the study takes. @throws InputError, Interrupted
+/// this process and estimates the cost of the study. @throws InputError, Interrupted
 [[nodiscard]] Plan make_plan(const CampaignRequest& request, const std::stop_token& stop);
 [[nodiscard]] std::string plan_text(const CampaignRequest& request, const Plan& plan);
 
@@ -67,7 +67,7 @@ struct Plan {
 CampaignOutcome run_campaign(const CampaignRequest& request, const StudySink& progress,
                              const std::stop_token& stop);
 
-/// What the folder holds. @throws InputError when the study was never started.
+/// Contents of the folder. @throws InputError when the study was never started.
 struct Status {
   long runs = 0, done = 0, failed = 0;
   bool at_work = false;                ///< a driver is running

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-/// Charts as plain data, for the picture program. Values that are no finite numbers become null.
+/// Charts as plain data, for the picture program. Values that are not finite become null.
 namespace adore::studies {
 
 using Chart = nlohmann::ordered_json;
 
-/// The words for a column that is a key result: the unit in its name would stand beside another one
-/// that its numbers have on an axis ("…_Pa [GPa]"). Other columns keep their names.
+/// Label of a column that is a key result: the unit in its name would be next to another
+/// unit on the axis ("…_Pa [GPa]"). Other columns keep their names.
 [[nodiscard]] std::string words_of(const std::string& column);
 
 struct ChartLine {
@@ -30,12 +30,12 @@ struct ChartLine {
                              const std::vector<std::vector<double>>& values,
                              const std::vector<std::vector<std::string>>& marks,
                              const std::vector<std::vector<std::vector<long>>>& runs);
-/// Columns that vary. @param heavy a row that stands out; negative: none; runs: numbers of the rows
+/// Columns that vary. @param heavy a highlighted row; negative: none; runs: numbers of the rows
 [[nodiscard]] Chart parallel_chart(const std::string& name,
                                    const std::vector<const TableColumn*>& columns, long heavy,
                                    const std::vector<long>& runs);
 /// Columns that vary, for parallel_chart: as many variables as leave room for quantities in twelve
-/// axes that can be read, then those. What is looked at is never crowded out by what scatters.
+/// legible axes, then those. Quantities are never displaced by random variables.
 [[nodiscard]] std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variables,
                                                       const std::vector<TableColumn>& quantities);
 struct Bar {

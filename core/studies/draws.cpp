@@ -15,7 +15,7 @@
 namespace adore::studies {
 namespace {
 
-/// Words of a table of its own for each dimension.
+/// Words of a separate table for each dimension.
 RandomTable table_of(std::uint64_t seed, int dimension) {
   const RandomTable seeds(seed);
   return RandomTable(seeds.word(static_cast<std::uint64_t>(dimension)));
@@ -94,10 +94,10 @@ std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int
   const auto n = static_cast<std::size_t>(samples);
   const auto d = static_cast<std::size_t>(dimensions);
   if (method == Sampling::Sobol && dimensions > kSobolDimensions)
-    throw InputError(fmt::format(
-        "sampling.method = sobol: the random variables have {} dimensions (a lot counts one for "
-        "each element), and the sequence has {}; take latin",
-        dimensions, kSobolDimensions));
+    throw InputError(
+        fmt::format("sampling.method = sobol: the random variables have {} dimensions (a lot "
+                    "counts one for each element), but the sequence has {}; use latin",
+                    dimensions, kSobolDimensions));
   std::vector<std::vector<double>> out(n, std::vector<double>(d));
   for (std::size_t k = 0; k < d; ++k) {
     const RandomTable table = table_of(seed, static_cast<int>(k));
@@ -111,7 +111,7 @@ std::vector<std::vector<double>> unit_samples(Sampling method, long samples, int
       for (std::size_t i = 0; i < n; ++i) out[i][k] = unit(table.word(i));
       continue;
     }
-    // Latin: sample i lies in the stratum that its place in a random order names.
+    // Latin: sample i is in the stratum given by its position in a random order.
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// Who computes the runs. Every engine gives the same records: what differs is where and when.
+/// Computes the runs. Every engine gives the same records: only place and time differ.
 namespace adore::studies {
 
 /// For a live display; sent at least once a second while runs are under way.
@@ -16,7 +16,7 @@ struct StudyProgress {
   long done = 0, total = 0, failed = 0;    ///< runs of this study, those of earlier starts included
   int workers = 0;                         ///< at work now
   double elapsed = 0.0, remaining = -1.0;  ///< [s]; negative: not known yet
-  std::string note;                        ///< what the engine waits for; may be empty
+  std::string note;                        ///< reason for waiting; may be empty
   std::string last_failure;                ///< diagnosis of the run that failed last
 };
 using StudySink = std::function<void(const StudyProgress&)>;

@@ -184,7 +184,7 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
-/// What run_task() and the key see of a task, in one order: base, study, point.
+/// Settings of a task for run_task() and the key, in one order: base, study, point.
 Settings options_of(const Job& job, const Task& task) {
   Settings out = job.decks.at(task.point.deck).options;
   const auto over = [&](const Settings& more) {
@@ -307,7 +307,7 @@ std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, l
       (void)deck::set_all_and_follow(deck, sets_of(job, task));
       hash.add(deck::write_deck(deck));
     } catch (const InputError& error) {
-      hash.add(error.what());  // the run will be refused with the same sentence
+      hash.add(error.what());  // the run will be rejected with the same sentence
     }
     for (const auto& [name, value] : [&] {
            const Settings options = options_of(job, task);
@@ -376,11 +376,12 @@ std::vector<Task> read_tasks(const fs::path& file, std::size_t decks) {
     out.push_back(parse_task(line, source));
     if (out.size() > 1 && out.back().number <= out[out.size() - 2].number)
       FolderFile(source.file, source.line)
-          .refuse("run", out.back().number,
-                  fmt::format("not above that of the line before, {}", out[out.size() - 2].number));
+          .refuse(
+              "run", out.back().number,
+              fmt::format("not above that of the previous line, {}", out[out.size() - 2].number));
     bytes += memory_of(out.back().point);
     if (bytes > kMaxStudyBytes)
-      throw InputError(fmt::format("{}, line {}: its runs take more than {:.3g} GB of memory",
+      throw InputError(fmt::format("{}, line {}: its runs need more than {:.3g} GB of memory",
                                    source.file, source.line, kMaxStudyBytes / 1e9));
   }
   return out;

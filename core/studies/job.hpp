@@ -23,7 +23,7 @@ namespace adore::studies {
 struct Job {
   struct Base {
     std::filesystem::path deck;  ///< copy in the study's folder
-    Settings options;            ///< of the ADORE.json beside the original
+    Settings options;            ///< of the ADORE.json in the folder of the original
   };
   std::vector<Base> decks;
   Settings sets, options;
@@ -44,7 +44,7 @@ struct Record {
   std::string key;
   int exit_code = 0;               ///< 0 done, 2 refused, 3 failed or not to be trusted, 1 crashed
   std::vector<double> values;      ///< one per quantity; NaN: none
-  std::string message;             ///< diagnosis, or what is missing
+  std::string message;             ///< diagnosis, or missing data
   std::vector<std::string> codes;  ///< of its findings, each once, sorted
   // Measured.
   double processor = 0.0, wall = 0.0;  ///< [s]
@@ -63,7 +63,7 @@ struct Record {
                                            long first_number);
 
 [[nodiscard]] std::string task_line(const Task& task);
-/// Where a line of tasks is from, and which decks its job has.
+/// Origin of a line of tasks, and the decks of its job.
 struct TaskSource {
   std::string file;
   long line = 0;          ///< from 1
@@ -87,8 +87,8 @@ void write_tasks(const WriteFolder& folder, const std::string& name,
 void write_record(const std::filesystem::path& folder, const Record& record);
 
 /// Computes one run. Nothing when it was interrupted, or a process that it needs was killed.
-/// @throws WriteError when the disk is full:
-/// that is no result of the run.
+/// @throws WriteError when the disk is full,
+/// which is not a result of the run.
 [[nodiscard]] std::optional<Record> run_task(const Job& job, const Task& task,
                                              const std::filesystem::path& folder,
                                              const std::stop_token& stop);

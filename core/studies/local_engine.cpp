@@ -19,17 +19,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/// One process per core. A process that dies takes its run with it and nothing else: the run is
-/// made again by another one. A run whose process crashes by itself gets a record of that. A death
-/// from outside (SIGKILL, SIGTERM ...) says nothing about the run and never becomes a record: it is
-/// made again after the others, and one that is killed over and over stays unfinished. The system
-/// kills processes when memory ends, so that SIGKILL is met with fewer of them.
+/// One process per core. A process that dies takes only its run with it: another one repeats
+/// the run. A run whose process crashes gets a record of that. A kill
+/// from outside (SIGKILL, SIGTERM ...) is not caused by the run and never becomes a record: the run
+/// is repeated after the others, and one that is killed repeatedly stays unfinished. The system
+/// kills processes when memory is short, so after SIGKILL fewer of them are used.
 namespace adore::studies {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCrashes = 2;  ///< by itself (SIGSEGV ...): then the run has its record
+constexpr int kCrashes = 2;  ///< crashed (SIGSEGV ...): then the run has its record
 constexpr int kKills = 20;   ///< from outside: then it is left, so that no study runs for ever
 constexpr double kOfMemory = 0.8;  ///< of what is free may be planned for
 constexpr double kLeastMegabytes = 64.0;
@@ -124,8 +124,8 @@ class Worker {
  private:
   [[noreturn]] static void refuse() {
     throw WriteError(
-        fmt::format("no further process can be started: {}; raise the limit of "
-                    "processes and files (ulimit -u, -n), or give fewer --workers",
+        fmt::format("no further process can be started: {}; raise the limit of processes and files "
+                    "(ulimit -u, -n), or give fewer --workers",
                     std::strerror(errno)));
   }
   pid_t pid_ = -1;
@@ -152,11 +152,11 @@ class LocalEngine {
       listen();
     }
     if (left_ > 0 && !stop.stop_requested())
-      throw InputError(fmt::format(
-          "{} no result: the process that computed each of them was killed from outside "
-          "{} times, as somebody does, or the system when memory ends; all others are recorded, go "
-          "on with `adore study resume`, if memory is short with --workers 1",
-          counted(left_, "run has", "runs have"), kKills));
+      throw InputError(
+          fmt::format("{} no result: the process that computed each of them was killed {} times, "
+                      "by a user or by the system when memory was short; all others are recorded, "
+                      "continue with `adore study resume`, if memory is short with --workers 1",
+                      counted(left_, "run has", "runs have"), kKills));
   }
 
  private:
@@ -184,8 +184,7 @@ class LocalEngine {
     std::string note =
         held ? "memory allows " + counted(workers_.size(), "process", "processes") : "";
     if (kills_ > 0)
-      note +=
-          fmt::format("{}{} killed from outside and made again", note.empty() ? "" : ", ", kills_);
+      note += fmt::format("{}{} killed and repeated", note.empty() ? "" : ", ", kills_);
     news_(busy(), note);
   }
 
@@ -220,7 +219,7 @@ class LocalEngine {
     if (!line.starts_with("done ") || worker.task() == nullptr) return;
     const std::optional<Record> record = read_record(work_.folder, worker.task()->key);
     if (!record)
-      throw WriteError(fmt::format("{}: this record was written and cannot be read",
+      throw WriteError(fmt::format("{}: this record was written but cannot be read",
                                    record_file(work_.folder, worker.task()->key).string()));
     megabytes_ = std::max(megabytes_, record->memory_megabytes);
     worker.is_free();
@@ -265,7 +264,7 @@ class LocalEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "the process that computed it ended by {}, {}, a bug of the program; try it again "
+        "the process that computed it ended by {}, {}, which is a bug of the program; try it again "
         "with --retry-failed",
         signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
                     : fmt::format("exit code {}", WEXITSTATUS(status)),

@@ -12,7 +12,7 @@ namespace {
 
 double number_in(const char* path) {
   double value = 0.0;
-  return InputFile(path) >> value ? value : -1.0;  // "max" is no number
+  return InputFile(path) >> value ? value : -1.0;  // "max" is not a number
 }
 
 }  // namespace

@@ -103,13 +103,12 @@ std::vector<std::vector<double>> sampled(const Study& study) {
 long checked(double count, double bytes, const Study& study) {
   if (count > static_cast<double>(kMaxStudyRuns))
     throw InputError(
-        fmt::format("{}: the study has {:.3g} runs, and {} is the most; take fewer "
-                    "values or samples",
+        fmt::format("{}: the study has {:.3g} runs, more than {}; use fewer values or samples",
                     study.file.string(), count, kMaxStudyRuns));
   if (bytes > kMaxStudyBytes)
     throw InputError(
-        fmt::format("{}: the list of {:.3g} runs takes {:.3g} GB of memory, and {:.3g} GB is the "
-                    "most; take fewer values or samples",
+        fmt::format("{}: the list of {:.3g} runs needs {:.3g} GB of memory, more than {:.3g} GB; "
+                    "use fewer values or samples",
                     study.file.string(), count, bytes / 1e9, kMaxStudyBytes / 1e9));
   return static_cast<long>(count);
 }

@@ -13,13 +13,13 @@ struct Point {
   std::size_t deck = 0;  ///< of Study::decks
   Settings sets, options;
   std::vector<double> values;  ///< one per Columns::names
-  std::string label;           ///< what-if: the case; else empty
+  std::string label;           ///< what-if: the case; otherwise empty
 };
 
-/// The columns of the table that say what was varied.
+/// The columns of the table with the varied values.
 struct Columns {
   std::vector<std::string> names;  ///< deck variables, options; lots have one for each element
-  bool decks = false;              ///< more than one deck: a column of its own
+  bool decks = false;              ///< more than one deck: a separate column
   bool labels = false;
 };
 [[nodiscard]] Columns columns_of(const Study& study);

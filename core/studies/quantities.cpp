@@ -37,7 +37,7 @@ class Channels {
     if (times_.empty()) return out;
     const double begin = times_.front(), span = times_.back() - begin;
     const double low = begin + from * span, high = begin + to * span;
-    // An instant at the very end belongs to it, whatever rounding says.
+    // An instant at the very end belongs to it, despite rounding.
     const double slack = 1e-12 * span;
     const auto first = std::lower_bound(times_.begin(), times_.end(), low - slack);
     const auto last = std::upper_bound(first, times_.end(), high + slack);
@@ -74,7 +74,7 @@ class Channels {
     const auto velocity = file_.read("cage.velocity", in.first, in.count);
     const auto omega = file_.read("cage.angular_velocity", in.first, in.count);
     const std::size_t cages = in.count > 0 ? y.size() / in.count : 0;
-    if (cages != 1) throw InputError("whirl figures are of one cage of one piece");
+    if (cages != 1) throw InputError("whirl figures need a one-piece cage");
     // The clearance, from the two forms of the position.
     double ratio = 0.0, size = 0.0;
     for (std::size_t i = 0; i < in.count; ++i) {
@@ -94,13 +94,13 @@ class Channels {
  private:
   static std::size_t place(const Quantity& quantity, const std::vector<std::size_t>& dimensions) {
     if (quantity.places.size() != dimensions.size())
-      throw InputError(fmt::format("{}: it has {}, and \"at\" gives {}", quantity.channel,
+      throw InputError(fmt::format("{}: it has {}, but \"at\" gives {}", quantity.channel,
                                    counted(dimensions.size(), "index", "indices"),
                                    quantity.places.size()));
     std::size_t at = 0;
     for (std::size_t k = 0; k < dimensions.size(); ++k) {
       if (quantity.places[k] > dimensions[k])
-        throw InputError(fmt::format("{}: index {} goes to {}, and \"at\" asks for {}",
+        throw InputError(fmt::format("{}: index {} goes to {}, but \"at\" gives {}",
                                      quantity.channel, k + 1, dimensions[k], quantity.places[k]));
       at = at * dimensions[k] + quantity.places[k] - 1;
     }
@@ -153,7 +153,7 @@ double percentile_of_sorted(const std::vector<double>& sorted, double percent) {
   const auto below = static_cast<std::size_t>(at);
   if (below + 1 >= sorted.size()) return sorted.back();
   const double share = at - static_cast<double>(below);
-  // Not a + share (b - a): an infinite life beside a finite one is no NaN.
+  // Not a + share (b - a): an infinite and a finite life would give NaN.
   return share == 0.0 ? sorted[below] : (1.0 - share) * sorted[below] + share * sorted[below + 1];
 }
 

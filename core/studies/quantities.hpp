@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What a run says to the study's questions.
+/// Results of a run for the quantities of the study.
 namespace adore::studies {
 
 /// Does one of them need RESULTS.h5?
@@ -16,12 +16,12 @@ namespace adore::studies {
 
 struct Answers {
   std::vector<double> values;  ///< one per quantity, SI; NaN: the run does not say
-  std::string missing;         ///< a sentence that names what it does not say; empty: nothing
+  std::string missing;         ///< a sentence that names missing quantities; empty: none
 };
 
 /// @param folder of the run's files
-/// @param why a key result is not there, as the deck tells; may return nothing
-/// @throws results::ReaderKilled, which says nothing about the run
+/// @param why reason for a missing key result, from the deck; may return nothing
+/// @throws results::ReaderKilled, whose cause is not the run
 [[nodiscard]] Answers answer(const std::vector<Quantity>& quantities,
                              const results::KeyResults& summary,
                              const std::filesystem::path& folder,

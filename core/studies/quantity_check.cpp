@@ -48,7 +48,7 @@ std::string of_channel(std::string_view id, const deck::Deck& deck) {
   if (id.starts_with("flange.") && deck.integer("kBrg") == 1)
     not_there = "a ball bearing has no roller flanges";
   if (id.starts_with("neighbour.") && deck.integer("nCseg") > 0)
-    not_there = "the cage keeps the elements from touching each other";
+    not_there = "the cage separates the elements";
   if (id.starts_with("thermal.") && deck.integer("kTherm") == 0)
     not_there = "there is no thermal analysis (kTherm = 0)";
   return first({no_motion(deck, "stores no channels"), not_there});
@@ -59,19 +59,18 @@ std::string of_result(const std::string& id, const deck::Deck& deck, const std::
   const bool figure =
       std::find(kWhirlFigures.begin(), kWhirlFigures.end(), id) != kWhirlFigures.end();
   if (figure)
-    return first({no_motion(deck, "stores no motion of a cage"), no_cage(deck),
-                  deck.integer("nCseg") > 1 ? "whirl figures are of one cage of one piece" : ""});
+    return first({no_motion(deck, "stores no cage motion"), no_cage(deck),
+                  deck.integer("nCseg") > 1 ? "whirl figures need a one-piece cage" : ""});
   if (starts_with_one_of(id, {"life_", "largest_contact_load_N"})) return {};
   const bool of_start = starts_with_one_of(
       id, {"displacement_", "load_x", "load_y", "load_z", "load_about_", "largest_pressure_",
            "stiffness_", "friction_", "outer_race_temperature", "inner_race_temperature",
            "element_temperature", "coolant_exit_", "operating_", "outer_fit_", "inner_fit_"});
   if (of_start)
-    return deck.integer("mode") < 0 ? ""
-                                    : fmt::format(
-                                          "only a quasi-static run (mode below 0) has it, "
-                                          "and mode is {}",
-                                          deck.integer("mode"));
+    return deck.integer("mode") < 0
+               ? ""
+               : fmt::format("only a quasi-static run (mode below 0) has it, but mode is {}",
+                             deck.integer("mode"));
   const bool of_cage = starts_with_one_of(id, {"mean_cage_", "mean_whirl_", "mean_swept_whirl_"});
   const bool of_steps = starts_with_one_of(id, {"mean_", "load_departure", "energy_residual"});
   return first({no_motion(deck, "has no motion"), of_cage ? no_cage(deck) : "",

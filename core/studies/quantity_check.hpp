@@ -9,8 +9,8 @@
 /// Which quantities the runs of a deck cannot have, known before anything is computed.
 namespace adore::studies {
 
-/// Why runs of this deck have no such quantity, "the scene has no cage (nCseg = 0)"; empty: they
-/// have it, as far as a deck tells. `until`: the study says how far runs go.
+/// Reason why runs of this deck do not have the quantity, "the scene has no cage (nCseg = 0)";
+/// empty: they have it, as far as the deck shows. `until`: the study gives the length of the runs.
 [[nodiscard]] std::string why_missing(const Quantity& quantity, const deck::Deck& deck,
                                       const std::string& until);
 

@@ -95,9 +95,9 @@ void Reporter::no_part() {
       for (const TableColumn& column : table_.variables)
         if (none.variable == column.name)
           text_ +=
-              fmt::format("note: {} varies and plays no part: {}\n", none.variable, none.because);
+              fmt::format("note: {} varies but has no effect: {}\n", none.variable, none.because);
   } catch (const std::exception&) {
-    // The runs say what is wrong.
+    // The runs report the errors.
   }
 }
 
@@ -109,7 +109,8 @@ void Reporter::failures() {
                          table_.message[i]);
   }
   if (shown > kShownFailures)
-    text_ += fmt::format("and {} more failed; RUNS.csv says why\n", shown - kShownFailures);
+    text_ +=
+        fmt::format("and {} more failed; see RUNS.csv for the reasons\n", shown - kShownFailures);
 }
 
 /// The most severe first, then by number. Quiet notes are left out.

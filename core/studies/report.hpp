@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// What a study says, as text and as charts.
+/// Report of a study, as text and as charts.
 namespace adore::studies {
 
 struct Report {

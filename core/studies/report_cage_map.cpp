@@ -64,9 +64,9 @@ void Reporter::cage_map() {
     text_ += "\n";
   }
   text_ += fmt::format(
-      "\nresting: the centre moves less than {:g} of the clearance about its mean place; "
-      "whirling: more, with a deviation below {:g} of the whirl ratio; irregular: else. Judged "
-      "over the second half of each run.\n\n",
+      "\nresting: the center moves less than {:g} of the clearance about its mean position; "
+      "whirling: more, with a deviation below {:g} of the whirl ratio; irregular: all others. "
+      "Judged over the second half of each run.\n\n",
       kRestingOrbit, kSteadyDeviation);
 }
 

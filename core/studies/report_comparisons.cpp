@@ -102,14 +102,14 @@ void Reporter::what_if() {
     const auto& own = results_.records[base];
     for (std::size_t k = 0; k < each; ++k) {
       const auto& record = results_.records[base + k];
-      text_ +=
-          fmt::format("  {:<28} {}\n", table_.label[base + k],
-                      !record                  ? "not finished"
-                      : record->exit_code != 0 ? "failed: " + record->message
-                      : own && own->processor > 0.0
-                          ? fmt::format("{:.3g} s of the processor, {:.2f} of the deck as it is",
-                                        record->processor, record->processor / own->processor)
-                          : "");
+      text_ += fmt::format(
+          "  {:<28} {}\n", table_.label[base + k],
+          !record                  ? "not finished"
+          : record->exit_code != 0 ? "failed: " + record->message
+          : own && own->processor > 0.0
+              ? fmt::format("{:.3g} s of the processor, {:.2f} of that of the original deck",
+                            record->processor, record->processor / own->processor)
+              : "");
       if (!record || record->exit_code != 0) continue;
       for (const TableColumn& quantity : table_.quantities) {
         const double value = quantity.values[base + k], was = quantity.values[base];
@@ -125,7 +125,7 @@ void Reporter::what_if() {
         bars.push_back({table_.label[base + k],
                         100.0 * (quantity.values[base + k] / quantity.values[base] - 1.0), 0.0});
       charts_.push_back(tornado(fmt::format("what-if-{}-{}", deck + 1, file_name(quantity.name)),
-                                "what changes " + quantity.name, "change in percent", bars));
+                                "changes of " + quantity.name, "change in percent", bars));
     }
     text_ += "\n";
   }

@@ -123,7 +123,7 @@ void Reporter::influence() {
       const std::vector<double>& values = shown.values;
       const std::string& name = shown.name;
       double sum = 0.0;
-      int known = 0;  // a point whose runs all failed says nothing
+      int known = 0;  // a point whose runs all failed gives no information
       for (const auto& rows : groups) {
         const double one = rank_correlation(picked({{}, {}, values}, rows), picked(quantity, rows));
         if (std::isnan(one)) continue;
@@ -140,7 +140,7 @@ void Reporter::influence() {
     text_ += bars.empty() ? "  too few results\n" : "\n";
     if (bars.empty()) continue;
     charts_.push_back(tornado("influence-" + file_name(quantity.name),
-                              "what scatters: " + words_of(quantity.name), "rank correlation",
+                              "sources of scatter: " + words_of(quantity.name), "rank correlation",
                               bars));
   }
   text_ += "\n";

@@ -17,7 +17,7 @@ inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// A column's name as part of a file name.
 [[nodiscard]] std::string file_name(std::string text);
 [[nodiscard]] std::vector<double> sorted_values(const std::vector<double>& values);
-/// "-" of what there is none.
+/// "-" for missing values.
 [[nodiscard]] std::string number(double value, int digits = 5);
 
 class Reporter {
@@ -28,7 +28,7 @@ class Reporter {
  private:
   // report.cpp
   void head();
-  /// What varies and acts on nothing.
+  /// Variables without effect.
   void no_part();
   void failures();
   /// Number of runs with each code.

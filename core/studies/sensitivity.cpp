@@ -33,10 +33,10 @@ double value_in(const deck::Deck& deck, const std::string& name) {
     if (!deck.has_record(ref.record->id, instance)) continue;
     return deck.real(bare, instance, element);
   }
-  throw InputError(fmt::format(
-      "variable {}: the deck has no such value; choose the options that ask for its record in "
-      "\"set\"",
-      name));
+  throw InputError(
+      fmt::format("variable {}: the deck does not have this value; choose options in \"set\" that "
+                  "require its record",
+                  name));
 }
 
 }  // namespace
@@ -50,16 +50,15 @@ std::vector<BaseValue> base_values(const Study& study, std::size_t deck) {
   for (const Variable& variable : study.variables) {
     if (variable.option)
       throw InputError(fmt::format(
-          "option {}: a sensitivity is of deck variables; compare options with kind sweep",
+          "option {}: a sensitivity study varies deck variables; compare options with kind sweep",
           variable.name));
     BaseValue base;
     base.value = value_in(loaded.deck, variable.name);
     base.step = variable.step > 0.0 ? variable.step : kShare * std::abs(base.value);
     if (base.step == 0.0)
-      throw InputError(
-          fmt::format("variable {}: its value is 0, which says nothing of a fitting "
-                      "difference; give \"step\"",
-                      variable.name));
+      throw InputError(fmt::format(
+          "variable {}: its value is 0, so a suitable difference is unknown; give \"step\"",
+          variable.name));
     out.push_back(base);
   }
   return out;

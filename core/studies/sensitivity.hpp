@@ -7,12 +7,12 @@
 
 /// Derivatives of every quantity over every variable.
 ///
-/// By differences: five runs a variable, at -2, -1, 0, 1 and 2 steps, all with the same integrator,
-/// tolerance and end, so that errors of the integration that both sides share drop out:
+/// By differences: five runs per variable, at -2, -1, 0, 1 and 2 steps, all with the same
+/// integrator, tolerance and end, so that errors of the integration that both sides share drop out:
 ///   d1 = (f(1) - f(-1)) / 2h,  d2 = (f(2) - f(-2)) / 4h,  derivative = (4 d1 - d2) / 3
-/// whose error is of fourth order in h; |d1 - d2| / 3 bounds what is left of the second, and stands
-/// beside it: where a motion is irregular it is as large as the derivative, and says so.
-/// Of an equilibrium exactly: static_sensitivity.hpp.
+/// whose error is of fourth order in h; |d1 - d2| / 3 bounds the rest of second order and is
+/// printed with it: for an irregular motion it is as large as the derivative. Of an equilibrium
+/// exactly: static_sensitivity.hpp.
 namespace adore::studies {
 
 /// The base, then -2, -1, 1, 2 steps of each variable. @throws InputError for a variable whose base

@@ -109,11 +109,11 @@ int slurm_cores() {
   std::string error;
   const auto text = command_output({"sinfo", "--noheader", "--format=%C"}, &error);
   if (!text)
-    throw InputError(fmt::format(
-        "--engine slurm: {}; install Slurm (packages slurm-wlm and munge), start it, or take "
-        "--engine local",
-        error.empty() ? "there is no Slurm on this machine (sinfo is not found)"
-                      : "Slurm does not answer: " + error.substr(0, error.find('\n'))));
+    throw InputError(
+        fmt::format("--engine slurm: {}; install Slurm (packages slurm-wlm and munge), start it, "
+                    "or use --engine local",
+                    error.empty() ? "there is no Slurm on this machine (sinfo is not found)"
+                                  : "Slurm does not answer: " + error.substr(0, error.find('\n'))));
   // allocated/idle/other/total, one line per partition
   long most = 0;
   std::istringstream lines(*text);
@@ -122,7 +122,8 @@ int slurm_cores() {
       most = std::max(most, whole(parts[0], 0) + whole(parts[1], 0));
   if (most == 0)
     throw InputError(
-        "--engine slurm: no node is up (`sinfo` shows why); start it, or take --engine local");
+        "--engine slurm: no node is up (`sinfo` shows the reason); start one, or use --engine "
+        "local");
   return static_cast<int>(most);
 }
 

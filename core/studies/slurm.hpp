@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What the Slurm commands say.
+/// Output of the Slurm commands.
 namespace adore::studies {
 
 /// Output of a command, or nothing when it is not there or fails; `error` gets what it said.

@@ -18,10 +18,10 @@
 #include <set>
 #include <thread>
 
-/// Job arrays: each element computes a piece of the list, run by run, and skips what has a record.
-/// So a piece that Slurm requeues (node failure) or that is submitted again (time limit, memory)
-/// loses at most its run in flight. What is done is seen by the records, never by what Slurm says;
-/// Slurm's word is asked for why a piece ended without them.
+/// Job arrays: each element computes a part of the list, run by run, and skips runs with a record.
+/// So a part that Slurm requeues (node failure) or that is submitted again (time limit, memory)
+/// loses at most its current run. Records show the progress, never the messages of Slurm;
+/// Slurm is only asked why a part ended without them.
 namespace adore::studies {
 namespace fs = std::filesystem;
 namespace {
@@ -55,7 +55,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// A death that says nothing about the run: it is no reason for a record. A shell says a signal as
+/// A death that is not caused by the run: it gives no record. A shell reports a signal as
 /// exit code 128 + signal.
 bool from_outside(const SlurmEnd& end) {
   constexpr int kOfShell = 128;
@@ -64,8 +64,8 @@ bool from_outside(const SlurmEnd& end) {
   return false;
 }
 
-/// The kernel says so to Slurm where control groups watch memory. Where Slurm watches it itself
-/// (OverMemoryKill) the job fails by SIGKILL, and only what it left as its last words tells.
+/// The kernel reports it to Slurm if control groups limit memory. If Slurm checks it itself
+/// (OverMemoryKill) the job fails by SIGKILL, and only its last output shows the cause.
 bool out_of_memory(const SlurmEnd& end, const std::string& said) {
   if (end.state == "OUT_OF_MEMORY") return true;
   return end.state == "FAILED" && (said.find("Exceeded job memory limit") != std::string::npos ||
@@ -101,17 +101,17 @@ class SlurmEngine {
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
-            "--engine slurm: {} submissions in a row gave no result; {}; what the jobs said is in "
-            "{}",
-            kFruitless, reason_.empty() ? "Slurm does not say why" : reason_, folder_.string()));
+            "--engine slurm: {} submissions in a row gave no result; {}; the output of the jobs is "
+            "in {}",
+            kFruitless, reason_.empty() ? "Slurm gives no reason" : reason_, folder_.string()));
     }
     if (stop_.stop_requested())
       cancel();
     else if (given_up_ > 0)
-      throw InputError(fmt::format(
-          "{} no result: the process that computed each of them was killed from outside "
-          "{} times; all others are recorded, go on with `adore study resume --engine slurm`",
-          counted(given_up_, "run has", "runs have"), kKills));
+      throw InputError(
+          fmt::format("{} no result: the process that computed each of them was killed {} times; "
+                      "all others are recorded, continue with `adore study resume --engine slurm`",
+                      counted(given_up_, "run has", "runs have"), kKills));
   }
 
  private:
@@ -177,10 +177,11 @@ class SlurmEngine {
          "--chdir=" + work_.folder.string(), script.string()},
         &said);
     if (!answer || answer->empty())
-      throw InputError(fmt::format("--engine slurm: sbatch refuses the job: {}",
+      throw InputError(fmt::format("--engine slurm: sbatch rejected the job: {}",
                                    said.substr(0, said.find('\n'))));
     job_ = answer->substr(0, answer->find_first_of(";\n"));
-    if (!is_slurm_job(job_)) throw InputError("--engine slurm: sbatch names no job: " + *answer);
+    if (!is_slurm_job(job_))
+      throw InputError("--engine slurm: sbatch returned no job number: " + *answer);
     write_study_file(
         place_, kCurrent,
         dump_json(
@@ -214,7 +215,7 @@ class SlurmEngine {
       if (left_.empty() && (!queue || queue->empty())) return;
       if (queue && queue->empty()) return;
       if (!queue) {
-        news_(0, "Slurm does not answer; waiting for it");
+        news_(0, "Slurm does not respond; waiting for it");
       } else {
         int running = 0, waiting = 0;
         for (const auto& [state, count] : *queue)
@@ -276,8 +277,8 @@ class SlurmEngine {
       } else if (end.state == "CANCELLED") {
         forget_job();
         throw InputError(
-            "somebody cancelled the job in Slurm; what is finished is recorded, go on with "
-            "`adore study resume`");
+            "the job was canceled in Slurm; finished runs are recorded, continue with `adore study "
+            "resume`");
       } else if (end.state == "FAILED" && from_outside(end)) {
         ++killed_;
         if (++kills_[culprit->key] < kKills) continue;
@@ -305,8 +306,8 @@ class SlurmEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "Slurm ended it at its {} limit, {} times, though the limit was doubled each time; it "
-        "takes far more than the pilot runs: look at it alone, then --retry-failed",
+        "Slurm ended it at its {} limit, {} times, although the limit was doubled each time; it "
+        "needs far more than the pilot runs: examine it separately, then --retry-failed",
         late ? "time" : "memory", kLimits);
     write_record(work_.folder, record);
     done_(record);

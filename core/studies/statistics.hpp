@@ -7,9 +7,9 @@ namespace adore::studies {
 
 struct Percentile {
   double percent = 0.0, value = 0.0;
-  /// Where the true percentile lies with 95 % probability, whatever the law: order statistics whose
-  /// ranks are n p ± 1.96 √(n p (1 - p)), the ends of the sample at most. Of independent samples;
-  /// Latin and Sobol samples do better.
+  /// 95 % confidence interval of a percentile, for any distribution: order statistics with the
+  /// ranks n p ± 1.96 √(n p (1 - p)), at most the ends of the sample. For independent samples;
+  /// Latin and Sobol samples are better.
   double low = 0.0, high = 0.0;
 };
 

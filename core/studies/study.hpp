@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// What a study asks for, as plain values: decks, what varies, what is looked at, how far to go.
+/// Contents of a study as plain values: decks, variables, quantities, length of the runs.
 namespace adore::studies {
 
 /// Name and value, as `--set` and `--opt` take them.
@@ -111,7 +111,7 @@ struct Study {
   Budget budget;
 
   [[nodiscard]] bool has_random() const;
-  /// Where its results are: "clearance.json" -> "clearance.study" beside it.
+  /// Folder of its results: "clearance.json" -> "clearance.study" in the same folder.
   [[nodiscard]] std::filesystem::path folder() const;
 };
 

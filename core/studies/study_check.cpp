@@ -82,7 +82,7 @@ std::string key_of_sentence(const std::string& sentence, const std::string& file
   const std::string rest = sentence.substr(end);
   const auto follows = [&](std::string_view words) { return rest.starts_with(words); };
   return follows(" = ") || follows(": ") || follows(" is missing") || follows(" is empty") ||
-                 follows(" plays no part") || follows(" holds ")
+                 follows(" is not used") || follows(" has no effect") || follows(" contains ")
              ? key
              : std::string();
 }

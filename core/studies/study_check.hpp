@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// What can be said against a study before anything is computed.
+/// Errors of a study that are found before any computation.
 namespace adore::studies {
 
 /// make_points(), of a worst-case search its first round.
@@ -19,8 +19,8 @@ namespace adore::studies {
 void check_decks(const Study& study, const std::vector<Point>& points);
 
 /// "clearance.json: variables[2].normal = ...", "clearance.toml, line 9: variables[2].normal = ..."
-/// -> "variables[2].normal": which key a sentence of
-/// parse_study() is about; empty when it is about none.
+/// -> "variables[2].normal": the key in a sentence of
+/// parse_study(); empty without a key.
 [[nodiscard]] std::string key_of_sentence(const std::string& sentence, const std::string& file);
 
 }  // namespace adore::studies

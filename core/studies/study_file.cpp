@@ -57,7 +57,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& known
 std::string value_of(const Json& json, JsonObject& object, std::string_view key) {
   if (json.is_string()) return json.get<std::string>();
   if (json.is_number() || json.is_boolean()) return dump_json(json);
-  object.refuse(key, "an object of names with numbers or texts, {\"appLoadX\": 500}");
+  object.refuse(key, "an object of names with numbers or strings, {\"appLoadX\": 500}");
 }
 
 Settings read_settings(JsonObject& object, std::string_view key) {
@@ -125,15 +125,14 @@ void read_law(JsonObject& object, Variable& out) {
       constexpr double kFar = 6.0;
       if (!(cut[0] < cut[1]) || cut[0] > out.a + kFar * out.b || cut[1] < out.a - kFar * out.b)
         object.refuse("within",
-                      "[low, high] with low below high, not wholly beyond six deviations");
+                      "[low, high] with low below high, not entirely beyond six deviations");
       out.low = cut[0];
       out.high = cut[1];
     }
   }
   if (laws != 1)
-    throw InputError(
-        fmt::format("{}: give exactly one of grid, list, uniform and normal, and this has {}",
-                    object.at(out.option ? "option" : "name"), laws));
+    throw InputError(fmt::format("{}: give exactly one of grid, list, uniform and normal, not {}",
+                                 object.at(out.option ? "option" : "name"), laws));
 }
 
 Variable read_variable(const Json& json, const std::string& where, Kind kind) {
@@ -147,7 +146,7 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   check_name(object, out.option ? "option" : "name", out.name, out.option);
   if (object.has("also")) {
     if (out.option || out.lot())
-      object.refuse("also", "it only beside the name of a single deck variable");
+      object.refuse("also", "it only with the name of a single deck variable");
     out.also = object.texts("also", "a list of deck variables that take the same value");
     for (const std::string& name : out.also) check_name(object, "also", name, false);
   }
@@ -163,7 +162,7 @@ Variable read_variable(const Json& json, const std::string& where, Kind kind) {
   read_law(object, out);
   if (object.has("common")) {
     if (!out.lot())
-      object.refuse("common", "it only for lots, whose name has a # for the element's number");
+      object.refuse("common", "it only for lots, whose name has a # for the element number");
     out.common = object.number("common", "a correlation from 0 to 1");
     if (out.common < 0.0 || out.common > 1.0)
       object.refuse("common", "a correlation of the elements of one lot from 0 to 1");
@@ -292,10 +291,10 @@ void read_correlations(const Json& json, const std::string& where, Study& out) {
           std::find_if(out.variables.begin(), out.variables.end(),
                        [&](const Variable& variable) { return variable.name == name; });
       if (found == out.variables.end() || found->law == Law::Values || found->lot())
-        throw InputError(fmt::format(
-            "{}: \"{}\" is none of the variables with uniform or normal (elements of a lot are "
-            "correlated by \"common\")",
-            at, name));
+        throw InputError(
+            fmt::format("{}: \"{}\" is not one of the variables with uniform or normal (elements "
+                        "of a lot are correlated by \"common\")",
+                        at, name));
     }
     if (!(std::abs(next.value) <= 1.0) || next.first == next.second)
       throw InputError(at + " = " + dump_json(row) +
@@ -311,7 +310,7 @@ void read_cases(const Json& json, const std::string& where, Study& out) {
   for (std::size_t i = 0; i < json.size(); ++i) {
     JsonObject object(json[i], fmt::format("{}[{}]", where, i + 1));
     WhatIfCase next;
-    next.name = object.text("name", "what the case is called in the report");
+    next.name = object.text("name", "the name of the case in the report");
     if (!names.insert(next.name).second) object.refuse("name", "a name that no other case has");
     if (object.has("set")) next.sets = read_settings(object, "set");
     if (object.has("options")) next.options = read_settings(object, "options");
@@ -335,7 +334,7 @@ void read_budget(const Json& json, const std::string& where, Study& out) {
   object.done();
 }
 
-/// What fits no kind, or not this one.
+/// Keys that fit no kind, or not this one.
 void check_kind(const Study& study, const std::string& name) {
   const auto refuse = [&](const std::string& text) { throw InputError(name + ": " + text); };
   const auto random = [](const Variable& v) { return v.law != Law::Values; };
@@ -344,45 +343,47 @@ void check_kind(const Study& study, const std::string& name) {
   if (!study.bearing_seeds.empty() &&
       (study.kind == Kind::WhatIf || study.kind == Kind::Sensitivity ||
        study.kind == Kind::WorstCase))
-    refuse(fmt::format("bearing_seeds plays no part in kind {}; leave it out, or take kind sweep",
+    refuse(fmt::format("bearing_seeds has no effect in kind {}; remove it, or use kind sweep",
                        kind_name(study.kind)));
   if (study.kind == Kind::WorstCase && study.decks.size() > 1)
-    refuse("a worst-case search is of one deck; give \"deck\", and a study for each deck");
+    refuse("a worst-case search uses one deck; give \"deck\", and a study for each deck");
   std::set<std::string> names;
   for (const Variable& variable : study.variables)
     if (!names.insert(variable.name).second)
-      refuse(fmt::format("variables holds {} twice; give each once", variable.name));
+      refuse(fmt::format("variables contains {} twice; give each once", variable.name));
   for (const Variable& variable : study.variables)
     for (const auto& [set, value] : variable.option ? study.options : study.sets)
       if (set == variable.name)
-        refuse(fmt::format("{} is set to {} and varies too; leave one of them out", set, value));
+        refuse(fmt::format("{} is set to {} and varies too; remove one of them", set, value));
   if (study.kind == Kind::WhatIf) {
     if (!study.variables.empty())
-      refuse("a what-if study compares cases; leave variables out, or take kind sweep");
+      refuse("a what-if study compares cases; remove variables, or use kind sweep");
     return;
   }
   if (study.variables.empty() && study.bearing_seeds.size() < 2)
     refuse("variables is empty; give at least one {\"name\": ..., \"grid\": [first, last, count]}");
   if (study.kind == Kind::CageMap && (values != 2 || count != 0))
     refuse(
-        fmt::format("a cage-map spans two variables with grid or list (speed and clearance), and "
+        fmt::format("a cage-map has two variables with grid or list (speed and clearance), but "
                     "this study has {} of them and {} random ones",
                     values, count));
   if (study.kind == Kind::Tolerance && count == 0)
     refuse("a tolerance study needs a variable with uniform or normal");
   if (study.kind == Kind::WorstCase) {
-    if (values != 0) refuse("a worst-case search goes through ranges: give every variable uniform");
+    if (values != 0) refuse("a worst-case search uses ranges: give every variable uniform");
     for (const Variable& variable : study.variables)
       if (variable.law != Law::Uniform)
-        refuse(fmt::format("variable {}: a worst-case search needs ends; give uniform [low, high]",
-                           variable.name));
+        refuse(
+            fmt::format("variable {}: a worst-case search needs limits; give uniform [low, high]",
+                        variable.name));
     if (!study.correlations.empty())
-      refuse("correlation plays no part in a worst-case search; leave it out");
+      refuse("correlation has no effect in a worst-case search; remove it");
   }
   if (study.has_random() && study.samples == 0)
-    refuse("sampling.runs is missing: say how many samples the uniform and normal variables take");
+    refuse(
+        "sampling.runs is missing: give the number of samples of the uniform and normal variables");
   if (!study.has_random() && study.samples > 0 && study.kind != Kind::Sensitivity)
-    refuse("sampling.runs plays no part without variables that are uniform or normal");
+    refuse("sampling.runs has no effect without variables that are uniform or normal");
 }
 
 }  // namespace
@@ -405,8 +406,8 @@ namespace {
 /// Each variable and quantity is a column of the table.
 void require_columns(std::size_t count, const JsonObject& object, std::string_view key) {
   if (count > kMaxTableColumns)
-    throw InputError(fmt::format("{}: {} entries, and {} are the most; take fewer", object.at(key),
-                                 count, kMaxTableColumns));
+    throw InputError(fmt::format("{}: {} entries, but at most {} are allowed; use fewer",
+                                 object.at(key), count, kMaxTableColumns));
 }
 
 Study checked_study(const Json& json, const std::filesystem::path& file) {
@@ -429,17 +430,17 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
     for (const std::string& deck : object.texts("decks", "a list of deck files"))
       out.decks.push_back(path_of(deck));
     if (out.decks.empty() || object.has("deck"))
-      object.refuse("decks", "one or more deck files, and no \"deck\" beside them");
+      object.refuse("decks", "one or more deck files, without \"deck\"");
   } else {
-    out.decks = {
-        path_of(object.text("deck", "the base deck, a path from the study file's folder"))};
+    out.decks = {path_of(
+        object.text("deck", "the base deck, a path relative to the folder of the study file"))};
   }
   if (object.has("set")) out.sets = read_settings(object, "set");
   if (object.has("options")) out.options = read_settings(object, "options");
   if (object.has("until"))
     out.until = object.text("until", "the end of each run: \"5rev\", \"0.02s\" or \"1000\"");
   if (object.has("integrator"))
-    out.integrator = object.text("integrator", "a name as `adore run --integrator` takes");
+    out.integrator = object.text("integrator", "a name that `adore run --integrator` accepts");
   if (object.has("tolerance")) {
     out.tolerance = object.number("tolerance", "a local error limit between 0 and 1");
     if (!(*out.tolerance > 0.0 && *out.tolerance < 1.0))
@@ -458,8 +459,7 @@ Study checked_study(const Json& json, const std::filesystem::path& file) {
           static_cast<double>(std::max<std::size_t>(1, out.variables.back().values.size()));
       if (combinations > static_cast<double>(kMaxStudyRuns))
         throw InputError(
-            fmt::format("{}: their values have {:.3g} combinations, and {} is the most; take "
-                        "fewer values",
+            fmt::format("{}: their values have {:.3g} combinations, more than {}; use fewer values",
                         object.at("variables"), combinations, kMaxStudyRuns));
     }
   }

@@ -66,7 +66,7 @@ double JsonObject::number(std::string_view key, std::string_view valid) {
 
 long JsonObject::whole(std::string_view key, long least, long most, std::string_view valid) {
   const auto& value = get(key, valid);
-  // 1e3 is written as a real number and is whole all the same.
+  // 1e3 is written as a real number but is whole.
   const double number = value.is_number() ? value.get<double>() : std::nan("");
   if (!(number == std::floor(number) && number >= static_cast<double>(least) &&
         number <= static_cast<double>(most)))
@@ -111,21 +111,20 @@ void JsonObject::done() const {
     known.insert(known.end(), asked_.begin(), asked_.end());
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
-    std::erase(known, key);  // known, and of no use beside the others
+    std::erase(known, key);  // known, but not used with the others
     const auto nearest =
         std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
           return edit_distance(a, key) < edit_distance(b, key);
         });
     std::string list;
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-    throw InputError(
-        fmt::format("{} plays no part here{}; it takes {}, and remarks under keys that begin with "
-                    "\"//\"",
-                    at(key),
-                    nearest != known.end() && edit_distance(*nearest, key) <= 3
-                        ? fmt::format("; do you mean \"{}\"?", *nearest)
-                        : std::string(),
-                    list));
+    throw InputError(fmt::format(
+        "{} is not used here{}; valid are {}, and remarks under keys that begin with \"//\"",
+        at(key),
+        nearest != known.end() && edit_distance(*nearest, key) <= 3
+            ? fmt::format("; do you mean \"{}\"?", *nearest)
+            : std::string(),
+        list));
   }
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Keys of a study file, read one by one; what nobody asked for is refused at the end.
+/// Keys of a study file, read one by one; unread keys are rejected at the end.
 namespace adore::studies {
 
 class JsonObject {
@@ -20,7 +20,8 @@ class JsonObject {
   /// "clearance.json: variables[2].normal"
   [[nodiscard]] std::string at(std::string_view key) const;
 
-  /// @throws InputError when the key is missing or of another kind; `valid` says what it takes.
+  /// @throws InputError when the key is missing or has another type; `valid` describes valid
+  /// values.
   [[nodiscard]] const nlohmann::ordered_json& get(std::string_view key, std::string_view valid);
   [[nodiscard]] std::string text(std::string_view key, std::string_view valid);
   [[nodiscard]] double number(std::string_view key, std::string_view valid);

@@ -12,7 +12,7 @@
 namespace adore::studies {
 namespace {
 
-using Json = nlohmann::json;  // sorted keys: their order is no difference
+using Json = nlohmann::json;  // sorted keys: their order does not matter
 using Values = nlohmann::ordered_json;
 
 Json bare(const Json& value) {
@@ -67,10 +67,10 @@ class Splicer {
     return place.simple;
   }
 
-  /// Keys that stay are changed; in a table that stands on lines of its own others come and go.
+  /// Existing keys are changed; a table with one key per line gains and loses keys.
   bool table(const TomlPlace& place, const Values& value) {
     bool done = true;
-    std::size_t last = place.keys_begin;  // where a further key may stand
+    std::size_t last = place.keys_begin;  // possible position of a new key
     for (const auto& [key, child] : place.keys) {
       const auto now = value.find(key);
       if (now != value.end() && !now->is_null())

@@ -13,10 +13,10 @@ struct EditedText {
   bool rewritten = false;  ///< as a whole: comments behind values and inside lists are gone
 };
 
-/// A text of `file`, whose values were others, with `values` instead. TOML: values that differ are
-/// replaced where they stand; keys and rows that come or go take or leave lines of their own, with
-/// the comment behind them. What cannot be placed so (a row in a list of [[tables]]), and JSON, is
-/// written anew. Reading the text gives `values`, remarks ("// ...") apart.
+/// A text of `file`, with `values` instead of its present values. TOML: different values are
+/// replaced in place; new and removed keys and rows add or remove whole lines, with
+/// their comments. Other changes (a row in a list of [[tables]]), and JSON, are
+/// written anew. Reading the text gives `values`, except for remarks ("// ...").
 [[nodiscard]] EditedText edited_study_text(const std::string& text,
                                            const nlohmann::ordered_json& values,
                                            const std::filesystem::path& file);

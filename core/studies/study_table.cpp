@@ -46,13 +46,13 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
     const std::size_t values = columns_of(study).names.size();
     for (const Task& task : tasks)
       if (task.point.values.size() != values)
-        refuse(fmt::format("run {} has {}, and the study has {}", task.number,
+        refuse(fmt::format("run {} has {}, but the study has {}", task.number,
                            counted(task.point.values.size(), "value"), values));
     return;
   }
   const std::vector<Point> points = make_points(study);
   if (tasks.size() != points.size())
-    refuse(fmt::format("it has {}, and the study has {}", counted(tasks.size(), "run"),
+    refuse(fmt::format("it has {}, but the study has {}", counted(tasks.size(), "run"),
                        points.size()));
   // A program of another version may differ in the last digit.
   constexpr double kSame = 1e-9;
@@ -64,7 +64,7 @@ void check_tasks(const Study& study, const std::vector<Task>& tasks) {
     if (is.deck != expected.deck || is.label != expected.label ||
         !std::equal(is.values.begin(), is.values.end(), expected.values.begin(),
                     expected.values.end(), same))
-      refuse(fmt::format("line {}, run {}: not that of the study", i + 1, tasks[i].number));
+      refuse(fmt::format("line {}, run {}: does not match the study", i + 1, tasks[i].number));
   }
 }
 

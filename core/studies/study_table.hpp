@@ -14,8 +14,8 @@ struct TableColumn {
   std::vector<double> values;
 };
 
-/// One row per run, in the order of the study; nothing in it was measured, so that the table of a
-/// study is the same bytes whatever the engine, the order and the interruptions.
+/// One row per run, in the order of the study; it contains no measured times, so the table of a
+/// study has the same bytes for every engine, order and interruption.
 struct StudyTable {
   std::vector<long> run, exit;           ///< exit -1: not finished
   std::vector<std::string> deck, label;  ///< empty unless the study has several decks, or cases

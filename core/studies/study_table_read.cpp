@@ -27,8 +27,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 std::string no_table_text(const std::string& why) {
   return fmt::format(
-      "this is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or its "
-      "folder",
+      "this is not a table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or "
+      "its folder",
       why);
 }
 
@@ -88,7 +88,7 @@ StudyTable read_csv(const fs::path& file) {
   const std::string text = read_text_file(file, kMaxStudyTableBytes);
   StudyTable out;
   std::vector<std::string> head;
-  // Where a column's values go: run, exit, deck, case, message, or a number of a column.
+  // Target of a column's values: run, exit, deck, case, message, or a number of a column.
   std::vector<TableColumn*> places;
   std::size_t from = 0;
   while (from < text.size()) {
@@ -169,7 +169,7 @@ class H5Table {
  public:
   explicit H5Table(const fs::path& file)
       : file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
-    if (!file_.valid()) no_table("it is no HDF5 file");
+    if (!file_.valid()) no_table("it is not an HDF5 file");
   }
   StudyTable read() const {
     StudyTable out;
@@ -280,7 +280,7 @@ std::vector<TableColumn> columns_of(const Json& json) {
   return out;
 }
 
-/// In a process of its own: what a damaged file does to the HDF5 library stays there.
+/// In a separate process: effects of a damaged file on the HDF5 library stay there.
 StudyTable read_h5(const fs::path& file) {
   results::h5::Limits limits;
   limits.memory = std::size_t{2} << 30;

@@ -5,11 +5,11 @@
 /// A study's table without its study: what RUNS.csv and STUDY.h5 still say in another place.
 namespace adore::studies {
 
-/// A file that begins as RUNS.csv does, or ends in .h5 and is no RESULTS.h5.
+/// A file that begins as RUNS.csv does, or ends in .h5 and is not a RESULTS.h5.
 [[nodiscard]] bool is_study_table(const std::filesystem::path& file);
 
-/// RUNS.csv or STUDY.h5. CSV does not say what was varied: columns called as a variable of a deck
-/// or a run option are taken for that. @throws InputError
+/// RUNS.csv or STUDY.h5. CSV does not mark varied columns: columns named like a variable of a deck
+/// or a run option count as varied. @throws InputError
 [[nodiscard]] StudyTable read_study_table(const std::filesystem::path& file);
 
 /// Charts of a table alone, as Report::charts: all runs in parallel, and each quantity over each
@@ -21,7 +21,7 @@ namespace adore::studies {
 
 /// The same from the study's folder, with what it cost and the command that repeats it.
 [[nodiscard]] std::string run_text(const std::filesystem::path& folder, long run);
-/// Where the run's own files are, if the study keeps them; else empty.
+/// Folder of the run's files, if the study keeps them; otherwise empty.
 [[nodiscard]] std::filesystem::path run_files(const std::filesystem::path& folder, long run);
 
 }  // namespace adore::studies

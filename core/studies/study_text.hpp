@@ -12,7 +12,7 @@ namespace adore::studies {
 struct StudyText {
   nlohmann::ordered_json json;       ///< remarks are keys that begin with "//"
   std::map<std::string, int> lines;  ///< "variables[2].normal" -> line, from 1; TOML only
-  /// Comments of a TOML file that are no value of `json`: behind a value, or inside a list.
+  /// Comments of a TOML file that are not a value of `json`: after a value, or inside a list.
   bool loose_comments = false;
 };
 
@@ -23,11 +23,11 @@ struct StudyText {
 /// first level become its remark.
 [[nodiscard]] StudyText read_study_text(const std::string& text, const std::filesystem::path& file);
 
-/// The text of a study, a key of the first level on a line of its own, lists of long rows with a
-/// line for each. Reading it gives `json` again.
+/// The text of a study, one key of the first level per line, lists of long rows with one
+/// line per row. Reading it gives `json` again.
 [[nodiscard]] std::string write_study_text(const nlohmann::ordered_json& json, bool toml);
 
-/// A value as write_study_text() writes it in TOML, and a key with it on a line of its own.
+/// A value as write_study_text() writes it in TOML, and a key with it on a separate line.
 [[nodiscard]] std::string toml_text(const nlohmann::ordered_json& value);
 [[nodiscard]] std::string toml_line(const std::string& key, const nlohmann::ordered_json& value);
 

@@ -43,7 +43,7 @@ class Reader {
     if (const auto* whole = node.as_integer()) return whole->get();
     if (const auto* number = node.as_floating_point()) return number->get();
     if (const auto* truth = node.as_boolean()) return truth->get();
-    std::ostringstream date;  // no key takes one: the checker says what it takes
+    std::ostringstream date;  // no key accepts one: the checker reports it
     date << toml::node_view<const toml::node>(node);
     return date.str();
   }
@@ -90,7 +90,7 @@ void keep_comments(const std::string& text, StudyText& out) {
     const std::size_t hash = line.find('#');
     if (hash == std::string::npos) continue;
     const bool alone = line.find_first_not_of(" \t") == hash;
-    // A # inside a text is no comment: names of lots have one.
+    // A # inside a string is not a comment: names of lots have one.
     if (!alone && std::count(line.begin(), line.begin() + static_cast<long>(hash), '"') % 2 == 1 &&
         std::count(line.begin() + static_cast<long>(hash), line.end(), '#') == 1)
       continue;
@@ -187,7 +187,7 @@ class NestingScan {
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
       if (c == '\n') {
-        if (!long_one) return;  // not TOML: the library says so
+        if (!long_one) return;  // not TOML: the library reports it
         ++line_;
       } else if (c == '\\' && quote == '"') {
         if (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;

@@ -9,9 +9,9 @@
 /// First round: the samples, the middle, and the corners of the box while there are no more than 32
 /// of them (quantities that rise or fall throughout have their extreme in a corner). Then a compass
 /// search from the best point: a step of a quarter of each range to both sides of every variable;
-/// where that finds nothing better the step is halved, down to a hundredth. It finds the extreme of
-/// a quantity with one summit; with several, that of the summit whose foot a sample has found.
-/// Every round is known from the results before it, so that a search goes on after an
+/// if that finds nothing better the step is halved, down to a hundredth. It finds the extreme of
+/// a quantity with one maximum; with several, that of the maximum near a sample.
+/// Every round follows from the results before it, so that a search can continue after an
 /// interruption.
 namespace adore::studies {
 

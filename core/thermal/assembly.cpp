@@ -140,10 +140,9 @@ RollerOperation operating_rollers(const MountedState& state, const RollerSizes& 
 
 double tapered_setting_change(double clearance_change, double outer_half_angle) {
   if (!(outer_half_angle > 0.0 && outer_half_angle < 1.5707))
-    throw InputError(
-        fmt::format("the half angle of a tapered outer raceway is {} rad; it must lie between 0 "
-                    "and 90 degrees",
-                    outer_half_angle));
+    throw InputError(fmt::format(
+        "the half angle of a tapered outer raceway is {} rad; it must be between 0 and 90 degrees",
+        outer_half_angle));
   return -0.5 * clearance_change / std::tan(outer_half_angle);
 }
 

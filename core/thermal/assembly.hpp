@@ -68,7 +68,7 @@ struct MountedState {
 /// Free contact angle of a ball bearing [rad]: cos α = 1 - Pd/(2A) with the distance A of the
 /// curvature centres; 0 when Pd <= 0 (and when Pd >= 4A, where no such angle exists).
 [[nodiscard]] double contact_angle(double clearance, double centre_distance);
-/// Free axial play 2 A sin α of the circular grooves [m].
+/// Free axial clearance 2 A sin α of the circular grooves [m].
 [[nodiscard]] double end_play(double centre_distance, double contact_angle);
 
 /// A race split in the middle and ground by a shim s, of groove radius r:
@@ -84,7 +84,7 @@ struct SplitRace {
 [[nodiscard]] SplitRace split_race(double groove_radius, double ball_diameter, double shim,
                                    double measured_clearance, double centre_distance);
 
-/// Diametral play between cage and race at a guide land [m]: the race's land radius moves by
+/// Diametral clearance between cage and race at a guide land [m]: the race's land radius moves by
 /// u_race, the cage's by u_cage. Outer race: 2 (r + u_race - r_cage - u_cage); inner race: the
 /// negative.
 [[nodiscard]] double land_clearance(int race, double race_radius, double u_race, double cage_radius,

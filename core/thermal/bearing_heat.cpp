@@ -313,7 +313,7 @@ void list_ladder(BearingHeat& heat) {
   heat.leaving.push_back({"bearing", "shaft", heat.flows.race[1]});
 }
 
-/// What a reader must know of the result.
+/// Notes on the result.
 void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   const bearing::ThermalInputs& in = *b.thermal;
   if (!(b.envelope.shaft_bore > 0.0))
@@ -333,21 +333,21 @@ void add_notes(BearingHeat& out, const Bearing& b, double cage_speed) {
   if (out.clamped)
     out.notes.emplace_back(
         "ladder: housing or shaft would be colder than the coldest given temperature and is held "
-        "there; thermalModel=network has a closed balance");
+        "there; thermalModel=network closes the heat balance");
   const double T_mean = out.temperature.coolant_mean;
   if (out.coolant && out.coolant->outside(T_mean))
-    out.notes.push_back(fmt::format(
-        "the coolant's properties are known from {:g} to {:g} K; its mean temperature is {:.4g} K, "
-        "and the nearer end is used",
-        out.coolant->T_min, out.coolant->T_max, T_mean));
+    out.notes.push_back(
+        fmt::format("the coolant's properties are known from {:g} to {:g} K; at its mean "
+                    "temperature of {:.4g} K those of the nearer end are used",
+                    out.coolant->T_min, out.coolant->T_max, T_mean));
   if (out.coolant && b.cage && !in.convection_given) {
     const double reynolds = out.coolant->density * std::abs(cage_speed - b.speed[0]) *
                             b.cage->outer_diameter * b.cage->outer_diameter /
                             (2.0 * out.coolant->viscosity);
     if (reynolds > 4e5)
       out.notes.push_back(
-          fmt::format("convection of the cage is extrapolated: its Reynolds number is {:.3g}, the "
-                      "correlation is from tests up to 4e5",
+          fmt::format("convection of the cage is extrapolated: its Reynolds number is {:.3g}, and "
+                      "the correlation was measured up to 4e5",
                       reynolds));
   }
 }
@@ -479,7 +479,7 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
       change = std::max(change, std::abs(now[k] - before[k]));
     before = now;
     if (change < kTried) break;
-    // Nothing above absolute zero is left to evaluate properties at: runaway(), too_cold() say so.
+    // No properties exist below absolute zero: runaway() and too_cold() report it.
     if (!runaway(out.bulk).empty() || (flows && !(T_in > 0.0 && T_mean > 0.0))) break;
   }
   if (is_ladder) list_ladder(out);

@@ -52,7 +52,7 @@ struct Coolant {
   }
 };
 
-/// What geometry and lubricant work with: one temperature for each part.
+/// Temperatures of geometry and lubricant: one for each part.
 struct BulkTemperatures {
   std::array<double, 2> race{};
   double element = 0.0, cage = 0.0, housing = 0.0, shaft = 0.0, medium = 0.0;  ///< [K]
@@ -117,7 +117,7 @@ struct HeatStep {
                                              const RaceConductance& contact = {},
                                              const HeatStep* step = nullptr);
 
-/// What of a temperature field no bearing survives, in words; empty: none.
+/// Parts of a temperature field that no bearing survives, in words; empty: none.
 [[nodiscard]] std::string runaway(const BulkTemperatures& bulk);
 /// The hottest node above kHottest, films included, in words; empty: none.
 [[nodiscard]] std::string hot_node(const BearingHeat& heat);

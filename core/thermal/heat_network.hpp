@@ -8,12 +8,12 @@
 /// Steady heat flow between nodes, SI, kelvin:
 ///   Σ_j G_ij (T_i - T_j) = H_i for a free node i, T_i given for a boundary node.
 /// All conductances are above 0, so the matrix of the free nodes is symmetric, positive definite
-/// and an M-matrix (its inverse has no negative element). For H >= 0 two facts follow, whatever the
-/// values are: no node is colder than the coldest boundary, and the boundaries take Σ H. A free
-/// node with H = 0 lies between its coldest and its hottest neighbor; one with H > 0 is hotter than
+/// and an M-matrix (its inverse has no negative element). For H >= 0 two facts follow, for all
+/// values: no node is colder than the coldest boundary, and the boundaries take Σ H. A free
+/// node with H = 0 is between its coldest and its hottest neighbor; one with H > 0 is hotter than
 /// its coldest neighbor.
 /// With heat capacities one implicit step is the same system with C_i/Δt as a link of each node to
-/// its own temperature before the step, so the same facts hold for steps of any length.
+/// its previous temperature, so the same facts are valid for steps of any length.
 namespace adore::thermal {
 
 class HeatNetwork {

@@ -182,7 +182,7 @@ struct NodalResult {
   NetworkTemperatures temperature;
   double to_coolant = 0.0, to_housing = 0.0, to_shaft = 0.0;  ///< [W]
 };
-/// @throws SolverError when a node hangs on nothing
+/// @throws SolverError when a node is not connected
 [[nodiscard]] NodalResult solve_network(const NodalNetwork& network);
 
 }  // namespace adore::thermal

@@ -134,7 +134,7 @@ void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const Mou
   balls.clearance = report.operating.clearance;
   balls.contact_angle = report.operating.contact_angle;
   balls.groove_plane = plane;
-  // The groove centres of groove_geometry must come to lie on the moved circles.
+  // The groove centers of groove_geometry must be on the moved circles.
   const double offset = (balls.groove_factor[0] - 0.5) * balls.diameter;
   balls.pitch_diameter =
       2.0 * (report.locus[0] + (balls.contact_angle > 0.0 ? offset * std::cos(balls.contact_angle)
@@ -159,8 +159,8 @@ void move_play(const std::string& name, int race, double cage_diameter, double& 
     entry.operating = land_clearance(race, race_radius, u_race, cage_radius, u_cage);
   if (entry.free >= 0.0 && entry.operating < 0.0)
     report.warnings.push_back(
-        fmt::format("the cage loses its play: {} was {:.4g} m and is {:.4g} m in operation", name,
-                    entry.free, entry.operating));
+        fmt::format("the cage loses its clearance: {} was {:.4g} m and is {:.4g} m in operation",
+                    name, entry.free, entry.operating));
   play = entry.operating;
   report.plays.push_back(entry);
 }
@@ -176,7 +176,7 @@ void move_pocket(const std::string& name, double& clearance, double diameter, do
   report.plays.push_back(entry);
 }
 
-/// What the cage's motion and pockets follow from, of balls or rollers.
+/// Quantities that determine motion and pockets of the cage, for balls or rollers.
 struct ElementSizes {
   int count = 0;
   double diameter = 0.0, pitch_diameter = 0.0;  ///< [m]
@@ -218,7 +218,7 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
       statics::epicyclic_speeds(elements.count, elements.diameter, elements.pitch_diameter,
                                 elements.angle, free.speed[0], free.speed[1])
           .cage_speed;
-  // Segments are no ring that rotation could stretch.
+  // Segments are not a ring that rotation could stretch.
   const double stretched_at = cage.segments.several() ? 0.0 : report.cage_speed;
   const RingPart ring = part(free, cage.material, free.cage_temperature, 0.5 * cage.inner_diameter,
                              0.5 * cage.outer_diameter, stretched_at);
@@ -263,11 +263,12 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 
 void warn(OperatingFits& report, const Bearing& free) {
   const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
-  // The play of cones is the axial setting, which the bearing's place on the shaft decides.
+  // The clearance of cones is the axial setting, which the bearing's position on the shaft
+  // determines.
   if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
-                    "in operation; the bearing is preloaded radially by its own fits and growths",
+                    "in operation; fits and growth preload the bearing radially",
                     report.free.clearance, report.mounted.clearance, report.operating.clearance));
   for (std::size_t j = 0; j < 2; ++j) {
     const bearing::FitState& fit = report.fit[j];
@@ -282,7 +283,7 @@ void warn(OperatingFits& report, const Bearing& free) {
       if (limit > 0.0 && std::abs(stress) > limit)
         say(
             fmt::format("the hoop stress of the {} is {:.4g} Pa, above its elastic limit of {:.4g} "
-                        "Pa: the fit calculation, which is elastic, does not hold",
+                        "Pa: the elastic fit calculation is not valid",
                         what, stress, limit));
     };
     check(j == 0 ? "outer race" : "inner race", fit.race_hoop, fit.race_limit);
@@ -368,13 +369,13 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
   const double bore = 0.5 * b.envelope.bore, outside = 0.5 * b.envelope.outer_diameter;
   if (!(raceway_radius[0] > 0.0 && raceway_radius[0] < outside))
     throw InputError(
-        fmt::format("the outer raceway radius is {} m; it must lie inside the bearing's outside "
-                    "radius of {} m, or there is no ring left",
+        fmt::format("the outer raceway radius is {} m; it must be smaller than the bearing's "
+                    "outside radius of {} m, so that a ring is left",
                     raceway_radius[0], outside));
   if (!(raceway_radius[1] > bore && bore > 0.0))
     throw InputError(
         fmt::format("the inner raceway radius is {} m; it must be larger than the bore radius of "
-                    "{} m, which must be above 0, or there is no ring left",
+                    "{} m, which must be above 0, so that a ring is left",
                     raceway_radius[1], bore));
   MountedRings out;
   out.shaft = part(b, b.mounting.shaft, b.mounting.shaft_temperature, 0.5 * b.envelope.shaft_bore,
@@ -402,8 +403,8 @@ Bearing operating_bearing(const Bearing& free) {
   add_ball_states(report, free, groove, state, mounted, ball_growth);
   if (!(report.operating.clearance < 2.0 * report.operating.centre_distance))
     throw InputError(
-        fmt::format("the operating clearance is {} m: beyond {} m the free contact angle passes 90 "
-                    "degrees; check fits, temperatures and speeds",
+        fmt::format("the operating clearance is {} m: beyond {} m the free contact angle exceeds "
+                    "90 degrees; check fits, temperatures and speeds",
                     report.operating.clearance, 2.0 * report.operating.centre_distance));
 
   Bearing out = free;

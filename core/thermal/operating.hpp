@@ -7,11 +7,11 @@
 /// build_bearing and statics.
 namespace adore::thermal {
 
-/// The rings of a bearing and what they are mounted on, with their growths and speeds.
+/// The rings of a bearing with shaft and housing, with their growths and speeds.
 /// Uses envelope, materials, mounting, temperatures and speeds only, so it serves every bearing
 /// type. With material laws the elastic moduli are those at each part's temperature.
 /// @param raceway_radius groove bottom or raceway of outer and inner race at room temperature [m]
-/// @throws InputError when a raceway lies outside its ring, or a temperature is not above 0 K.
+/// @throws InputError when a raceway is outside its ring, or a temperature is not above 0 K.
 [[nodiscard]] MountedRings mounted_rings(const bearing::Bearing& bearing,
                                          const std::array<double, 2>& raceway_radius);
 
@@ -33,7 +33,7 @@ namespace adore::thermal {
 /// contact (α' >= 90°).
 [[nodiscard]] bearing::Bearing operating_bearing(const bearing::Bearing& bearing);
 
-/// What fits, temperatures and speeds make of a roller bearing.
+/// Change of a roller bearing by fits, temperatures and speeds.
 struct OperatingRollers {
   RollerOperation rollers;  ///< roller sizes, pitch diameter, clearance, axial setting
   MountedState state;       ///< displacement of the races at any radius (lands, flanges)

@@ -34,7 +34,7 @@ Field less(const Field& a, const Field& b) {
   return out;
 }
 
-/// What one pass finds.
+/// Result of one pass.
 struct Pass {
   Bearing operating;
   statics::FrictionEstimate friction;
@@ -51,7 +51,7 @@ Pass one_pass(const Bearing& as_built, const BulkTemperatures& bulk,
 
 constexpr const char* kRemedy =
     "give more coolant (cFlowRate), more clearance or less interference (freeIntCls, raceFit1, "
-    "raceFit2), less load or speed, or a thinner lubricant";
+    "raceFit2), less load or speed, or a less viscous lubricant";
 
 [[noreturn]] void give_up(const std::string& what, int passes, const std::optional<Pass>& last,
                           double gain) {
@@ -66,8 +66,7 @@ constexpr const char* kRemedy =
   }
   const std::string growth =
       std::isfinite(gain) && gain > 1.0
-          ? fmt::format("; heat grows with temperature {:.3g} times as fast as it is taken away",
-                        gain)
+          ? fmt::format("; heat grows with temperature {:.3g} times as fast as it is removed", gain)
           : std::string();
   throw SolverError(fmt::format("thermal analysis: no steady state after {} passes: {}{}{}. {}",
                                 passes, what, state, growth, kRemedy));

@@ -23,7 +23,7 @@ struct TimeLinePoint {
 
 struct TimeLine {
   std::vector<TimeLinePoint> points;
-  bool settled = false;  ///< else `end` says why it ended
+  bool settled = false;  ///< otherwise `end` has the reason of its end
   std::string end;       ///< lost equilibrium or runaway, in words; empty: settled
 };
 

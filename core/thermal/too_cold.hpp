@@ -6,9 +6,9 @@
 
 namespace adore::thermal {
 
-/// What of the network's nodes is not above 0 K, in words; empty: none. The base temperature fixes
-/// one node and the heat the differences, so that too little flow for the heat puts the coolant's
-/// inlet there, and a ring that hardly conducts its far side.
+/// Nodes of the network that are not above 0 K, in words; empty: none. The base temperature fixes
+/// one node and the heat the differences, so with too little flow for the heat the coolant's
+/// inlet may be there, or the far side of a ring with low conductivity.
 [[nodiscard]] std::string too_cold(const BearingHeat& heat);
 
 }  // namespace adore::thermal

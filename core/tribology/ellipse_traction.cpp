@@ -31,10 +31,9 @@ LegendrePair legendre(int k, double x) {
 
 void check_size(int major, int minor) {
   if (major < 1 || major > kLargestRule || minor < 1 || minor > kLargestRule) {
-    throw InputError(
-        fmt::format("a contact ellipse rule of {} x {} points cannot be made; each number must lie "
-                    "between 1 and {}",
-                    major, minor, kLargestRule));
+    throw InputError(fmt::format(
+        "a contact ellipse rule of {} x {} points is not possible; each number must be 1 to {}",
+        major, minor, kLargestRule));
   }
 }
 

@@ -152,22 +152,20 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
 std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
                       const FilmSurface& s) {
   const std::string floats =
-      s.single ? "points in single precision, to 3e-5 of the traction (run option filmPrecision)"
-               : "";
+      s.single
+          ? "points in single precision, relative error of traction 3e-5 (run option filmPrecision)"
+          : "";
   if (oil.model == LubricantModel::ShearThinning) {
     if (lubrication.direct_strips) return "stress of every point solved";
     const ThinningSurface at =
         thinning_surface(0.5 * (oil.carreau_n - 1.0), thinning_error_of(lubrication.tolerance));
     return floats + (floats.empty() ? "" : "; ") +
            fmt::format(
-               "stress from a surface of {} x {} values (rate of shear and heating, all that a "
-               "film can "
-               "meet): {:.2g} % at most, {:.2g} % root mean square on {} hold-out points, {:.2g} % "
-               "wanted "
-               "at most for this tolerance{}",
+               "stress interpolated in a table of {} x {} values (shear rate and heating): error "
+               "{:.2g} % at most, {:.2g} % rms at {} check points; {:.2g} % allowed for this "
+               "tolerance{}",
                at.size[0], at.size[1], 100.0 * at.error[0], 100.0 * at.error[1], at.held_out,
-               100.0 * at.wanted,
-               at.error[0] > at.wanted ? ", which the finest does not reach" : "");
+               100.0 * at.wanted, at.error[0] > at.wanted ? ", not met by the finest table" : "");
   }
   if (oil.model != LubricantModel::ViscoElastic) return floats;
   if (lubrication.direct_strips) return "stress integrated along each strip";
@@ -177,16 +175,15 @@ std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubricat
       surface_error_of(lubrication.tolerance));
   return (floats.empty() || lubrication.hot_walls ? std::string() : floats + "; ") +
          fmt::format(
-             "stress along each strip from a surface of {} x {} x {} values (pressure to {:g} GPa, "
-             "slip, "
-             "transit at {:.3g} to {:.3g} m/s; beyond it integrated): {:.2g} % root mean square, "
-             "{:.2g} % "
-             "at most on {} hold-out points, {:.2g} % and {:.2g} % wanted for this tolerance{}",
+             "stress along each strip interpolated in a table of {} x {} x {} values (pressure to "
+             "{:g} GPa, slip, transit speed {:.3g} to {:.3g} m/s; integrated directly beyond): "
+             "error {:.2g} % rms, {:.2g} % at most at {} check points; {:.2g} % and {:.2g} % "
+             "allowed for this tolerance{}",
              at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0],
              at.speed[1], 100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
              100.0 * kLargestOverMean * at.wanted,
              at.error[1] > at.wanted || at.error[0] > kLargestOverMean * at.wanted
-                 ? ", which the finest does not reach"
+                 ? ", not met by the finest table"
                  : "");
 }
 

@@ -100,7 +100,7 @@ FluidProperties fluid_properties(int code, double T) {
     for (const int valid : fluid_codes())
       codes += fmt::format("{}{}", codes.empty() ? "" : ", ", valid);
     throw InputError(
-        fmt::format("fluid code {} is not in the fluid table; it holds {}", code, codes));
+        fmt::format("fluid code {} is not in the fluid table; it contains {}", code, codes));
   }
   if (!(T > 0.0 && std::isfinite(T)))
     throw InputError(fmt::format("the temperature of {} is {} K; it must be above 0 (absolute)",

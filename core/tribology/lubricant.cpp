@@ -75,7 +75,7 @@ LubricantModel model_of(const std::string& name) {
       {"viscoelastic", LubricantModel::ViscoElastic},
       {"shearThinning", LubricantModel::ShearThinning}};
   const auto found = kModels.find(name);
-  demand(found != kModels.end(), "lubricants.json has a model of unknown name");
+  demand(found != kModels.end(), "lubricants.json has an unknown model");
   return found->second;
 }
 
@@ -204,7 +204,7 @@ const Lubricant& lubricant(int code) {
     for (const int valid : lubricant_codes())
       codes += fmt::format("{}{}", codes.empty() ? "" : ", ", valid);
     throw InputError(fmt::format(
-        "lubricant {} (kTrac) is not in the table of lubricants; it holds {}", code, codes));
+        "lubricant {} (kTrac) is not in the table of lubricants; it contains {}", code, codes));
   }
   return found->second;
 }

@@ -42,9 +42,9 @@ const PressureRange& pressure_range(int code) {
 }
 
 std::string beyond_range(const PressureRange& range, double pressure) {
-  if (!range.measured_to) return "to which pressure it was measured is not known";
+  if (!range.measured_to) return "measured up to an unknown pressure";
   if (pressure <= *range.measured_to) return {};
-  return fmt::format("beyond {:g} GPa, where its measurements end{}, extrapolated",
+  return fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure{}",
                      1e-9 * *range.measured_to,
                      range.provenance == "seen" ? "" : " (recalled, not read)");
 }

@@ -61,9 +61,10 @@ TractionCurve two_slopes(const std::array<double, 4>& tc) {
   curve.form = TractionCurve::Form::TwoSlope;
   curve.A = tc[0], curve.B = tc[1], curve.C = tc[2], curve.u0 = tc[3];
   if (curve.u0 < 0.0) {
-    throw InputError(fmt::format(
-        "the slip u0 = {} m/s where the two-slope traction law bends is negative; give u0 >= 0",
-        curve.u0));
+    throw InputError(
+        fmt::format("the slip u0 = {} m/s at the slope change of the two-slope traction law is "
+                    "negative; give u0 >= 0",
+                    curve.u0));
   }
   const double bend = curve.A + curve.B * curve.u0;
   const double far = traction_coefficient(curve, kLargestSlip);

@@ -46,7 +46,7 @@ void on_crash(int signal) {
   say(" ns (signal ");
   say(signal);
   say("). The files are valid up to the last stored step. Run it again with --opt userProcess=1, "
-      "which gives the plug-in a process of its own\n");
+      "which runs the plug-in in a separate process\n");
   _exit(kFailedRun);
 }
 

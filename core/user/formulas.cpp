@@ -95,9 +95,8 @@ struct Section {
   /// A number that all formulas know: its name is not free.
   double* known(const std::string& name) {
     if (names->all().count(name) > 0)
-      throw InputError(fmt::format(
-          "{}: \"{}\" is what formulas call a number of their own; read it by another name", where,
-          name));
+      throw InputError(fmt::format("{}: \"{}\" is a built-in name of formulas; choose another name",
+                                   where, name));
     return &(*names)[name];
   }
   [[nodiscard]] const Json* find(const std::string& key) {
@@ -230,7 +229,7 @@ Call motion(Section& section) {
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
     for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
-  if (kinks->size() > 8) throw InputError(section.where + ", kinks: give eight times at most");
+  if (kinks->size() > 8) throw InputError(section.where + ", kinks: give at most eight times");
   auto longest =
       std::make_shared<std::optional<Formula>>(section.formula(section.json, "longest_step", ""));
   section.used.insert("longest_step");
@@ -405,7 +404,7 @@ Call traction(Section& section) {
     auto& a = reinterpret_cast<adore_adrx7&>(call);
     const Law& law = (*laws)[static_cast<std::size_t>(a.kind)];
     if (!law.formula && !law.table)
-      throw std::runtime_error(fmt::format("the deck asks for a law of {}, and the file has none",
+      throw std::runtime_error(fmt::format("the deck needs a law of {}, and the file has none",
                                            kKinds[static_cast<std::size_t>(a.kind)]));
     if (call.mode == ADORE_START) {
       a.wants_points = law.formula ? 1 : 0;
@@ -519,7 +518,7 @@ ChannelColumn column_of(const Json& text, const std::string& where) {
   out.at = std::strtoll(out.channel.c_str() + open + 1, &end, 10) - 1;
   if (out.at < 0 || end == nullptr || std::string(end) != "]")
     throw InputError(
-        fmt::format("{}: \"{}\" has no number from 1 on in its brackets", where, out.channel));
+        fmt::format("{}: \"{}\" needs a number of 1 or more in its brackets", where, out.channel));
   out.channel.resize(open);
   return out;
 }
@@ -569,7 +568,7 @@ Call step_output(Section& section) {
       const auto k = found - a.channel_name;
       if (one.at >= a.channel_size[k])
         throw std::runtime_error(
-            fmt::format("channel {} ends with number {}; number {} is beyond it", one.channel,
+            fmt::format("channel {} ends with number {}; number {} does not exist", one.channel,
                         a.channel_size[k], one.at + 1));
       line += fmt::format(" {:.17g}", a.channel_value[a.channel_first[k] + one.at]);
     }
@@ -613,7 +612,7 @@ PlugIn load_formulas(const fs::path& file) {
     out.hooks[static_cast<std::size_t>(found->second.first)] = found->second.second(section);
     any = true;
   }
-  if (!any) throw InputError(fmt::format("{}: there is no routine in it", file.string()));
+  if (!any) throw InputError(fmt::format("{}: it contains no routine", file.string()));
   return out;
 }
 

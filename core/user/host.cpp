@@ -88,7 +88,7 @@ Host::Host(std::vector<std::string> lines) : lines_(std::move(lines)) {
   void* memory =
       mmap(nullptr, sizeof(HostBlock), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
-    throw SolverError("there is no memory for what user routines print and write");
+    throw SolverError("there is not enough memory for the output of user routines");
   block_ = new (memory) HostBlock;
 }
 Host::~Host() { munmap(block_, sizeof(HostBlock)); }

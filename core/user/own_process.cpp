@@ -123,7 +123,7 @@ class Parcel {
     char* out = arena_ + at_;
     at_ += (bytes + 63) / 64 * 64;
     if (at_ > kArena)
-      throw std::runtime_error("its arguments are too large for a process of its own");
+      throw std::runtime_error("its arguments are too large for a separate process");
     return out;
   }
 
@@ -138,7 +138,8 @@ class Worker {
   Worker(std::filesystem::path file, double timeout) : file_(std::move(file)), timeout_(timeout) {
     void* memory = mmap(nullptr, kArena, PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (memory == MAP_FAILED) throw SolverError("there is no memory to share with a plug-in");
+    if (memory == MAP_FAILED)
+      throw SolverError("there is not enough memory to share with a plug-in");
     arena_ = static_cast<char*>(memory);
     new (arena_) Mailbox;
   }
@@ -175,7 +176,7 @@ class Worker {
   void start(bool probe) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-      throw SolverError("no socket to a plug-in in its own process");
+      throw SolverError("the socket to a plug-in in its own process cannot be created");
     const pid_t parent = getpid();
     child_ = fork();
     if (child_ < 0) {
@@ -207,7 +208,7 @@ class Worker {
         put_text(mail().text, error.what());
       } catch (...) {
         mail().threw = true;
-        put_text(mail().text, "it threw what is no std::exception");
+        put_text(mail().text, "it threw an object that is not a std::exception");
       }
     };
     PlugIn plug_in;
@@ -238,10 +239,10 @@ class Worker {
     if (found == 0) {
       stop();
       child_ = -1;
-      throw std::runtime_error(fmt::format(
-          "it did not come back from this {} within {:g} s, and its process was ended; give it "
-          "more with --opt userTimeout=SECONDS",
-          what, timeout_));
+      throw std::runtime_error(
+          fmt::format("it did not return from this {} within {:g} s, and its process was ended; "
+                      "allow more time with --opt userTimeout=SECONDS",
+                      what, timeout_));
     }
     char turn = 0;
     if (read(socket_, &turn, 1) != 1) ended(what);

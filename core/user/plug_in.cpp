@@ -37,12 +37,12 @@ PlugIn load_plug_in(const fs::path& file) {
   const auto abi = reinterpret_cast<std::int32_t (*)()>(dlsym(library, "adore_user_abi"));
   if (abi == nullptr)
     throw InputError(
-        fmt::format("the plug-in {} does not export adore_user_abi(): it is no user routine of "
+        fmt::format("the plug-in {} does not export adore_user_abi(): it is not a user routine of "
                     "Adore; `adore user new adrx7 --lang c` writes one that has it",
                     out.source));
   if (const std::int32_t version = abi(); version != ADORE_USER_ABI)
     throw InputError(
-        fmt::format("the plug-in {} was made for version {} of adore_user.h, and this program has "
+        fmt::format("the plug-in {} was built for version {} of adore_user.h, and this program has "
                     "version {}; build it again with this program's header",
                     out.source, version, ADORE_USER_ABI));
   if (const auto text = reinterpret_cast<const char* (*)()>(dlsym(library, "adore_user_version")))

@@ -175,15 +175,16 @@ std::string Routine::ask_again(adore_call& call, const Copies& before) {
   const Copies first(call);
   for (std::size_t k = 0; k < before.read.size(); ++k)
     if (before.read[k] != first.read[k])
-      return "it changed what it was given to read; input arrays belong to the solver";
+      return "it changed its input arrays, which belong to the solver; treat them as read-only";
   std::memcpy(&call, before.self.data(), before.self.size());
   walk_arguments(call, Restore{before.written});
-  if (run(call) != 0) return "asked the same twice, it answered once and then not";
+  if (run(call) != 0)
+    return "called twice with the same arguments, it answered only the first time";
   const Copies second(call);
   if (first.written != second.written || first.self != second.self)
-    return "asked the same twice, it answered differently; routines of the motion must be pure "
-           "functions of their arguments: keep nothing from call to call, and use no random "
-           "numbers";
+    return "called twice with the same arguments, its answers differed; routines of the motion "
+           "must be pure functions of their arguments: keep no values between calls, and use no "
+           "random numbers";
   return {};
 }
 
@@ -207,7 +208,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
     if (twice) before.emplace(call);
     const std::int32_t result = run(call);
     if (result == 1 && compute) {
-      reason_ = fmt::format("{}: it knows nothing of this state", where(call));
+      reason_ = fmt::format("{}: it has no answer for this state", where(call));
       if (std::string why = host_.block().fail.take(); !why.empty()) reason_ += ": " + why;
       return Answer::Refused;
     }
@@ -219,7 +220,7 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
   } catch (const std::exception& error) {
     return fail(call, fmt::format("it ended with an exception: {}", error.what()));
   } catch (...) {
-    return fail(call, "it threw an exception that is no std::exception");
+    return fail(call, "it threw an exception that is not a std::exception");
   }
   if (!trouble.empty()) return fail(call, trouble);
   NonFinite answer;
@@ -228,7 +229,8 @@ Answer Routine::ask(adore_call& call, std::int32_t size) {
     AskedNumbers asked;
     walk_arguments(call, asked);
     if (asked.finite) return fail(call, answer.found);
-    reason_ = fmt::format("{}: it was asked about a state that is no number", where(call));
+    reason_ =
+        fmt::format("{}: it was called with a state that is not a finite number", where(call));
     return Answer::Refused;
   }
   if (call.mode == ADORE_READ) active_ = call.active != 0;

@@ -219,7 +219,7 @@ bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion
                       "2 places it by its load; give a force, or set mode to 0 or 1",
                       "xyz"[k], out.acceleration[1][k]));
   if (out.angular_acceleration[1][1] != 0.0 || out.angular_acceleration[1][2] != 0.0)
-    return wrong("it tilts the inner race, whose tilt mode 2 holds; set mode to 0 or 1");
+    return wrong("it tilts the inner race, whose tilt is fixed in mode 2; set mode to 0 or 1");
   return good;
 }
 
@@ -256,7 +256,7 @@ void Session::Impl::start_traction(std::size_t kind) {
   document(7);
   if (!(a.slip_scale >= 0.0))
     throw InputError(fmt::format(
-        "user routine ADRX7 of {}: slip_scale is {}; it is a slip above 0, or 0 for none",
+        "user routine ADRX7 of {}: slip_scale is {}; give a slip above 0, or 0 for none",
         plug_in.source, a.slip_scale));
   t.shown = {&t, &Impl::ask_traction, a.slip_scale, 0.0, a.wants_points != 0};
   // κ at rest decides whether slip is rounded.
@@ -324,10 +324,10 @@ Session::Session(PlugIn plug_in, const std::vector<std::string>& lines,
     }
   }
   if (const std::size_t read = s.host.block().line; read < lines.size())
-    throw InputError(fmt::format(
-        "{} of the {} lines of records 12.x were read by no user routine, the first of them \"{}\" "
-        "({} of {} came in this order); remove them, or let a routine read them",
-        lines.size() - read, lines.size(), lines[read], readers, s.plug_in.source));
+    throw InputError(
+        fmt::format("no user routine read {} of the {} lines of records 12.x; the first one is "
+                    "\"{}\" ({} of {} read in this order); remove them, or let a routine read them",
+                    lines.size() - read, lines.size(), lines[read], readers, s.plug_in.source));
 }
 Session::~Session() = default;
 
@@ -352,7 +352,7 @@ bearing::Material Session::material(bearing::Part part, const bearing::Material&
   const auto check = [&](const char* name, double value, bool good, const char* valid) {
     if (!good)
       throw InputError(fmt::format(
-          "user routine ADRX0 of {}, part {}: {} = {:g} is no property of a material; give {}",
+          "user routine ADRX0 of {}, part {}: {} = {:g} is not a valid material property; give {}",
           source(), a.part, name, value, valid));
   };
   check("density", a.density, a.density > 0.0, "more than 0 kg/m^3");

@@ -58,21 +58,21 @@ MonotoneTable read_table(const std::filesystem::path& file) {
     if (!(words >> a >> b)) {
       if (x.empty()) continue;  // a heading
       throw InputError(
-          fmt::format("{}:{}: \"{}\" is no line of two numbers", file.string(), number, line));
+          fmt::format("{}:{}: \"{}\" is not a line of two numbers", file.string(), number, line));
     }
     if (!std::isfinite(a) || !std::isfinite(b) || (!x.empty() && !(a > x.back())))
-      throw InputError(fmt::format("{}:{}: the first column must ascend, and {:g} comes after {:g}",
+      throw InputError(fmt::format("{}:{}: the first column must ascend, but {:g} comes after {:g}",
                                    file.string(), number, a, x.empty() ? 0.0 : x.back()));
     x.push_back(a);
     y.push_back(b);
     if (x.size() > kMaxTableRows)
-      throw InputError(fmt::format("{}: a table has {} lines at most. Leave out lines.",
-                                   file.string(), kMaxTableRows));
+      throw InputError(fmt::format("{}: a table has at most {} lines. Remove lines.", file.string(),
+                                   kMaxTableRows));
   }
   if (x.size() < 2)
     throw InputError(
-        fmt::format("{}: a table needs two lines of two numbers or more, as in \"0.0, "
-                    "0.0\" and \"0.5, 0.06\"",
+        fmt::format("{}: a table needs at least two lines of two numbers, such as \"0.0, 0.0\" and "
+                    "\"0.5, 0.06\"",
                     file.string()));
   return {std::move(x), std::move(y)};
 }

@@ -207,7 +207,7 @@ TEST_CASE("a refusal that names no record marks the deck, and one that does its 
   CHECK(document.deck_state() == DeckState::Unchecked);
   Issue nowhere, start;
   nowhere.message = "the equilibrium is not found";
-  start.message = "puts the cage where its elements are not";
+  start.message = "puts the cage outside its elements";
   start.record = "9.6";
   document.set_rehearsal(document.candidate(), {nowhere, start});
   CHECK(document.deck_state() == DeckState::Refused);
@@ -311,7 +311,8 @@ TEST_CASE("monitored bodies stay the same bodies when their count changes", "[un
         CHECK(is == expected);
         const auto told = std::count_if(
             document.problems().begin(), document.problems().end(), [](const Problem& problem) {
-              return problem.issue.message == "the cage is gone and is no longer monitored";
+              return problem.issue.message ==
+                     "the cage no longer exists and is no longer monitored";
             });
         CHECK(told == (cage_gone ? 1 : 0));
         (void)document.undo();

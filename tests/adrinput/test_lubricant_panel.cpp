@@ -95,8 +95,8 @@ TEST_CASE("charts of traction and viscosity say where the measurements of a lubr
     REQUIRE(pages.size() == 3);
     const std::optional<double> end = tribology::pressure_range(code).measured_to;
     const std::string said =
-        end ? fmt::format("beyond {:g} GPa, where its measurements end", 1e-9 * *end)
-            : "to which pressure it was measured is not known";
+        end ? fmt::format("extrapolated beyond {:g} GPa, the highest measured pressure", 1e-9 * *end)
+            : "measured up to an unknown pressure";
     CHECK_THAT(pages[0].note, Catch::Contains(said));
     CHECK_THAT(pages[1].note, Catch::Contains(said));
     CHECK_THAT(pages[2].note, !Catch::Contains("measure"));  // films are made at low pressure
@@ -137,7 +137,7 @@ TEST_CASE("the lubricant of records 10.4 has the charts of a table's one, or say
   CHECK_FALSE(page.panels[0].log);
   CHECK(most(page) <= tribology::kUserLimit);
   CHECK(most(page) > 0.8 * tribology::kUserLimit);
-  CHECK_THAT(page.note, !Catch::Contains("measurements end"));
+  CHECK_THAT(page.note, !Catch::Contains("highest measured pressure"));
   auto free = calculators::lubricant_contact(deck);
   REQUIRE(free);
   free->stress_limit = false;

@@ -55,9 +55,9 @@ TEST_CASE("a file that is no deck is refused by a sentence, and the deck before 
   const std::string deck(deck::template_text("ball"));
   const std::vector<std::pair<std::string, QString>> files{
       {repeated(std::string(79, 'x') + "\n", 650000), "larger than 16 MiB"},  // 50 MB
-      {deck + repeated("a remark\n", 1000000), "lines, so it is no data deck"},
-      {repeated("a remark\n", 1000000) + deck, "lines, so it is no data deck"},
-      {repeated("1.0, 2.0\n", 1500000), "lines, so it is no data deck"},
+      {deck + repeated("a remark\n", 1000000), "lines and is not a data deck"},
+      {repeated("a remark\n", 1000000) + deck, "lines and is not a data deck"},
+      {repeated("1.0, 2.0\n", 1500000), "lines and is not a data deck"},
       {std::string("\x7f"
                    "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0",
                    16) +

@@ -197,7 +197,7 @@ TEST_CASE("a run that is complete and continued says that nothing is left to do"
     REQUIRE(spy.wait(120000));
   };
   go_on();
-  CHECK(note(window).startsWith("Done: nothing left to do: the run is complete, at step 3"));
+  CHECK(note(window).startsWith("Done: the run is complete, at step 3"));
   shorten(window.document(), "5");
   window.document().save(folder.filePath("DATA.txt").toStdString());
   go_on();
@@ -264,7 +264,7 @@ TEST_CASE("results that the window did not compute are replaced after a question
 
   answer("continue-instead");
   wait();
-  CHECK(note(window).contains("nothing left to do"));
+  CHECK(note(window).contains("the run is complete"));
 
   // Where there is no state to go on from, that way is not offered.
   fs::remove(folder.filePath("MASTER").toStdString());

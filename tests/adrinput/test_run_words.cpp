@@ -88,7 +88,7 @@ TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing t
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   window.continueRun();
   REQUIRE(QTest::qWaitFor([&] { return spy.count() > 0; }, 60000));
-  CHECK(note(window).contains("nothing left to do"));
+  CHECK(note(window).contains("the run is complete"));
   CHECK_FALSE(note(window).contains("--"));
   window.document().edit(cell("maxStps"), "0");
   window.document().check_model();

@@ -253,7 +253,7 @@ TEST_CASE("a study's tables in another place still open", "[gui][adrplot][studie
   std::ofstream(there / "broken.csv") << "run,exit,a,message\n1,0\n";
   CHECK_THROWS_WITH(open_document(there / "broken.csv"), Contains("line 2 does not have 4 fields"));
   std::ofstream(there / "broken.h5") << "no HDF5";
-  CHECK_THROWS_WITH(open_document(there / "broken.h5"), Contains("it is no HDF5 file"));
+  CHECK_THROWS_WITH(open_document(there / "broken.h5"), Contains("it is not an HDF5 file"));
   fs::create_directory(there / "new.study");
   std::ofstream(there / "new.study" / "tasks.jsonl") << "";
   CHECK_THROWS_WITH(open_document(there / "new.study"), Contains("adore study report"));

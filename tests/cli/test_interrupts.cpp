@@ -131,7 +131,7 @@ TEST_CASE("an interrupt is seen inside a counted step and in a table of statics"
   wait_for([&] { return run.listens(); });
   run.send(SIGTERM);
   CHECK(run.end() == 130);
-  CHECK(contains(run.said(), "nothing was written"));
+  CHECK(contains(run.said(), "no files were written"));
   CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
 }
 
@@ -328,7 +328,7 @@ TEST_CASE("a complete run is continued to a later end only, and stores no step t
   const Result again = run_as_given(deck + "--until 0.02rev --continue");
   INFO(again.out);
   CHECK(again.code == 0);
-  CHECK(contains(again.out, "nothing left to do"));
+  CHECK(contains(again.out, "the run is complete"));
   CHECK(read(folder / "RUN.json") == report);
 
   const Result sooner = run_as_given(deck + "--until 0.01rev --continue");
@@ -353,7 +353,7 @@ TEST_CASE("there must be a run to go on with", "[cli]") {
   new_ball_deck(folder);
   const Result none = run_as_given("run " + folder.path().string() + " --continue");
   CHECK(none.code == 2);
-  CHECK(contains(none.out, "no run to go on with"));
+  CHECK(contains(none.out, "no run to continue"));
   CHECK(contains(none.out, "--overwrite"));
   const Result still = run_as_given("run " + folder.path().string() + " --set mode=-1 --continue");
   CHECK(still.code == 2);
@@ -370,7 +370,7 @@ TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to g
   INFO(stopped.out);
   CHECK(stopped.code == 2);
   CHECK(contains(stopped.out, "File too large"));
-  CHECK(contains(stopped.out, "go on with --continue"));
+  CHECK(contains(stopped.out, "continue the run with --continue"));
   check_increasing(stored(folder / "SOL1"));
   const results::H5Reader before(folder / "RESULTS.h5");
   CHECK(before.steps() > 10);
@@ -390,7 +390,7 @@ TEST_CASE("a run that ends before its first checkpoint says how to start again",
     INFO(limit << "\n" << stopped.out);
     CHECK(stopped.code == 2);
     CHECK(contains(stopped.out, "File too large"));
-    CHECK(contains(stopped.out, "no checkpoint yet"));
+    CHECK(contains(stopped.out, "did not reach its first checkpoint"));
     CHECK(contains(stopped.out, "--overwrite"));
     CHECK_FALSE(fs::exists(folder / "MASTER"));
     const Result more = run_as_given(deck + " --continue");

@@ -73,20 +73,20 @@ TEST_CASE("no output replaces an input or what another program wrote", "[cli]") 
   {  // of the lock
     const Folder folder;
     REQUIRE(run_adore("new ball --out " + (folder / ".adore.lock").string()).code == 0);
-    refused(folder / ".adore.lock", folder, "keeps this name for its lock");
+    refused(folder / ".adore.lock", folder, "uses this name for its lock file");
   }
   {  // somebody's own file
     const Folder folder;
     const fs::path deck = deck_with_names(folder, names_with("notes", "SOL1"));
     write(folder / "notes", "what I must not forget\n");
-    refused(deck, folder, "not a file that this program wrote");
+    refused(deck, folder, "was not written by this program");
   }
   {
     const Folder folder;
     new_ball_deck(folder);
     write(folder / "SOL2", "");
     fs::permissions(folder / "SOL2", fs::perms::owner_all);
-    refused(folder / "DATA.txt", folder, "not a file that this program wrote");
+    refused(folder / "DATA.txt", folder, "was not written by this program");
   }
   {
     const Folder folder, outside;
@@ -100,7 +100,7 @@ TEST_CASE("no output replaces an input or what another program wrote", "[cli]") 
     const Folder folder;
     new_ball_deck(folder);
     fs::create_directory(folder / "MASTER");
-    refused(folder / "DATA.txt", folder, "no plain file");
+    refused(folder / "DATA.txt", folder, "not a plain file");
   }
 }
 

@@ -244,7 +244,7 @@ TEST_CASE("check and run refuse the same values, by record and variable", "[cli]
   };
   const Case cases[] = {
       {"tapered-30208", "flngHt12=0.", "record 5F, flngHt12 = 0.0: the flange has no height"},
-      {"tapered-30208", "flngAng12=-1.", "record 5F, flngAng12 = -1.0: the face of a flange"},
+      {"tapered-30208", "flngAng12=-1.", "record 5F, flngAng12 = -1.0: the flange face"},
       {"tapered-30208", "bReEndRad1=0.001", "record 5D.1, bReEndRad1 = 0.001: a roller"},
       {"tapered-30208", "raceTaper2=14.0", "(outer, raceTaper1) and 14 deg (inner) are too close"},
       {"tapered-30208", "raceTaper1=10.2", "too close: the pitch diameter"},
@@ -252,7 +252,7 @@ TEST_CASE("check and run refuse the same values, by record and variable", "[cli]
       {"angular-218", "raceCurFac1=10.1", "give a value above 0.5 and below 10"},
       {"ball", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
       {"cylindrical-nu209", "brgOD=0.07", "brgOD"},
-      {"tapered", "kRFTrac=-1", "asks for user routine ADRX7"},
+      {"tapered", "kRFTrac=-1", "needs user routine ADRX7"},
   };
   for (const Case& c : cases) {
     const Folder folder;

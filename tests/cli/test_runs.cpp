@@ -327,8 +327,8 @@ TEST_CASE("an integrator whose steps would let contacts vibrate is told, and hel
   const Result refused = run("rkf1");
   INFO(refused.out);
   CHECK(refused.code == 2);
-  CHECK(
-      contains(refused.out, "rkf1 is refused for this deck. Integrators that need no other steps"));
+  CHECK(contains(refused.out,
+                 "rkf1 cannot be used for this deck. Integrators that do not need other steps"));
   CHECK_FALSE(fs::exists(folder / "rkf1" / "SOL1"));
 
   const Result held = run("pece4");

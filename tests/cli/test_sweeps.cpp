@@ -91,7 +91,7 @@ TEST_CASE("a sweep has no value for what a scene does not have and what nothing 
       CHECK(found.count(name) == 0);
     }
     // What did not move says so.
-    CHECK(contains(sweep.out, "2 runs of the sweep made no step") == (scene.name == "no step"));
+    CHECK(contains(sweep.out, "2 runs of the sweep made no steps") == (scene.name == "no step"));
   }
 }
 
@@ -292,7 +292,7 @@ TEST_CASE("adore plan, check and new: --until and --set act", "[cli]") {
   const Result plan = run_adore("plan " + deck + " --until 0.02rev");
   CHECK(plan.code == 0);
   CHECK(contains(plan.out, "processor time of the whole run"));
-  CHECK(contains(plan.out, "the pilot came to the end of the run"));
+  CHECK(contains(plan.out, "the pilot reached the end of the run"));
   CHECK(contains(plan.out, "0.02 revolutions"));
   const json none = json::parse(run_adore("plan " + deck + " --pilot 0 --json").out);
   CHECK_FALSE(none.contains("run_cost"));

@@ -284,7 +284,7 @@ def _(b):
         close("operating clearance [m]", value_of(text, "Internal clearance, diametral"), r.fits["operating"]["diametral clearance [m]"], 1e-5),
         close("temperature of the cage [K]", value_of(text, "Cage temperature"), 303.15, 1e-6),
         close("fit of the inner race [m]", value_of(text, "Operating fit of the inner race, diametral (above 0: interference)"), r.fits["inner race"]["operating interference [m]"], 1e-5),
-        close("play at guide land 1 [m]", value_of(text, "Cage play at guide land 1, diametral"), r.fits["cage play, diametral"]["guide land 1 on the outer race"]["operating [m]"], 0.02)]
+        close("play at guide land 1 [m]", value_of(text, "Cage clearance at guide land 1, diametral"), r.fits["cage play, diametral"]["guide land 1 on the outer race"]["operating [m]"], 0.02)]
 
 
 @feature("F239", G)

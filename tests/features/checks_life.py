@@ -105,7 +105,7 @@ def ball_mass(run):
 
 
 def listed_mass(run, body):
-    for line in run.listing.split("Inertia about the mass centre", 1)[1].splitlines()[:14]:
+    for line in run.listing.split("Inertia about the mass center", 1)[1].splitlines()[:14]:
         if line.strip().startswith(body):
             return float(line.replace(body, "", 1).split()[0])
     raise ValueError(body)

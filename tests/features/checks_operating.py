@@ -277,7 +277,7 @@ def _(b):
 
 def masses_of(run):
     out = {}
-    for line in run.listing.split("Inertia about the mass centre", 1)[1].splitlines()[:12]:
+    for line in run.listing.split("Inertia about the mass center", 1)[1].splitlines()[:12]:
         for body in ("outer race", "inner race"):
             if line.strip().startswith(body):
                 out[body] = float(line.replace(body, "").split()[0])

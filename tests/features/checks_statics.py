@@ -305,7 +305,7 @@ def _(b):
 
 
 def mass(run, body):
-    lines = run.listing.split("Inertia about the mass centre", 1)[1].splitlines()
+    lines = run.listing.split("Inertia about the mass center", 1)[1].splitlines()
     for line in lines[:12]:
         if line.strip().startswith(body):
             return float(line.replace(body, "").split()[0])

@@ -127,9 +127,9 @@ inline const std::vector<Pristine>& pristine() {
 /// What a refusal says, without its numbers and names; the sentence itself when it is another one.
 inline std::string kind_of(const std::string& sentence) {
   for (const char* kind :
-       {"the HDF5 library failed on it", "came to no end", "more memory", "cannot be opened",
-        "cannot be read", "too short", "holds no bearing results", "no HDF5 file",
-        "another way than", "damaged", "step number"})
+       {"the HDF5 library failed to read it", "did not end within", "more memory",
+        "cannot be opened", "cannot be read", "too short", "contains no bearing results",
+        "not an HDF5 file", "not stored in the format", "damaged", "step number"})
     if (sentence.find(kind) != std::string::npos) return kind;
   return sentence;
 }

@@ -41,15 +41,15 @@ constexpr unsigned kBatch = 1000;    ///< files of one worker
 constexpr unsigned kReport = 50000;  ///< files between two reports
 
 const std::array<const char*, 13> kKinds{"read to the last value",
-                                         "the HDF5 library failed on it",
-                                         "came to no end",
+                                         "the HDF5 library failed to read it",
+                                         "did not end within",
                                          "more memory",
                                          "cannot be opened",
                                          "cannot be read",
                                          "too short",
-                                         "holds no bearing results",
-                                         "no HDF5 file",
-                                         "another way than",
+                                         "contains no bearing results",
+                                         "not an HDF5 file",
+                                         "not stored in the format",
                                          "damaged",
                                          "step number",
                                          "another sentence"};

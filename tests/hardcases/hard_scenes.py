@@ -195,7 +195,7 @@ def run(program, one, method, folder, turns, limit, factor=0.0):
     for key, (value, tolerance) in one["known"].items():
         if abs(values[key] - value) > tolerance * abs(value):
             return {**out, "outcome": "FAILED", "text": f"{key} is {values[key]:.6g}, known is {value:.6g}"}
-    return {**out, "outcome": "solved", "values": values, "warned": "have no account" in done.stderr}
+    return {**out, "outcome": "solved", "values": values, "warned": "energy residual of" in done.stderr}
 
 
 def judge_means(results, spread, long):

@@ -83,7 +83,7 @@ def run(program, deck, folder, name, method, tol, sets, turns, factor=0.0):
         return {"exit": None, "words": words}
     said = done.stderr.strip().splitlines()
     found = {"exit": done.returncode, "words": words, "said": said,
-             "warned": any(word in line for line in said for word in ("have no account", "missed the tolerance", "is loose"))}
+             "warned": any(word in line for line in said for word in ("energy residual of", "missed the tolerance", "is loose"))}
     report = os.path.join(out, "RUN.json")
     if done.returncode == 0 and os.path.exists(report):
         with open(report, encoding="utf-8") as file:

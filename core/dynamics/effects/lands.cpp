@@ -370,7 +370,7 @@ class LandContact final : public SceneEffect {
                                             heat_, kept_);
     }
     if (user != nullptr) {
-      demand(!any_uneven, "ADRX4 knows no lands with shape errors");
+      demand(!any_uneven, "ADRX4 does not support lands with shape errors");
       forces_.emplace(*user, slices * static_cast<std::size_t>(cut.count));
       scene.block<UserLandBlock>(Phase::Force, "user routine ADRX4", {}, lands_, half_angle_,
                                  traction, law, *forces_, heat_, kept_);

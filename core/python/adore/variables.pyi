@@ -7,27 +7,27 @@ class DeckVariables:
 
     mode: int
     """Record 1. Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast contact vibration by
-    equilibrium and so allow larger steps; any negative value stops after the static solution."""
+    equilibrium and so allow larger steps; a negative value stops after the static solution."""
     kDCR: int
-    """Record 1. Where the dynamic constraints of the races come from. The built-in ones let both races keep the
-    position of the static solution and turn at their given speeds."""
+    """Record 1. Source of the dynamic constraints of the races. With the built-in ones both races keep the position
+    of the static solution and turn at their given speeds."""
     kDOF: int
-    """Record 1. Degrees of freedom suppressed on top of mode. A suppressed one keeps its initial velocity: its
-    acceleration is zero, no force balance is solved."""
+    """Record 1. Degrees of freedom suppressed in addition to mode. A suppressed one keeps its initial velocity: its
+    acceleration is zero, and no force balance is solved."""
     kIcOpt: int
-    """Record 1. Where a dynamic run starts. Use -1 for a fresh study from an old end state, 1 to append to a run
-    that was stopped."""
+    """Record 1. Initial state of a dynamic run. Use -1 for a new study from an old final state, 1 to continue a
+    stopped run."""
     kFnOpt: int
     """Record 1. Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8."""
     kPrtOpt: int
-    """Record 1. How much of each printed step goes to PRINT.txt. Its sections are 1 rolling elements, 2 races and
-    cage, 3 applied parameters, 4 summary of the step."""
+    """Record 1. Contents of each printed step in PRINT.txt. Its sections are 1 rolling elements, 2 races and cage, 3
+    applied parameters, 4 summary of the step."""
     kPrtFreq: int
     """Record 1. Step interval of printed output; step 0 is time zero."""
     kPltFreq: int
     """Record 1. Step interval at which records are stored in the plot files SOL1 to SOL7."""
     kAGraf: int
-    """Record 1. Whether and at which step interval animation data is stored in SOL8."""
+    """Record 1. Step interval at which animation data are stored in SOL8; 0 stores none."""
     kLifeFreq: int
     """Record 1. Step interval at which the fatigue life at the present loads is computed for SOL7. The life of the
     run uses the loads of every step."""
@@ -37,8 +37,8 @@ class DeckVariables:
     maxStps: int
     """Record 1. Largest number of counted steps; the run ends at this or at fTime, whichever comes first."""
     nStps: int
-    """Record 1. Integration steps inside one counted step, of which only the last is counted and stored. 0 and 1
-    mean that every step counts."""
+    """Record 1. Integration steps within one counted step; only the last one is counted and stored. With 0 and 1
+    every step counts."""
     intMet: int
     """Record 1. Integration method. Order 5 of the explicit family suits most runs; codes above 18 are extensions
     that the classic program does not know."""
@@ -46,47 +46,47 @@ class DeckVariables:
     """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). 0 in
     a continuation reuses the last step kept in MASTER."""
     stpMin: float
-    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted whatever its error and counted;
-    equal to stpMax it asks for a constant step."""
+    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted and counted even if its error is too
+    large; stpMin = stpMax gives a constant step."""
     stpMax: float
-    """Record 2.1. Largest step, dimensionless. It bounds how coarse plots get."""
+    """Record 2.1. Largest step, dimensionless. It limits the resolution of plots."""
     fTime: float
     """Record 2.1. End time, dimensionless."""
     tol: float
-    """Record 2.1. Error allowed per step, relative to the scales of the problem. Smaller is more accurate and
-    slower."""
+    """Record 2.1. Error allowed per step, relative to the scales of the problem. A smaller value is more accurate
+    and slower."""
     qFac: float
-    """Record 2.1. Contact load over largest applied load at or below which an element is held in force balance
-    although mode is 0. 0 never does."""
+    """Record 2.1. Ratio of contact load to largest applied load at or below which an element is kept in force
+    balance in mode 0. 0 never does this."""
     kFD11: int
-    """Record 2.2. Translation constraint of the outer race along x. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the outer race along x. With 0 the race moves freely under its load."""
     kFD21: int
-    """Record 2.2. Translation constraint of the outer race along y. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the outer race along y. With 0 the race moves freely under its load."""
     kFD31: int
-    """Record 2.2. Translation constraint of the outer race along z. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the outer race along z. With 0 the race moves freely under its load."""
     kFD12: int
-    """Record 2.2. Translation constraint of the inner race along x. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the inner race along x. With 0 the race moves freely under its load."""
     kFD22: int
-    """Record 2.2. Translation constraint of the inner race along y. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the inner race along y. With 0 the race moves freely under its load."""
     kFD32: int
-    """Record 2.2. Translation constraint of the inner race along z. 0 sets the race free to move under its load."""
+    """Record 2.2. Translation constraint of the inner race along z. With 0 the race moves freely under its load."""
     kMD11: int
-    """Record 2.2. Rotation constraint of the outer race about x. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the outer race about x. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     kMD21: int
-    """Record 2.2. Rotation constraint of the outer race about y. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the outer race about y. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     kMD31: int
-    """Record 2.2. Rotation constraint of the outer race about z. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the outer race about z. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     kMD12: int
-    """Record 2.2. Rotation constraint of the inner race about x. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the inner race about x. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     kMD22: int
-    """Record 2.2. Rotation constraint of the inner race about y. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the inner race about y. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     kMD32: int
-    """Record 2.2. Rotation constraint of the inner race about z. 0 lets moments turn it; without ADRX1 the external
+    """Record 2.2. Rotation constraint of the inner race about z. With 0 moments turn it; without ADRX1 the external
     moment is zero."""
     masName: str
     """Record 2.3. Master file with the bookkeeping of restarts, at most 10 characters."""
@@ -114,16 +114,16 @@ class DeckVariables:
     kUnit: int
     """Record 3.2. Unit system of every dimensional value of the deck, also of the output files."""
     kBrg: int
-    """Record 3.2. Bearing type. It decides which geometry record (5A to 5E) follows."""
+    """Record 3.2. Bearing type. It determines which geometry record (5A to 5E) follows."""
     nRe: int
-    """Record 3.2. Number of rolling elements. The classic limit of 40 does not apply, though some classic file
-    formats end at 88."""
+    """Record 3.2. Number of rolling elements. The classic limit of 40 does not apply; some classic file formats end
+    at 88."""
     nCseg: int
-    """Record 3.2. Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut in n equal segments."""
+    """Record 3.2. Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut into n equal segments."""
     kRaceFlex: int
     """Record 3.2. Flexibility of the outer race. Only rigid races can be simulated."""
     kReGeoImp: int
-    """Record 3.2. Geometry errors of the rolling elements. A list of diameters holds 40 elements."""
+    """Record 3.2. Geometry errors of the rolling elements. A list of diameters has 40 elements."""
     kRaceGeoImp1: int
     """Record 3.2. Geometry errors of the outer race."""
     kRaceGeoImp2: int
@@ -141,24 +141,23 @@ class DeckVariables:
     """Record 3.2. Roller guide flange on the inner race, positive x side. Ball and spherical roller bearings have
     none."""
     kFS1: int
-    """Record 3.3. Whether the static solution is given the force or the displacement along x, the bearing axis
-    (thrust is normally positive)."""
+    """Record 3.3. Given quantity of the static solution: force or displacement along x, the bearing axis (thrust is
+    normally positive)."""
     kFS2: int
-    """Record 3.3. Whether the static solution is given the force or the displacement along y."""
+    """Record 3.3. Given quantity of the static solution: force or displacement along y."""
     kFS3: int
-    """Record 3.3. Whether the static solution is given the force or the displacement along z, the usual radial load
-    axis."""
+    """Record 3.3. Given quantity of the static solution: force or displacement along z, the usual radial load axis."""
     kFS4: int
-    """Record 3.3. Whether the static solution is given the moment or the tilt about y."""
+    """Record 3.3. Given quantity of the static solution: moment or tilt about y."""
     kFS5: int
-    """Record 3.3. Whether the static solution is given the moment or the tilt about z."""
+    """Record 3.3. Given quantity of the static solution: moment or tilt about z."""
     kAngVel: int
     """Record 3.3. Rule for the direction of ball spin in the static solution. Race control suits fast bearings,
     least heat the others."""
     kStif: int
     """Record 3.3. Number of speeds in the table of stiffness against speed; 0 for no table."""
     kChrn: int
-    """Record 3.3. Medium that churns and drags on elements and cage."""
+    """Record 3.3. Medium that churns and causes drag on elements and cage."""
     kReMat: int
     """Record 3.3. Material of the rolling elements: 0 the usual one, 1 properties in the deck, or a code of the
     material table."""
@@ -174,43 +173,43 @@ class DeckVariables:
     kShftMat: int
     """Record 3.3. Material of the shaft: 0 the usual one, 1 properties in the deck, or a code of the material table."""
     kLifeCons: int
-    """Record 3.3. Where the constants of the fatigue life models come from."""
+    """Record 3.3. Source of the constants of the fatigue life models."""
     kVarLoad: int
     """Record 3.4. How loads vary in time."""
     kVarSpeed: int
-    """Record 3.4. How race speeds vary in time."""
+    """Record 3.4. Variation of race speeds over time."""
     kRotFrame: int
-    """Record 3.4. Whether the bearing as a whole is carried round, as in a planetary gear."""
+    """Record 3.4. Orbital motion of the whole bearing, as in a planetary gear."""
     kReIP: int
-    """Record 3.4. Where mass and inertia of the rolling elements come from."""
+    """Record 3.4. Source of mass and inertia of the rolling elements."""
     kRaceIP1: int
-    """Record 3.4. Where mass and inertia of the outer race come from; needed only when that race is free to move."""
+    """Record 3.4. Source of mass and inertia of the outer race; needed only when that race is free to move."""
     kRaceIP2: int
-    """Record 3.4. Where mass and inertia of the inner race come from; needed only when that race is free to move."""
+    """Record 3.4. Source of mass and inertia of the inner race; needed only when that race is free to move."""
     kNumPltElem: int
     """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 hold six."""
     kPltElemInd: np.ndarray
-    """Record 3.4. Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, then come the
+    """Record 3.4. Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, followed by the
     nCseg cage segments, the outer race and the inner race."""
     kCoolant: int
     """Record 3.5. Coolant that carries the heat away; 0 for no circulating coolant."""
     kBaseTemp: int
-    """Record 3.5. Place where the reference temperature of record 9.7 is known."""
+    """Record 3.5. Location of the reference temperature of record 9.7."""
     kHTC: int
-    """Record 3.5. Where the convection coefficients of rolling elements and cage come from."""
+    """Record 3.5. Source of the convection coefficients of rolling elements and cage."""
     kGeoMod: int
-    """Record 3.5. How often thermal growth changes the geometry."""
+    """Record 3.5. Frequency of geometry changes by thermal growth."""
     kMatPropMod: int
-    """Record 3.5. Whether material properties follow the temperature."""
+    """Record 3.5. Temperature dependence of the material properties."""
     brgBore: float
     """Record 4 [m]. Bore diameter of the bearing."""
     brgOD: float
     """Record 4 [m]. Outside diameter of the bearing."""
     shftID: float
     """Record 4 [m]. Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by a small
-    bore and says so."""
+    bore and reports it."""
     hsngOD: float
-    """Record 4 [m]. Outside diameter of the housing. It decides how far a fit shrinks the outer race."""
+    """Record 4 [m]. Outside diameter of the housing. It determines how much a fit shrinks the outer race."""
     raceWidth1: float
     """Record 4 [m]. Width of the outer race."""
     raceWidth2: float
@@ -218,10 +217,10 @@ class DeckVariables:
     bReDia: float
     """Record 5A [m]. Nominal ball diameter."""
     pitchDia: float
-    """Record 5A [m]. Pitch diameter: the circle of the ball centres."""
+    """Record 5A [m]. Pitch diameter: diameter of the circle of ball centers."""
     freeConAng: float
-    """Record 5A [deg]. Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 derives
-    it from freeIntCls; 90 is a thrust bearing."""
+    """Record 5A [deg]. Free contact angle. If it is above 0, the clearance follows from it; 0 computes it from
+    freeIntCls; 90 is a thrust bearing."""
     freeIntCls: float
     """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
     raceCurFac1: float
@@ -229,19 +228,19 @@ class DeckVariables:
     raceCurFac2: float
     """Record 5A. Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to 0.53."""
     shoulderDia1: float
-    """Record 5A [m]. Shoulder diameter of the outer race; only tells how far the contact is from the edge."""
+    """Record 5A [m]. Shoulder diameter of the outer race; used only for the distance of the contact from the edge."""
     shoulderDia2: float
-    """Record 5A [m]. Shoulder diameter of the inner race; only tells how far the contact is from the edge."""
+    """Record 5A [m]. Shoulder diameter of the inner race; used only for the distance of the contact from the edge."""
     shimThickness1: float
     """Record 5A [m]. Grinding shim of a split outer race (gothic arch); 0 when not split."""
     shimThickness2: float
     """Record 5A [m]. Grinding shim of a split inner race (gothic arch); 0 when not split."""
     rmsAspHt1: float
     """Record 5A [m]. Composite rms roughness of element and outer race: the root of the sum of both squares. It
-    decides how thin a film may get."""
+    determines when a film is thin."""
     rmsAspHt2: float
     """Record 5A [m]. Composite rms roughness of element and inner race: the root of the sum of both squares. It
-    decides how thin a film may get."""
+    determines when a film is thin."""
     bReCrn: float
     """Record 5B.1 [m]. Crown radius of the roller profile. 1.0e+10 together with bReCenLen equal to bReLen means no
     crown."""
@@ -250,20 +249,20 @@ class DeckVariables:
     bReCenLen: float
     """Record 5B.1 [m]. Length of the uncrowned central land, at most the roller length."""
     bReCorRad1: float
-    """Record 5B.1 [m]. Corner radius at the negative x end; it shortens the part of the roller that can touch."""
+    """Record 5B.1 [m]. Corner radius at the negative x end; it shortens the contact length of the roller."""
     bReCorRad2: float
-    """Record 5B.1 [m]. Corner radius at the positive x end; it shortens the part of the roller that can touch."""
+    """Record 5B.1 [m]. Corner radius at the positive x end; it shortens the contact length of the roller."""
     raceLandLmt1: float
     """Record 5B.2 [m]. Usable surface width of the outer race along the roller, undercuts excluded."""
     raceCenLen1: float
-    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned outer race; counts with a crown only."""
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned outer race; used only with a crown."""
     raceCrn1: float
     """Record 5B.2 [m]. Radius of the crown of the outer race beyond its flat land, receding from the rollers; 0
     means no crown."""
     raceLandLmt2: float
     """Record 5B.2 [m]. Usable surface width of the inner race along the roller, undercuts excluded."""
     raceCenLen2: float
-    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned inner race; counts with a crown only."""
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned inner race; used only with a crown."""
     raceCrn2: float
     """Record 5B.2 [m]. Radius of the crown of the inner race beyond its flat land, receding from the rollers; 0
     means no crown."""
@@ -272,11 +271,11 @@ class DeckVariables:
     bReEndRad2: float
     """Record 5D.1 [m]. Sphere radius of the small end of the roller, where it meets a flange."""
     raceTaper1: float
-    """Record 5D.1 [deg]. Half cone angle of the outer race. The pitch diameter follows from both cones, which share
-    their apex."""
+    """Record 5D.1 [deg]. Half cone angle of the outer race. The pitch diameter follows from both cones, which have a
+    common apex."""
     raceTaper2: float
-    """Record 5D.1 [deg]. Half cone angle of the inner race. The pitch diameter follows from both cones, which share
-    their apex."""
+    """Record 5D.1 [deg]. Half cone angle of the inner race. The pitch diameter follows from both cones, which have a
+    common apex."""
     flngAng11: float
     """Record 5F [deg]. Layback angle of the flange on the outer race, negative x side; used when kFlngInd11 is 1."""
     flngAng21: float
@@ -294,10 +293,10 @@ class DeckVariables:
     flngHt22: float
     """Record 5F [m]. Height of the flange on the inner race, positive x side; used when kFlngInd22 is 1."""
     flngCls1: float
-    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the outer race; used when
+    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the outer race; used if
     kFlngInd11 and kFlngInd21 are both 1."""
     flngCls2: float
-    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the inner race; used when
+    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the inner race; used if
     kFlngInd12 and kFlngInd22 are both 1."""
     reDiaVar: float
     """Record 5G.1A [m]. Root-mean-square deviation of the ball diameters; the random numbers have a fixed seed."""
@@ -310,125 +309,85 @@ class DeckVariables:
     reCLOffset: float
     """Record 5G.1B [m]. Root-mean-square axial offset of the central land."""
     reDiaVar1: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 1 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 1 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar2: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 2 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 2 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar3: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 3 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 3 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar4: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 4 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 4 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar5: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 5 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 5 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar6: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 6 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 6 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar7: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 7 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 7 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar8: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 8 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 8 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar9: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 9 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 9 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar10: float
-    """Record 5G.1D.1 [m]. Diameter of rolling element 10 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.1 [m]. Diameter of rolling element 10 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar11: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 11 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 11 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar12: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 12 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 12 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar13: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 13 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 13 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar14: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 14 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 14 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar15: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 15 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 15 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar16: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 16 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 16 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar17: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 17 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 17 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar18: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 18 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 18 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar19: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 19 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 19 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar20: float
-    """Record 5G.1D.2 [m]. Diameter of rolling element 20 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.2 [m]. Diameter of rolling element 20 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar21: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 21 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 21 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar22: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 22 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 22 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar23: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 23 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 23 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar24: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 24 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 24 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar25: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 25 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 25 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar26: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 26 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 26 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar27: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 27 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 27 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar28: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 28 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 28 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar29: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 29 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 29 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar30: float
-    """Record 5G.1D.3 [m]. Diameter of rolling element 30 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.3 [m]. Diameter of rolling element 30 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar31: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 31 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 31 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar32: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 32 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 32 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar33: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 33 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 33 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar34: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 34 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 34 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar35: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 35 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 35 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar36: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 36 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 36 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar37: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 37 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 37 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar38: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 38 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 38 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar39: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 39 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 39 minus the nominal diameter; 0 if there is no such element."""
     reDiaVar40: float
-    """Record 5G.1D.4 [m]. Diameter of rolling element 40 minus the nominal diameter; leave 0 when there is no such
-    element."""
+    """Record 5G.1D.4 [m]. Diameter of rolling element 40 minus the nominal diameter; 0 if there is no such element."""
     rndVar11: float
     """Record 5G.2.1A [m]. Half major axis minus nominal radius of the outer race."""
     rndVar21: float
@@ -438,19 +397,19 @@ class DeckVariables:
     cFacVar11: float
     """Record 5G.2.1A. Amplitude a of the curvature factor error, outer race, a sin(w theta + phi)."""
     cFacVar21: float
-    """Record 5G.2.1A [cycle/rev]. Waves per turn w of the curvature factor error, outer race."""
+    """Record 5G.2.1A [cycle/rev]. Waves per revolution w of the curvature factor error, outer race."""
     cFacVar31: float
     """Record 5G.2.1A [deg]. Phase phi of the curvature factor error, outer race."""
     rlOffset11: float
     """Record 5G.2.1C [m]. Amplitude a of the axial offset of the land, outer race, a sin(w theta + phi)."""
     rlOffset21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the axial offset of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the axial offset of the land, outer race."""
     rlOffset31: float
     """Record 5G.2.1C [deg]. Phase phi of the axial offset of the land, outer race."""
     rlTaper11: float
     """Record 5G.2.1C [rad]. Amplitude a of the taper of the land, outer race, a sin(w theta + phi)."""
     rlTaper21: float
-    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the taper of the land, outer race."""
+    """Record 5G.2.1C [cycle/rev]. Waves per revolution w of the taper of the land, outer race."""
     rlTaper31: float
     """Record 5G.2.1C [deg]. Phase phi of the taper of the land, outer race."""
     rndVar12: float
@@ -462,19 +421,19 @@ class DeckVariables:
     cFacVar12: float
     """Record 5G.2.2A. Amplitude a of the curvature factor error, inner race, a sin(w theta + phi)."""
     cFacVar22: float
-    """Record 5G.2.2A [cycle/rev]. Waves per turn w of the curvature factor error, inner race."""
+    """Record 5G.2.2A [cycle/rev]. Waves per revolution w of the curvature factor error, inner race."""
     cFacVar32: float
     """Record 5G.2.2A [deg]. Phase phi of the curvature factor error, inner race."""
     rlOffset12: float
     """Record 5G.2.2C [m]. Amplitude a of the axial offset of the land, inner race, a sin(w theta + phi)."""
     rlOffset22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the axial offset of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the axial offset of the land, inner race."""
     rlOffset32: float
     """Record 5G.2.2C [deg]. Phase phi of the axial offset of the land, inner race."""
     rlTaper12: float
     """Record 5G.2.2C [rad]. Amplitude a of the taper of the land, inner race, a sin(w theta + phi)."""
     rlTaper22: float
-    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the taper of the land, inner race."""
+    """Record 5G.2.2C [cycle/rev]. Waves per revolution w of the taper of the land, inner race."""
     rlTaper32: float
     """Record 5G.2.2C [deg]. Phase phi of the taper of the land, inner race."""
     bReMass: float
@@ -486,23 +445,23 @@ class DeckVariables:
     bReMIz: float
     """Record 6.1 [kg.m^2]. Principal moment of inertia of the rolling element about its transverse z axis."""
     bReGeoCenX: float
-    """Record 6.1 [m]. X component of the vector from the mass centre to the geometric centre of the rolling element,
-    in its geometric frame. Zero when the body is balanced."""
+    """Record 6.1 [m]. X component of the vector from the mass center to the geometric center of the rolling element,
+    in its geometric frame. Zero for a balanced body."""
     bReGeoCenY: float
-    """Record 6.1 [m]. Y component of the vector from the mass centre to the geometric centre of the rolling element,
-    in its geometric frame. Zero when the body is balanced."""
+    """Record 6.1 [m]. Y component of the vector from the mass center to the geometric center of the rolling element,
+    in its geometric frame. Zero for a balanced body."""
     bReGeoCenZ: float
-    """Record 6.1 [m]. Z component of the vector from the mass centre to the geometric centre of the rolling element,
-    in its geometric frame. Zero when the body is balanced."""
+    """Record 6.1 [m]. Z component of the vector from the mass center to the geometric center of the rolling element,
+    in its geometric frame. Zero for a balanced body."""
     bReFrameX: float
-    """Record 6.1 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the rolling
-    element. Zero when both coincide."""
+    """Record 6.1 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    rolling element. Zero when both coincide."""
     bReFrameY: float
-    """Record 6.1 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the rolling
-    element. Zero when both coincide."""
+    """Record 6.1 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    rolling element. Zero when both coincide."""
     bReFrameZ: float
-    """Record 6.1 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the rolling
-    element. Zero when both coincide."""
+    """Record 6.1 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    rolling element. Zero when both coincide."""
     raceMass1: float
     """Record 6.2.1 [kg]. Mass of the outer race."""
     raceMIx1: float
@@ -512,23 +471,23 @@ class DeckVariables:
     raceMIz1: float
     """Record 6.2.1 [kg.m^2]. Principal moment of inertia of the outer race about its transverse z axis."""
     raceGeoCenX1: float
-    """Record 6.2.1 [m]. X component of the vector from the mass centre to the geometric centre of the outer race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.1 [m]. X component of the vector from the mass center to the geometric center of the outer race, in
+    the race frame. Zero for a balanced body."""
     raceGeoCenY1: float
-    """Record 6.2.1 [m]. Y component of the vector from the mass centre to the geometric centre of the outer race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.1 [m]. Y component of the vector from the mass center to the geometric center of the outer race, in
+    the race frame. Zero for a balanced body."""
     raceGeoCenZ1: float
-    """Record 6.2.1 [m]. Z component of the vector from the mass centre to the geometric centre of the outer race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.1 [m]. Z component of the vector from the mass center to the geometric center of the outer race, in
+    the race frame. Zero for a balanced body."""
     raceFrameX1: float
-    """Record 6.2.1 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the outer
-    race. Zero when both coincide."""
+    """Record 6.2.1 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    outer race. Zero when both coincide."""
     raceFrameY1: float
-    """Record 6.2.1 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the outer
-    race. Zero when both coincide."""
+    """Record 6.2.1 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    outer race. Zero when both coincide."""
     raceFrameZ1: float
-    """Record 6.2.1 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the outer
-    race. Zero when both coincide."""
+    """Record 6.2.1 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    outer race. Zero when both coincide."""
     raceMass2: float
     """Record 6.2.2 [kg]. Mass of the inner race."""
     raceMIx2: float
@@ -538,26 +497,26 @@ class DeckVariables:
     raceMIz2: float
     """Record 6.2.2 [kg.m^2]. Principal moment of inertia of the inner race about its transverse z axis."""
     raceGeoCenX2: float
-    """Record 6.2.2 [m]. X component of the vector from the mass centre to the geometric centre of the inner race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.2 [m]. X component of the vector from the mass center to the geometric center of the inner race, in
+    the race frame. Zero for a balanced body."""
     raceGeoCenY2: float
-    """Record 6.2.2 [m]. Y component of the vector from the mass centre to the geometric centre of the inner race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.2 [m]. Y component of the vector from the mass center to the geometric center of the inner race, in
+    the race frame. Zero for a balanced body."""
     raceGeoCenZ2: float
-    """Record 6.2.2 [m]. Z component of the vector from the mass centre to the geometric centre of the inner race, in
-    the race frame. Zero when the body is balanced."""
+    """Record 6.2.2 [m]. Z component of the vector from the mass center to the geometric center of the inner race, in
+    the race frame. Zero for a balanced body."""
     raceFrameX2: float
-    """Record 6.2.2 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the inner
-    race. Zero when both coincide."""
+    """Record 6.2.2 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    inner race. Zero when both coincide."""
     raceFrameY2: float
-    """Record 6.2.2 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the inner
-    race. Zero when both coincide."""
+    """Record 6.2.2 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    inner race. Zero when both coincide."""
     raceFrameZ2: float
-    """Record 6.2.2 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the inner
-    race. Zero when both coincide."""
+    """Record 6.2.2 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    inner race. Zero when both coincide."""
     kPocType: int
-    """Record 7.0. Shape of the pockets; what a code means depends on kBrg. For rollers a positive value is the
-    number of guide surface pairs on records 7.3.i."""
+    """Record 7.0. Shape of the pockets; the codes depend on kBrg. For rollers a positive value is the number of
+    guide surface pairs on records 7.3.i."""
     kCagePocImp: int
     """Record 7.0. Geometry errors of the pockets."""
     kCageGsImp: int
@@ -571,14 +530,14 @@ class DeckVariables:
     kCageMat: int
     """Record 7.0. Material of the cage: 0 mild steel, 1 properties in the deck, or a code of the material table."""
     kCageIP: int
-    """Record 7.0. Where mass and inertia of the cage come from."""
+    """Record 7.0. Source of mass and inertia of the cage."""
     nGL: int
-    """Record 7.0. Number of lands on which the cage is guided by a race, at most 4; 0 for none."""
+    """Record 7.0. Number of cage lands that are guided by a race, at most 4; 0 for none."""
     iCageGuide: np.ndarray
     """Record 7.0. Race that guides each land."""
     lSeg: np.ndarray
-    """Record 7.0.1. Rolling element at the start of each segment. Positive cuts the cage just before that element,
-    negative cuts through its pocket; absolute values increase."""
+    """Record 7.0.1. Rolling element at the start of each segment. A positive number cuts the cage just before that
+    element, a negative one through its pocket; absolute values increase."""
     cageDia1: float
     """Record 7.1 [m]. Outer diameter of the cage."""
     cageDia2: float
@@ -586,18 +545,18 @@ class DeckVariables:
     cageWidth: float
     """Record 7.1 [m]. Width of the cage."""
     cageCls1: float
-    """Record 7.1 [m]. Diametral clearance between cage and outer race away from the guide lands; lands have their
-    own on records 7.2.i."""
+    """Record 7.1 [m]. Diametral clearance between cage and outer race outside the guide lands; lands have separate
+    clearances on records 7.2.i."""
     cageCls2: float
-    """Record 7.1 [m]. Diametral clearance between cage and inner race away from the guide lands; lands have their
-    own on records 7.2.i."""
+    """Record 7.1 [m]. Diametral clearance between cage and inner race outside the guide lands; lands have separate
+    clearances on records 7.2.i."""
     bPocCls1: float
     """Record 7.1 [m]. Pocket clearance I: pocket size minus element diameter around the circumference; axial for
     elongated ball pockets, inner opening minus ball diameter for conical ones. Unused for rollers with guide
     surface pairs."""
     bPocCls2: float
-    """Record 7.1 [m]. Pocket clearance II: centre offset of elongated, axial clearance of rectangular, outer opening
-    minus ball diameter of conical ball pockets. Zero for the others and for rollers."""
+    """Record 7.1 [m]. Pocket clearance II: center offset of elongated, axial clearance of rectangular, outer opening
+    minus ball diameter of conical ball pockets. Zero for other pockets and for rollers."""
     cageAngCut: float
     """Record 7.1 [deg]. Angular width of the cut between two segments; 0 for a one-piece cage."""
     cageConeAng: float
@@ -607,23 +566,23 @@ class DeckVariables:
     cageGsWidth: np.ndarray
     """Record 7.2.i [m]. Width of the land."""
     cageGsPos: np.ndarray
-    """Record 7.2.i [m]. Axial distance from the cage centre to the outer edge of the land; negative on the negative
+    """Record 7.2.i [m]. Axial distance from the cage center to the outer edge of the land; negative on the negative
     x side."""
     cageGsCls: np.ndarray
     """Record 7.2.i [m]. Diametral clearance between the land and the race that guides it."""
     bPocGsAng1: np.ndarray
-    """Record 7.3.i [deg]. Rotation about x that turns the pocket frame into the frame of the guide surface."""
+    """Record 7.3.i [deg]. Rotation about x from the pocket frame to the frame of the guide surface."""
     bPocGsAng2: np.ndarray
-    """Record 7.3.i [deg]. Rotation about y that turns the pocket frame into the frame of the guide surface."""
+    """Record 7.3.i [deg]. Rotation about y from the pocket frame to the frame of the guide surface."""
     bPocGsAng3: np.ndarray
-    """Record 7.3.i [deg]. Rotation about z that turns the pocket frame into the frame of the guide surface."""
+    """Record 7.3.i [deg]. Rotation about z from the pocket frame to the frame of the guide surface."""
     bPocGsCen1: np.ndarray
-    """Record 7.3.i [m]. x of the surface centre from the pocket centre."""
+    """Record 7.3.i [m]. x of the surface center from the pocket center."""
     bPocGsCen2: np.ndarray
-    """Record 7.3.i [m]. y of the surface centre from the pocket centre, on the positive side; its mate is the mirror
-    image in the pocket's x-z plane."""
+    """Record 7.3.i [m]. y of the surface center from the pocket center, on the positive side; the second surface is
+    its mirror image in the x-z plane of the pocket."""
     bPocGsCen3: np.ndarray
-    """Record 7.3.i [m]. z of the surface centre from the pocket centre."""
+    """Record 7.3.i [m]. z of the surface center from the pocket center."""
     bPocGsLen1: np.ndarray
     """Record 7.3.i [m]. Extent of the surface along z (width)."""
     bPocGsLen2: np.ndarray
@@ -635,9 +594,9 @@ class DeckVariables:
     bPocThknsVar: float
     """Record 7.4 [m]. Deviation of the pocket thickness from outer minus inner cage radius."""
     bPocCenVar1: float
-    """Record 7.4 [m]. Axial shift of the pocket centre."""
+    """Record 7.4 [m]. Axial shift of the pocket center."""
     bPocCenVar2: float
-    """Record 7.4 [deg]. Angular shift of the pocket centre along the pitch circle."""
+    """Record 7.4 [deg]. Angular shift of the pocket center along the pitch circle."""
     bPocAngVar1: float
     """Record 7.4 [deg]. Tilt of the pocket frame, first angle (about x)."""
     bPocAngVar2: float
@@ -648,16 +607,16 @@ class DeckVariables:
     """Record 7.5.i [m]. Cage land: half y axis minus nominal radius when kCageGsImp is 1, amplitude of the radius
     wave when it is 2."""
     cageGsRadVar2: np.ndarray
-    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per turn
-    (no unit) when it is 2."""
+    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per
+    revolution (no unit) when it is 2."""
     cageGsRadVar3: np.ndarray
     """Record 7.5.i [deg]. Cage land: unused (0) when kCageGsImp is 1, phase of the radius wave when it is 2."""
     raceGsRadVar1: np.ndarray
     """Record 7.6.i [m]. Race land: half y axis minus nominal radius when kRaceGsImp is 1, amplitude of the radius
     wave when it is 2."""
     raceGsRadVar2: np.ndarray
-    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per turn
-    (no unit) when it is 2."""
+    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per
+    revolution (no unit) when it is 2."""
     raceGsRadVar3: np.ndarray
     """Record 7.6.i [deg]. Race land: unused (0) when kRaceGsImp is 1, phase of the radius wave when it is 2."""
     cageMass: float
@@ -669,23 +628,23 @@ class DeckVariables:
     cageMIz: float
     """Record 7.7 [kg.m^2]. Principal moment of inertia of the cage about its transverse z axis."""
     cageGeoCenX: float
-    """Record 7.7 [m]. X component of the vector from the mass centre to the geometric centre of the cage, in the
-    cage frame. Zero when the body is balanced."""
+    """Record 7.7 [m]. X component of the vector from the mass center to the geometric center of the cage, in the
+    cage frame. Zero for a balanced body."""
     cageGeoCenY: float
-    """Record 7.7 [m]. Y component of the vector from the mass centre to the geometric centre of the cage, in the
-    cage frame. Zero when the body is balanced."""
+    """Record 7.7 [m]. Y component of the vector from the mass center to the geometric center of the cage, in the
+    cage frame. Zero for a balanced body."""
     cageGeoCenZ: float
-    """Record 7.7 [m]. Z component of the vector from the mass centre to the geometric centre of the cage, in the
-    cage frame. Zero when the body is balanced."""
+    """Record 7.7 [m]. Z component of the vector from the mass center to the geometric center of the cage, in the
+    cage frame. Zero for a balanced body."""
     cageFrameX: float
-    """Record 7.7 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the cage.
-    Zero when both coincide."""
+    """Record 7.7 [deg]. X angle of the rotation from the principal axes of inertia to the geometric frame of the
+    cage. Zero when both coincide."""
     cageFrameY: float
-    """Record 7.7 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the cage.
-    Zero when both coincide."""
+    """Record 7.7 [deg]. Y angle of the rotation from the principal axes of inertia to the geometric frame of the
+    cage. Zero when both coincide."""
     cageFrameZ: float
-    """Record 7.7 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the cage.
-    Zero when both coincide."""
+    """Record 7.7 [deg]. Z angle of the rotation from the principal axes of inertia to the geometric frame of the
+    cage. Zero when both coincide."""
     reDen: float
     """Record 8.1 [kg/m^3]. Density of the rolling elements."""
     reEM: float
@@ -806,7 +765,7 @@ class DeckVariables:
     """Record 8.6.1. Shear stress exponent of the updated Lundberg-Palmgren model, outer race. 0 takes the built-in
     one."""
     depExLP1: float
-    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race. 0 beside a shear stress
+    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race. 0 with a shear stress
     exponent of 0 takes the built-in one."""
     fcGZ1: float
     """Record 8.6.1. Multiplier on the Gupta-Zaretsky constant, outer race. 1 keeps the built-in value."""
@@ -818,8 +777,8 @@ class DeckVariables:
     """Record 8.6.1. Shear stress exponent of the updated Ioannides-Harris model, outer race. 0 takes the built-in
     one."""
     depExIH1: float
-    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race. 0 beside a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race. 0 with a shear stress exponent
+    of 0 takes the built-in one."""
     wbDis1: float
     """Record 8.6.1. Weibull slope of the outer race."""
     fco2: float
@@ -830,7 +789,7 @@ class DeckVariables:
     """Record 8.6.2. Shear stress exponent of the updated Lundberg-Palmgren model, inner race. 0 takes the built-in
     one."""
     depExLP2: float
-    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race. 0 beside a shear stress
+    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race. 0 with a shear stress
     exponent of 0 takes the built-in one."""
     fcGZ2: float
     """Record 8.6.2. Multiplier on the Gupta-Zaretsky constant, inner race. 1 keeps the built-in value."""
@@ -842,8 +801,8 @@ class DeckVariables:
     """Record 8.6.2. Shear stress exponent of the updated Ioannides-Harris model, inner race. 0 takes the built-in
     one."""
     depExIH2: float
-    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race. 0 beside a shear stress
-    exponent of 0 takes the built-in one."""
+    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race. 0 with a shear stress exponent
+    of 0 takes the built-in one."""
     wbDis2: float
     """Record 8.6.2. Weibull slope of the inner race."""
     fcLPre: float
@@ -853,7 +812,7 @@ class DeckVariables:
     """Record 8.6.3. Shear stress exponent of the updated Lundberg-Palmgren model, rolling elements. 0 takes the
     built-in one."""
     depExLPre: float
-    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements. 0 beside a shear stress
+    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements. 0 with a shear stress
     exponent of 0 takes the built-in one."""
     fcGZre: float
     """Record 8.6.3. Multiplier on the Gupta-Zaretsky constant, rolling elements. 1 keeps the built-in value."""
@@ -866,7 +825,7 @@ class DeckVariables:
     """Record 8.6.3. Shear stress exponent of the updated Ioannides-Harris model, rolling elements. 0 takes the
     built-in one."""
     depExIHre: float
-    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements. 0 beside a shear stress
+    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements. 0 with a shear stress
     exponent of 0 takes the built-in one."""
     wbDisRe: float
     """Record 8.6.3. Weibull slope of the rolling elements."""
@@ -884,11 +843,11 @@ class DeckVariables:
     carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
     before relying on it."""
     facMatLF1: float
-    """Record 8.6.4. STLE material factor, outer race. 1 leaves the life as it is."""
+    """Record 8.6.4. STLE material factor, outer race. 1 does not change the life."""
     facProcLF1: float
-    """Record 8.6.4. STLE process factor, outer race. 1 leaves the life as it is."""
+    """Record 8.6.4. STLE process factor, outer race. 1 does not change the life."""
     hardnessLF1: float
-    """Record 8.6.4. STLE hardness factor, outer race. 1 leaves the life as it is."""
+    """Record 8.6.4. STLE hardness factor, outer race. 1 does not change the life."""
     rmsAspSlope2: float
     """Record 8.6.5 [rad]. Composite rms asperity slope of the inner race contact, for the Tallian factors."""
     aspTrac2: float
@@ -903,11 +862,11 @@ class DeckVariables:
     carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
     before relying on it."""
     facMatLF2: float
-    """Record 8.6.5. STLE material factor, inner race. 1 leaves the life as it is."""
+    """Record 8.6.5. STLE material factor, inner race. 1 does not change the life."""
     facProcLF2: float
-    """Record 8.6.5. STLE process factor, inner race. 1 leaves the life as it is."""
+    """Record 8.6.5. STLE process factor, inner race. 1 does not change the life."""
     hardnessLF2: float
-    """Record 8.6.5. STLE hardness factor, inner race. 1 leaves the life as it is."""
+    """Record 8.6.5. STLE hardness factor, inner race. 1 does not change the life."""
     facMatRe: float
     """Record 8.6.6. Tallian material factor, rolling elements. 52100 has 1.197, 8620 1.773, M50 2.267."""
     facContRe: float
@@ -918,11 +877,11 @@ class DeckVariables:
     carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
     before relying on it."""
     facMatLFre: float
-    """Record 8.6.6. STLE material factor, rolling elements. 1 leaves the life as it is."""
+    """Record 8.6.6. STLE material factor, rolling elements. 1 does not change the life."""
     facProcLFre: float
-    """Record 8.6.6. STLE process factor, rolling elements. 1 leaves the life as it is."""
+    """Record 8.6.6. STLE process factor, rolling elements. 1 does not change the life."""
     hardnessLFre: float
-    """Record 8.6.6. STLE hardness factor, rolling elements. 1 leaves the life as it is."""
+    """Record 8.6.6. STLE hardness factor, rolling elements. 1 does not change the life."""
     roomTemp: float
     """Record 9.0 [K]. Room temperature (absolute), at which all dimensions and fits are given."""
     raceFit1: float
@@ -932,11 +891,11 @@ class DeckVariables:
     """Record 9.0 [m]. Diametral fit of the inner race on the shaft, mounted at room temperature; positive is
     interference."""
     angVelOrient: float
-    """Record 9.0 [deg]. Angle from the x axis of the axis that a ball spins about, relative to its orbit, in the
-    plane through ball and bearing axis; used only when kAngVel is 2. The end of the axis towards -x rises
-    outwards when the angle is positive: at the contact angle the ball rolls without spin. With an inner race that
-    turns positively the spin points to -x, so that theta in the listing, of the whole angular velocity with the
-    orbit in it, is somewhat below 180 degrees less this angle."""
+    """Record 9.0 [deg]. Angle of the ball spin axis from the x axis, relative to the orbit, in the plane through
+    ball and bearing axis; used only when kAngVel is 2. For a positive angle the end of the axis towards -x rises
+    outwards: at the contact angle the ball rolls without spin. If the inner race turns positively, the spin
+    points to -x. The listing gives theta of the whole angular velocity, orbit included, which is slightly below
+    180 degrees minus this angle."""
     res1: float
     """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, tension positive; enters the STLE life
     factor."""
@@ -944,8 +903,8 @@ class DeckVariables:
     """Record 9.0 [N/m^2]. Residual stress of the inner race in operation, tension positive; enters the STLE life
     factor."""
     facStrLimit: float
-    """Record 9.0. Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear stress that belongs to
-    the von Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100."""
+    """Record 9.0. Multiplier on the fatigue limit stress. 1 corresponds to the octahedral shear stress of the von
+    Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100."""
     appLoadX: float
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along x, used when kFS1 is 0."""
     appLoadY: float
@@ -954,16 +913,16 @@ class DeckVariables:
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
     appDispX: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along x when kFS1 is 1; first guess
-    when kFS1 is 0, where 0 asks for an estimate. Measured from where all balls just touch at freeConAng by +x, or
+    when kFS1 is 0, where 0 selects an estimate. Measured from where all balls just touch at freeConAng by +x, or
     cones just touch, or else mid planes coincide, of the unmounted bearing at room temperature and rest: fits,
     growth and speed act against it."""
     appDispY: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along y when kFS2 is 1; first guess
-    when kFS2 is 0, where 0 asks for an estimate. Measured from the coaxial position of the unmounted bearing at
+    when kFS2 is 0, where 0 selects an estimate. Measured from the coaxial position of the unmounted bearing at
     room temperature and rest: fits, growth and speed act against it."""
     appDispZ: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along z when kFS3 is 1; first guess
-    when kFS3 is 0, where 0 asks for an estimate. Measured from the coaxial position of the unmounted bearing at
+    when kFS3 is 0, where 0 selects an estimate. Measured from the coaxial position of the unmounted bearing at
     room temperature and rest: fits, growth and speed act against it."""
     appMomY: float
     """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about y, used when kFS4 is 0."""
@@ -1054,24 +1013,24 @@ class DeckVariables:
     raceSpeedFreq2: float
     """Record 9.4B [Hz]. Frequency of the inner race speed."""
     brgOrbitRad: float
-    """Record 9.5 [m]. Orbit radius of the bearing centre."""
+    """Record 9.5 [m]. Orbit radius of the bearing center."""
     brgAngPos: float
-    """Record 9.5 [deg]. Angle of the bearing centre on its orbit at the start."""
+    """Record 9.5 [deg]. Angle of the bearing center on its orbit at the start."""
     brgAngVel: float
-    """Record 9.5 [rpm]. Orbit speed of the bearing centre."""
+    """Record 9.5 [rpm]. Orbit speed of the bearing center."""
     brgLoadFrac1: float
-    """Record 9.5. Part of the outer race's inertia load that the bearing carries."""
+    """Record 9.5. Fraction of the outer race's inertia load that the bearing carries."""
     brgLoadFrac2: float
-    """Record 9.5. Part of the inner race's inertia load that the bearing carries."""
+    """Record 9.5. Fraction of the inner race's inertia load that the bearing carries."""
     pocLubFilm: float
-    """Record 9.6 [m]. Largest lubricant film in the pockets; elements closer than this to the pocket wall feel the
-    film."""
+    """Record 9.6 [m]. Largest lubricant film in the pockets; the film acts on elements closer than this to the
+    pocket wall."""
     wvRatio: float
-    """Record 9.6. Whirl speed of the cage mass centre at the start, divided by the cage's angular speed."""
+    """Record 9.6. Whirl speed of the cage mass center at the start, divided by the angular speed of the cage."""
     avRatio: float
     """Record 9.6. Angular speed of the cage at the start, divided by the epicyclic speed."""
     cageGcPos: np.ndarray
-    """Record 9.6 [m]. x, y, z of the cage mass centre at the start, from the locus of element centres."""
+    """Record 9.6 [m]. x, y, z of the cage mass center at the start, from the circle of element centers."""
     cageAngPos: np.ndarray
     """Record 9.6 [deg]. Three transformation angles of the cage from the inertial frame at the start."""
     baseTemp: float
@@ -1097,22 +1056,22 @@ class DeckVariables:
     kTrac: int
     """Record 10.0. Traction model or lubricant between rolling elements and races."""
     kTracType: int
-    """Record 10.0. Form of the hypothetical traction curve, element to race. It is always needed: it takes over
-    where the film is thinner than reRaceFilm."""
+    """Record 10.0. Form of the hypothetical traction curve, element to race. It is always needed: it applies where
+    the film is thinner than reRaceFilm."""
     kCPTrac: int
-    """Record 10.0. Where the traction coefficient comes from, element to cage."""
+    """Record 10.0. Source of the traction coefficient, element to cage."""
     kCPTracType: int
     """Record 10.0. Form of the hypothetical traction curve, element to cage."""
     kCRTrac: int
-    """Record 10.0. Where the traction coefficient comes from, cage to race."""
+    """Record 10.0. Source of the traction coefficient, cage to race."""
     kCRTracType: int
     """Record 10.0. Form of the hypothetical traction curve, cage to race."""
     kRFTrac: int
-    """Record 10.0. Where the traction coefficient comes from, roller to flange."""
+    """Record 10.0. Source of the traction coefficient, roller to flange."""
     kRFTracType: int
     """Record 10.0. Form of the hypothetical traction curve, roller to flange."""
     kRRTrac: int
-    """Record 10.0. Where the traction coefficient comes from, element to element. Used without a cage."""
+    """Record 10.0. Source of the traction coefficient, element to element. Used without a cage."""
     kRRTracType: int
     """Record 10.0. Form of the hypothetical traction curve, element to element. Used without a cage."""
     iTherm: int
@@ -1136,8 +1095,8 @@ class DeckVariables:
     reRaceFilm: float
     """Record 10.3 [m]. Film thickness below which the hypothetical curve replaces the lubricant model."""
     strParam: float
-    """Record 10.3. Distance of the oil meniscus from the contact edge over the contact half width: 10 or more is
-    flooded, 1 or less heavily starved."""
+    """Record 10.3. Distance of the oil meniscus from the contact edge divided by the contact half width: 10 or more
+    is flooded, 1 or less heavily starved."""
     lubName: str
     """Record 10.4.0. Name of the lubricant, at most 36 characters; for documentation only."""
     refTemp: float
@@ -1147,7 +1106,7 @@ class DeckVariables:
     prVisCoeff: float
     """Record 10.4.1 [m^2/N]. Pressure-viscosity coefficient."""
     tempVisCoeff: float
-    """Record 10.4.1 [K]. Temperature-viscosity coefficient b of the law exp(b (1/T - 1/T0))."""
+    """Record 10.4.1 [K]. Temperature coefficient of viscosity b in the law exp(b (1/T - 1/T0))."""
     lubTherCond: float
     """Record 10.4.1 [W/m/K]. Thermal conductivity (a real, although its name starts with l)."""
     lubDen: float
@@ -1189,11 +1148,11 @@ class DeckVariables:
     gsVis: float
     """Record 10.6 [N.s/m^2]. Effective viscosity of the oil at the guide lands."""
     chnDen: float
-    """Record 10.7A [kg/m^3]. Effective density of the oil-air mixture that drags."""
+    """Record 10.7A [kg/m^3]. Effective density of the oil-air mixture that causes drag."""
     chnVis: float
-    """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that drags."""
+    """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that causes drag."""
     denRatio: float
-    """Record 10.7B. Effective density of the medium divided by its built-in value; an oil mist has far less than 1."""
+    """Record 10.7B. Effective density of the medium divided by its built-in value; far below 1 for an oil mist."""
     visRatio: float
     """Record 10.7B. Effective viscosity of the medium divided by its built-in value."""
     gravityVecX: float

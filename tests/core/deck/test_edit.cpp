@@ -99,7 +99,7 @@ TEST_CASE("set refuses what it cannot do and says what would be possible", "[uni
   const Deck deck = new_deck("ball");
   CHECK_THAT(failure(deck, "pichDia", "0.06"), Catch::Contains("did you mean pitchDia"));
   CHECK_THAT(failure(deck, "xyzzyplugh", "1"), Catch::Contains("adore schema"));
-  CHECK_THAT(failure(deck, "recID", "'x'"), Catch::Contains("does not say which"));
+  CHECK_THAT(failure(deck, "recID", "'x'"), Catch::Contains("the name alone is ambiguous"));
   CHECK_THAT(failure(deck, "nRe", "12.0"), Catch::Contains("write 12"));
   CHECK_THAT(failure(deck, "nRe", "twelve"), Catch::Contains("nRe takes an integer"));
   CHECK_THAT(failure(deck, "pitchDia", "0,06"), Catch::Contains("is not a number"));

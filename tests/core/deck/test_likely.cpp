@@ -53,7 +53,7 @@ TEST_CASE("likely slips are named with what was probably meant", "[unit]") {
       {"ball", {{"gravityVecZ", "-1"}}, warning, "gravityVecZ", "multiples of gravity"},
       {"ball", {{"gravityVecX", "-32.2"}, {"gravityVecZ", "0"}}, warning, "gravityVecX", "ft/s^2"},
       {"ball", {{"gravityVecZ", "386"}}, warning, "gravityVecZ", "in/s^2"},
-      {"ball", {{"gravityVecZ", "5000"}}, warning, "gravityVecZ", "times the gravity of the earth"},
+      {"ball", {{"gravityVecZ", "5000"}}, warning, "gravityVecZ", "times the gravity of Earth"},
       {"ball-english",
        {{"gravityVecZ", "-9.81"}},
        warning,
@@ -121,7 +121,7 @@ TEST_CASE("a number that begins a comment is not taken for a value in silence", 
   // One width is missing, and the comment begins with a number.
   const deck::ReadResult slip = with("0.040, 0.080, 0.0, 0.110, 0.018   2 races, widths in m ");
   INFO(all(slip.issues));
-  CHECK(has(slip.issues, {"", {}, Severity::Warning, "raceWidth2", "beginning of a comment"}));
+  CHECK(has(slip.issues, {"", {}, Severity::Warning, "raceWidth2", "start of a comment"}));
   // A comma, blanks throughout, or no prose after it: meant.
   for (const char* meant :
        {"0.040, 0.080, 0.0, 0.110, 0.018,   0.018 ", "0.040 0.080  0.0 0.110   0.018  0.018 ",

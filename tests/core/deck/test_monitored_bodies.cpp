@@ -97,7 +97,7 @@ TEST_CASE("a number that stands for no body does not keep the others from follow
   deck.complete();
   const std::vector<Issue> notes = follow_bodies(deck, before);
   CHECK(body_name(deck, monitored_bodies(deck)[1]) == "outer race");
-  CHECK(said(notes, fmt::format("{} stood for no body and is the inner race now", bodies + 1)));
+  CHECK(said(notes, fmt::format("{} was not the number of a body and is now the inner race", bodies + 1)));
   // A count that is none says nothing of bodies.
   Deck none = before;
   none.set("nRe", "0");

@@ -207,9 +207,9 @@ TEST_CASE("balls of unequal diameter run from decks", "[validation][imperfection
 
 TEST_CASE("what segments cannot do is refused by what it is", "[unit][cage]") {
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
-             Catch::Contains("cuts more than the bars") && Catch::Contains("give at most"));
+             Catch::Contains("removes more than the bars") && Catch::Contains("give at most"));
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
-             Catch::Contains("touches on both sides"));
+             Catch::Contains("touches the rolling element on both sides"));
 }
 
 TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][cage]") {

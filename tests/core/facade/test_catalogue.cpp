@@ -168,7 +168,7 @@ TEST_CASE("a spherical bearing of the catalogue says that it is one row of two",
           "[unit][catalogue]") {
   std::string story;
   for (const std::string& line : deck::catalogue_story(deck::find_bearing("22210"))) story += line;
-  CHECK(story.find("ONE row of the two") != std::string::npos);
+  CHECK(story.find("ONE of the two rows") != std::string::npos);
   CHECK(deck::catalogue_deck(deck::find_bearing("22210")).find("half of the bearing's") !=
         std::string::npos);
 }

@@ -78,7 +78,7 @@ TEST_CASE("what-if of a deck whose every variable is set leaves each effect out"
       for (const WhatIfRow& row : result.rows) {
         CAPTURE(row.effect);
         CHECK(row.failure.find("set twice") == std::string::npos);
-        CHECK(row.failure.find("no such record") == std::string::npos);
+        CHECK(row.failure.find("does not have this record") == std::string::npos);
       }
     }
 }

@@ -249,7 +249,7 @@ TEST_CASE("a coolant that takes no heat is an error of the deck before a run beg
       }
       sets.emplace_back(name, "0.0");
       CHECK(says(checked("ball", sets), Severity::Error,
-                 std::string(name) + " = 0.0: lets the coolant take no heat"));
+                 std::string(name) + " = 0.0: prevents heat transfer to the coolant"));
     }
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("every lubricant, medium and coolant has a word for what is known of i
     CHECK(report.ok());
     const std::string start = "the properties of " + name + ", " + what + ", ";
     CHECK(says(report, Severity::Note, start + "are estimates") == (provenance == "estimated"));
-    CHECK(says(report, Severity::Note, start + "were recalled") == (provenance == "recalled"));
+    CHECK(says(report, Severity::Note, start + "are recalled") == (provenance == "recalled"));
   };
   int estimated = 0;
   for (const int code : tribology::lubricant_codes()) {

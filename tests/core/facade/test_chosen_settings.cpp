@@ -54,8 +54,9 @@ TEST_CASE("nodes of the contact ellipses are chosen with the steps", "[accuracy]
   INFO(rough.text << "\n" << fine.text);
   CHECK(nodes(rough) < nodes(fine));
 
-  std::string again = fmt::format("the same run again: `adore run DECK --integrator {} --tol {:g}",
-                                  rough.integrator, rough.tolerance);
+  std::string again =
+      fmt::format("to repeat the same run: `adore run DECK --integrator {} --tol {:g}",
+                  rough.integrator, rough.tolerance);
   for (const auto& [name, value] : rough.sets) again += fmt::format(" --set {}={}", name, value);
   for (const auto& [name, value] : rough.options) again += fmt::format(" --opt {}={}", name, value);
   CHECK(rough.text.ends_with(again + "`"));
@@ -90,5 +91,5 @@ TEST_CASE("a resolution that the request gives stays", "[accuracy][slow]") {
   const ChosenSettings chosen = choose_settings(request, 0.2, {});
   CHECK(chosen.options.empty());
   CHECK(chosen.rows.empty());
-  CHECK(chosen.text.find("as the options give them") != std::string::npos);
+  CHECK(chosen.text.find("are taken from the options") != std::string::npos);
 }

@@ -129,7 +129,7 @@ std::vector<Left> left_ranges() {
         {}},
        true,
        "yields"},
-      {"materials.temperature", {"ball", warm + hot(620.0), {}}, true, "outside of what is known"},
+      {"materials.temperature", {"ball", warm + hot(620.0), {}}, true, "outside the known range"},
       {"materials.tempering", {"ball", hot(480.0), {}}},
       {"conformity.groove", {"ball", {{"raceCurFac1", "0.65"}}, {}}, false},
       {"life.pressure", {"ball", crushed, {}}},

@@ -78,7 +78,7 @@ Told run(const Hard& hard, std::string_view method, double tolerance, const Sets
     if (ran.outcome.status != RunStatus::Done) return {{}, ran.outcome.message};
     for (const Issue& issue : ran.outcome.warnings)
       if (issue.severity == Severity::Warning &&
-          (issue.message.find("have no account") != std::string::npos ||
+          (issue.message.find("energy residual of") != std::string::npos ||
            issue.message.find("missed the tolerance") != std::string::npos))
         return {{}, issue.message};
     Means means{};

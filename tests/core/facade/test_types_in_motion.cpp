@@ -268,7 +268,7 @@ TEST_CASE("decks with crowned raceways run, and their crown acts", "[validation]
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
     CHECK_THAT(ran.print, Catch::Contains("Crown radius of the inner race"));
     CHECK_THAT(refusal_of(deck_of(type, {{"raceCrn2", "0.003"}})),
-               Catch::Contains("raceCrn2") && Catch::Contains("ends before the raceway"));
+               Catch::Contains("raceCrn2") && Catch::Contains("ends inside the raceway width"));
   }
 }
 
@@ -297,8 +297,8 @@ TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[val
         plain = cage;
       else
         CHECK(cage != plain);
-      CHECK((ran.print.find("Least radial play at land 1 with its errors") != std::string::npos) ==
-            !errors.empty());
+      CHECK((ran.print.find("Least radial clearance at land 1 with its errors") !=
+             std::string::npos) == !errors.empty());
     }
   }
   CHECK_THAT(refusal_of(deck_of(
@@ -306,7 +306,7 @@ TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[val
                  {{"kRaceGsImp", "2"}, {"raceGsRadVar1[1]", "1e-5"}, {"raceGsRadVar2[1]", "2.5"}})),
              Catch::Contains("raceGsRadVar2") && Catch::Contains("whole number"));
   CHECK_THAT(refusal_of(deck_of("ball", {{"kCageGsImp", "1"}, {"cageGsRadVar1[1]", "0.01"}})),
-             Catch::Contains("cageGsRadVar1") && Catch::Contains("give at most"));
+             Catch::Contains("cageGsRadVar1") && Catch::Contains("of at most"));
   // Deviations that use up the play: the start says so.
   const testing::TemporaryFolder folder;
   CHECK_THAT(why_not(deck_of("ball", {{"kCageGsImp", "1"}, {"cageGsRadVar1[1]", "3e-4"}}),
@@ -350,7 +350,7 @@ TEST_CASE("no value of the cage's records makes a pocket that cannot be", "[vali
                Catch::Contains("drawn at random"));
     if (nominal.integer("nGL") == 0) continue;
     CHECK_THAT(refusal_of(deck_of(type, {{"cageGsPos[1]", "0.05"}})),
-               Catch::Contains("puts the whole land beside the cage"));
+               Catch::Contains("puts the whole land outside the cage"));
     CHECK_THAT(refusal_of(deck_of(type, {{"cageGsDia[1]", "1e3"}})),
                Catch::Contains("outside the bearing"));
   }

@@ -81,7 +81,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   const Ran by_formula = ran_with(formula);
   CHECK(difference(ran, by_formula) < 1e-9);
   CHECK_THAT(text_of(by_formula.folder / "RUN.json"),
-             Catch::Contains("shocks that routine ADRX1 specifies") &&
+             Catch::Contains("impulses and steps that routine ADRX1 specifies") &&
                  Catch::Contains("a jump of its loads at t = 0.0001 s"));
 }
 
@@ -438,8 +438,8 @@ TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[
     return out;
   };
   CHECK_THAT(says(2, "ball", {}), Catch::Contains("ADRX2") && Catch::Contains("no flanges"));
-  CHECK_THAT(says(3, "ball", {{"mode", "-1"}}), Catch::Contains("ADRX3 of the test is active and "
-                                                                "does nothing here"));
+  CHECK_THAT(says(3, "ball", {{"mode", "-1"}}),
+             Catch::Contains("ADRX3 of the test is active but has no effect here"));
   CHECK_THROWS_WITH(
       says(4, "ball", {{"kCageGsImp", "2"}, {"nGL", "1"}, {"cageGsRadVar1[1]", "1e-6"}}),
       Catch::Contains("ADRX4") && Catch::Contains("arc") && Catch::Contains("kCageGsImp = 2"));
@@ -585,7 +585,7 @@ TEST_CASE("surfaces that cannot be simulated are refused with their reason", "[u
   CHECK_THROWS_WITH(says("spherical", {}, R"~({"adrx5": {"radius": "1e-3*x*sin(psi)"}})~"),
                     Catch::Contains("ADRX5") && Catch::Contains("azimuth alone"));
   CHECK_THAT(says("cylindrical", {{"mode", "-1"}}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
-             Catch::Contains("the equilibrium has their mean radius"));
+             Catch::Contains("the equilibrium uses their mean radius"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
                     Catch::Contains("balls stay round"));
   CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "1e-3*x"}})~"),

@@ -168,7 +168,7 @@ TEST_CASE("contactDamping: default, a number, 0 and modes in balance -> plan and
   for (const char* mode : {"1", "2"}) {
     CHECK_THAT(reason(prepared("", "mode", mode)),
                Catch::Contains("none on the races") && Catch::Contains("pockets"));
-    CHECK_THAT(notes(prepared("0.2", "mode", mode)), Catch::Contains("no part at the races"));
+    CHECK_THAT(notes(prepared("0.2", "mode", mode)), Catch::Contains("no effect at the races"));
   }
   CHECK_THAT(reason(prepared("0.2", "qFac", "0.05")), Catch::Contains("qFac = 0.05"));
 }

@@ -403,7 +403,7 @@ TEST_CASE("damage of a run is restored whole or refused by the value that lacks"
     part.erase(name);
     CAPTURE(name);
     DamageSum again;
-    CHECK_THROWS_WITH(again.restore(part), Catch::Matchers::Contains("lacks '" + name + "'"));
+    CHECK_THROWS_WITH(again.restore(part), Catch::Matchers::Contains("'" + name + "' is missing"));
   }
   for (const double life : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(check_life(life), InputError);

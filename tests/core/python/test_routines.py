@@ -174,7 +174,7 @@ class Surfaces(unittest.TestCase):
         self.assertIn("wants 3 numbers", " ".join(issue.text for issue in issues))
         routines = adore.Routines()
         routines.elements(lambda places: 1e-6 * np.sin(places.azimuth))
-        self.assertIn("out of round", " ".join(issue.text for issue in adore.new("cylindrical").check(user=routines)))
+        self.assertIn("out-of-round", " ".join(issue.text for issue in adore.new("cylindrical").check(user=routines)))
         routines = adore.Routines()
         routines.force("flange")(lambda contacts: contacts.built_in)
         self.assertIn("no flanges", " ".join(issue.text for issue in adore.new("ball").check(user=routines)))

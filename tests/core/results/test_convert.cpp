@@ -114,7 +114,7 @@ TEST_CASE("every result file is recognised by its content and described", "[unit
              Contains("complete steps             4") && Contains("cut off in step 4"));
   write_bytes(folder / "deck", "'1', 0, 0\n'2'\n");
   CHECK_THAT(message_of([&] { (void)describe_file(folder / "deck"); }),
-             Contains("no SOL1-SOL8 file"));
+             Contains("not a SOL1-SOL8 file"));
   CHECK_THAT(message_of([&] { (void)describe_file(folder / "."); }), Contains("folder"));
   CHECK_THAT(message_of([&] { (void)describe_file(folder / "none"); }),
              Contains("cannot be opened"));

@@ -105,7 +105,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
     wrong.replace(wrong.find("\ntime 0.3"), 9, "\ntime x.3");
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read),
-               Contains(name + ":7:") && Contains("no number") && Contains("kIcOpt"));
+               Contains(name + ":7:") && Contains("not a number") && Contains("kIcOpt"));
     // One digit is another motion.
     for (std::size_t at = text.find('\n', text.find("\nrun ") + 1); at < text.rfind("end "); ++at) {
       if (text[at] < '0' || text[at] > '9') continue;

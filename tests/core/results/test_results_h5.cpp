@@ -297,7 +297,7 @@ TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence
              }),
              Contains("cannot be written") && Contains("create the folder"));
   write_bytes(folder / "text", "not HDF5");
-  CHECK_THAT(message_of([&] { H5Reader reader(folder / "text"); }), Contains("no HDF5 file"));
+  CHECK_THAT(message_of([&] { H5Reader reader(folder / "text"); }), Contains("not an HDF5 file"));
   const std::string bytes = read_bytes(path);
   for (const std::size_t size : {std::size_t{100}, bytes.size() / 2, bytes.size() - 100}) {
     write_bytes(folder / "cut", std::string_view(bytes).substr(0, size));
@@ -334,7 +334,7 @@ TEST_CASE("a full disk stops the writers with a sentence and keeps what was stor
           sol.write(record);
         } catch (const InputError& error) {
           sol_open = false;
-          if (std::string(error.what()).find("SOL1: the file cannot be written any further") !=
+          if (std::string(error.what()).find("SOL1: the file cannot be written further") !=
               std::string::npos)
             ++failures;
         }

@@ -150,7 +150,7 @@ TEST_CASE("a child that falls silent ends in a sentence", "[unit][h5]") {
   h5::Limits limits;
   limits.silence = std::chrono::seconds(0);
   CHECK_THAT(message_of([&] { h5::Process process(path, limits); }),
-             Contains("came to no end in 0 s"));
+             Contains("did not end within 0 s"));
   CHECK(h5::Process(path).content().steps == 4);
 }
 

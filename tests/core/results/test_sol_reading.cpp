@@ -142,8 +142,7 @@ TEST_CASE("files of other programs open", "[unit][sol]") {
     CHECK(file.steps[0].time == 1.0);
     CHECK(file.steps[0].values[0] == 1.2345678e-100);
     CHECK(std::isnan(file.steps[0].values[1]));
-    CHECK(file.gaps ==
-          "1 value is no finite number (stars are an overflow of the field), the first in step 1");
+    CHECK(file.gaps == "1 value is not finite (stars mean a field overflow), the first in step 1");
     CHECK(file.steps[0].values[34] == 34.0);
     CHECK(sol_columns(file.header)[34].id == "value35");
     CHECK(unit_of_column(file, sol_columns(file.header)[0]).empty());

@@ -124,7 +124,7 @@ TEST_CASE("every channel that is looked at has its extremes and mean behind it, 
       CHECK(channel.per == all[at].per);
       CHECK(channel.frame == all[at].frame);
       CHECK_FALSE(channel.continuous);
-      CHECK_THAT(std::string(channel.help), Catch::Contains("since the step stored before"));
+      CHECK_THAT(std::string(channel.help), Catch::Contains("since the previous stored step"));
     }
   }
 }

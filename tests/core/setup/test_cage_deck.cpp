@@ -61,7 +61,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
     CHECK(bearing.operating->cage_speed ==
           Approx(0.5 * bearing.speed[1] * (1.0 - gamma)).epsilon(1e-4));
     const std::string text = page(bearing, deck);
-    for (const char* words : {"Cage mass", "Effective cage play", "pocket clearance I",
+    for (const char* words : {"Cage mass", "Effective cage clearance", "pocket clearance I",
                               "Cage speed (epicyclic)", "Mass, from the ideal shape"})
       CHECK_THAT(text, Catch::Contains(words));
     const auto json = listing::cage_json(bearing);
@@ -74,7 +74,7 @@ TEST_CASE("a conical cage's mass centre lies towards its large end", "[physics][
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
-  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass centre from the middle of the cage") &&
+  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass center from the middle of the cage") &&
                                       Catch::Contains("-0.0007"));  // the large end is at -x
 }
 
@@ -96,8 +96,9 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
   const bearing::Bearing faces = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(faces.cage->pocket_clearance_1 == Approx(1.8e-4).epsilon(1e-6));
   CHECK(faces.cage->inertia.mass > 0.0);
-  CHECK_THAT(page(faces, deck), Catch::Contains("2 pairs of guide faces") &&
-                                    Catch::Contains("Least pocket play between the guide faces"));
+  CHECK_THAT(page(faces, deck),
+             Catch::Contains("2 pairs of guide faces") &&
+                 Catch::Contains("Least pocket clearance between the guide faces"));
 
   deck = at_rest("cylindrical");
   const bearing::Bearing window = setup::build_bearing(deck);
@@ -189,8 +190,8 @@ TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why"
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   REQUIRE(bearing.cage);
   CHECK(bearing.cage->inertia.mass == 0.0);
-  CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is not known") &&
-                                      Catch::Contains("Effective cage play"));
+  CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is unknown") &&
+                                      Catch::Contains("Effective cage clearance"));
   CHECK(listing::cage_json(bearing)["mass [kg]"].is_null());
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("flanges that no roller end meets, or that leave no play or no guidanc
         CHECK(warnings_of(low, height).size() == 1);
       }
       for (const auto& [value, words] :
-           {std::pair{"-1e-5", "is negative"}, std::pair{"0.01", "length of the rollers"}}) {
+           {std::pair{"-1e-5", "is negative"}, std::pair{"0.01", "roller length"}}) {
         deck::Deck other = deck;
         other.set(play, value);
         const std::vector<std::string> said = warnings_of(other, play);

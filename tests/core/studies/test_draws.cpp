@@ -54,7 +54,7 @@ TEST_CASE("Sobol points fill every dyadic interval of every dimension evenly", "
       CHECK(std::abs(12.0 * sum / n) < 0.3);
     }
   CHECK_THROWS_WITH(unit_samples(Sampling::Sobol, n, kSobolDimensions + 1, 3),
-                    Catch::Contains("take latin"));
+                    Catch::Contains("use latin"));
 }
 
 TEST_CASE("Sobol integrates a smooth product far better than random points", "[unit][studies]") {

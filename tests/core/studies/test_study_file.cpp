@@ -65,7 +65,7 @@ TEST_CASE("a mistake in a study file is a sentence with file, key, value and wha
              Contains("quantities[1] = \"largest_contact_load\"") &&
                  Contains("nearest is \"largest_contact_load_N\""));
   CHECK_THAT(refused("\"deck\": \"DATA.txt\",", "\"deck\": \"DATA.txt\", \"untill\": \"5rev\","),
-             Contains("a.json: untill plays no part") && Contains("do you mean \"until\""));
+             Contains("a.json: untill is not used here") && Contains("do you mean \"until\""));
   CHECK_THAT(refused("\"deck\": \"DATA.txt\",", ""), Contains("a.json: deck is missing"));
   CHECK_THAT(refused("\"grid\": [500, 1500, 3]", "\"normal\": [500, -1]"),
              Contains("variables[1].normal = [500,-1]") && Contains("above 0"));
@@ -267,7 +267,7 @@ TEST_CASE("the key that a sentence is about is found in it", "[unit][studies]") 
   CHECK(key_of_sentence("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
         "variables[2].grid");
   CHECK(key_of_sentence("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
-  CHECK(key_of_sentence("a.json: a what-if study compares cases; leave", "a.json").empty());
+  CHECK(key_of_sentence("a.json: a what-if study compares cases; remove", "a.json").empty());
   CHECK(key_of_sentence("there is no deck DATA.txt", "a.json").empty());
 }
 

@@ -230,7 +230,7 @@ TEST_CASE("cryogenic coolants keep their own temperature and say where they are 
   b.thermal->base_temperature = 300.0;  // no liquid any more
   const BearingHeat warm = thermal::solve_bearing_heat(b, kHeat, 3000.0);
   REQUIRE_FALSE(warm.notes.empty());
-  CHECK_THAT(warm.notes.front(), Catch::Contains("the nearer end is used"));
+  CHECK_THAT(warm.notes.front(), Catch::Contains("those of the nearer end are used"));
 }
 
 TEST_CASE("network: hollow shaft, oil at 330 K, room at 293 K → no node below the room",

@@ -253,7 +253,7 @@ TEST_CASE("impossible temperatures and rings are refused with their values", "[u
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("outer raceway radius"));
   b = example_at_rest();
   b.race_temperature[0] = b.mounting.housing_temperature = 1600.0;
-  CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("passes 90"));
+  CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("exceeds 90"));
 }
 
 TEST_CASE("material laws change moduli and growth with temperature", "[physics][material]") {

@@ -20,7 +20,7 @@ TEST_CASE("lubricants: each says to which pressure it was measured, or why that 
     CHECK(range.source.size() > 20);
     if (!range.measured_to) {
       CHECK(range.provenance == "estimated");
-      CHECK_THAT(beyond_range(range, 1e6), Catch::Contains("not known"));
+      CHECK_THAT(beyond_range(range, 1e6), Catch::Contains("unknown pressure"));
       continue;
     }
     ++known;

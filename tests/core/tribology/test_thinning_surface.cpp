@@ -76,7 +76,7 @@ TEST_CASE("filmStress decides whether thinning is read or solved, and the run sa
   surface.width_over_pressure = 1.2e-13;
   const Lubricant& oil = lubricant(11);
   const std::string read = strips_of(oil, lubrication, surface);
-  CHECK_THAT(read, Catch::Contains("hold-out points") && Catch::Contains("for this tolerance"));
+  CHECK_THAT(read, Catch::Contains("check points") && Catch::Contains("for this tolerance"));
   const TractionLaw by_surface =
       film_law(traction_curve(1, {0.0, 0.12, 0.08, 0.5}), oil, lubrication, surface);
   lubrication.direct_strips = true;

@@ -134,7 +134,7 @@ TEST_CASE("what is wrong with a file of formulas is said with its place", "[user
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_rase": {"formula": "1"}}})~"),
              Catch::Contains("element_rase") && Catch::Contains("element_race"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"read": ["u"], "element_race": {"formula": "u"}}})~"),
-             Catch::Contains("another name"));
+             Catch::Contains("choose another name"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"table": "nowhere.csv"}}})~"),
              Catch::Contains("nowhere.csv"));
   CHECK_THAT(problem_of(R"~({"adrx12": {}})~"), Catch::Contains("known are version, adrx0"));
@@ -212,7 +212,7 @@ TEST_CASE("every wrong answer is reported with routine, source and call", "[user
                               return 0;
                             }),
                             {});
-    CHECK_THAT(found.failure, named && Catch::Contains("changed what it was given"));
+    CHECK_THAT(found.failure, named && Catch::Contains("changed its input arrays"));
   }
   SECTION("a number that is not 0") {
     const Asked found = ask(traction_of([&](adore_adrx7& a) {
@@ -246,7 +246,7 @@ TEST_CASE("the end of a plug-in's process is reported, not shared", "[user][unit
     return ask(user::load_in_own_process(library("plug_in_behaviours"), 0.3), {line}).failure;
   };
   CHECK_THAT(failure_of("6 1"), Catch::Contains("ADRX7") && Catch::Contains("crashed"));
-  CHECK_THAT(failure_of("7 1"), Catch::Contains("did not come back"));
+  CHECK_THAT(failure_of("7 1"), Catch::Contains("did not return"));
   CHECK_THAT(failure_of("8 1"), Catch::Contains("ended in this call (exit code 0)"));
   CHECK_THAT(failure_of("9 1"), Catch::Contains("signal 6"));
   CHECK_THAT(failure_of("11 1"), Catch::Contains("the oil is out"));
