@@ -60,7 +60,7 @@ void check_place(const fs::path& path, std::string_view start,
   for (const fs::path& input : inputs)
     if (fs::equivalent(input, path, error))
       throw InputError(
-          fmt::format("--out {}: this is the file that is read; name another one", path.string()));
+          fmt::format("--out {}: this is the input file; name another one", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
   if (write_protected(path))
     throw InputError(fmt::format(
@@ -72,10 +72,10 @@ void check_place(const fs::path& path, std::string_view start,
     stream.read(old.data(), static_cast<std::streamsize>(old.size()));
     old.resize(static_cast<std::size_t>(stream.gcount()));
     if (start.empty() || beginning(old) != start)
-      throw InputError(fmt::format(
-          "--out {}: the file exists and is no export of this kind; name another one, or remove it "
-          "first",
-          path.string()));
+      throw InputError(
+          fmt::format("--out {}: the file exists and is not an export of this type; name another "
+                      "one, or remove it first",
+                      path.string()));
   } else if (fs::is_symlink(status)) {
     throw InputError(fmt::format("--out {}: this is a symbolic link to {}; name the file itself",
                                  path.string(), fs::read_symlink(path, error).string()));

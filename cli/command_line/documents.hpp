@@ -19,6 +19,10 @@ namespace adore::command_line {
 [[nodiscard]] std::string fish_completion(const CommandText& program);
 [[nodiscard]] std::string tree_json(const CommandText& program);
 
+/// Help of an option, followed by its choices: "view to draw: bearing, cage, 3d". Lists of more
+/// than twelve are left out.
+[[nodiscard]] std::string help_with_choices(const OptionText& option);
+
 /// "adore run [DECK] [OPTIONS]"
 [[nodiscard]] std::string usage_line(const CommandText& command, const std::string& path);
 

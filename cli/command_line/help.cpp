@@ -21,7 +21,7 @@ std::string names_of(const OptionText& option) {
 }
 
 std::string help_of(const OptionText& option) {
-  std::string out = option.help;
+  std::string out = help_with_choices(option);
   if (!option.default_value.empty()) out += fmt::format(" (default: {})", option.default_value);
   return out;
 }
@@ -45,6 +45,15 @@ std::string entries(const std::vector<std::pair<std::string, std::string>>& rows
 }
 
 }  // namespace
+
+std::string help_with_choices(const OptionText& option) {
+  constexpr std::size_t kMaxListedChoices = 12;
+  if (option.words.empty() || option.words.size() > kMaxListedChoices) return option.help;
+  std::string out = option.help;
+  for (const std::string& word : option.words)
+    out += (&word == &option.words.front() ? ": " : ", ") + word;
+  return out;
+}
 
 std::string usage_line(const CommandText& command, const std::string& path) {
   std::string out = path;
