@@ -151,13 +151,13 @@ void DeckWindow::makeCentre() {
   connect(problems_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
   plan_ = new EvaluationPanel(
-      &plan_of, tr("What this deck turns on and why, its unknowns and the expected cost: F5."),
+      &plan_of,
+      tr("Effects of this deck with reasons, number of unknowns, expected computing time: F5."),
       this);
   plan_->setObjectName("plan");
   plan_->setTextName(tr("Plan"));
   statics_ = new EvaluationPanel(
-      &quasi_static_of, tr("The quasi-static equilibrium of this deck and its fatigue life: F6."),
-      this);
+      &quasi_static_of, tr("Quasi-static equilibrium and fatigue life of this deck: F6."), this);
   statics_->setObjectName("statics");
   statics_->setTextName(tr("Quasi-static solution"));
   for (const EvaluationPanel* panel : {plan_, statics_})
@@ -242,11 +242,10 @@ void DeckWindow::goTo(const Cell& cell) {
   const std::optional<Cell> count = count_of_none(document_, cell);
   page_->focusCell(count ? *count : cell);
   if (count)
-    search_notice_->ask(
-        tr("%1 has a field for each of %2, which is 0: give %2 above 0 to see them.")
-            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
-                 QString::fromStdString(std::string(variable_of(*count)->name))),
-        {{"leave-option", tr("Leave it"), nullptr}});
+    search_notice_->ask(tr("%1 has as many fields as %2 says, which is 0. Enter %2 above 0.")
+                            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
+                                 QString::fromStdString(std::string(variable_of(*count)->name))),
+                        {{"leave-option", tr("Ignore"), nullptr}});
 }
 
 void DeckWindow::makeDrawing() {
@@ -301,17 +300,17 @@ QWidget* DeckWindow::makeButtons() {
     connect(push, &QPushButton::clicked, this, slot);
     return push;
   };
-  row->addWidget(button(tr("Go &Back"), "back", tr("The record before this one (Page Up)"),
-                        &DeckWindow::goBack));
   row->addWidget(
-      button(tr("&Next Rec"), "next", tr("The next record (Page Down)"), &DeckWindow::nextRecord));
+      button(tr("Go &Back"), "back", tr("Previous record (Page Up)"), &DeckWindow::goBack));
+  row->addWidget(
+      button(tr("&Next Rec"), "next", tr("Next record (Page Down)"), &DeckWindow::nextRecord));
   row->addStretch();
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
                         tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
-  row->addWidget(button(tr("R&un"), "run-deck", tr("Save the deck and run it whole (F7)"),
-                        &DeckWindow::runDeck));
-  row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and end AdrInput"),
+  row->addWidget(
+      button(tr("R&un"), "run-deck", tr("Save the deck and run it (F7)"), &DeckWindow::runDeck));
+  row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and close AdrInput"),
                         &DeckWindow::saveAndExit));
   return bar;
 }

@@ -46,11 +46,11 @@ void DeckWindow::refreshProblems() {
   }
   if (problems_->count() == 0) {
     const bool ready = document_.deck_state() == DeckState::Ready;
-    auto* item = new QListWidgetItem(
-        state_icon(ready ? RecordState::Complete : RecordState::Untouched),
-        ready ? tr("The deck is complete and has no problem.")
-              : tr("The deck has no error; whether a run begins is being found out …"),
-        problems_);
+    auto* item =
+        new QListWidgetItem(state_icon(ready ? RecordState::Complete : RecordState::Untouched),
+                            ready ? tr("The deck is complete and has no problems.")
+                                  : tr("The deck has no errors. Checking that the run can start …"),
+                            problems_);
     item->setFlags(Qt::ItemIsEnabled);
   }
   problems_->setCurrentRow(std::min(selected, problems_->count() - 1));

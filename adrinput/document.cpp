@@ -334,7 +334,7 @@ void Document::find_problems() {
     const deck::VariableSpec& variable = *variable_of(cell);
     deck::NumberProblem problem = parse(cell, typed).problem;
     if (!problem)  // of a session that was cut off
-      problem = {"was typed, but not yet taken as the value", "press Enter in its field"};
+      problem = {"was typed but not accepted yet", "press Enter in its field"};
     Issue issue;
     issue.record = cell.record;
     issue.variable = variable.name;

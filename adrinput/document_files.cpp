@@ -79,8 +79,8 @@ deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
   issue.severity = Severity::Note;
   issue.file = path.string();
   issue.line = first_line;
-  issue.message = "holds letters that are not UTF-8; they were read as Latin-1 (ISO 8859-1)";
-  issue.remedy = "saving writes them as UTF-8";
+  issue.message = "contains characters that are not UTF-8; they were read as Latin-1 (ISO 8859-1)";
+  issue.remedy = "saving converts them to UTF-8";
   read.issues.push_back(std::move(issue));
   return read;
 }
@@ -102,10 +102,9 @@ Issue doubtful_units(const std::string& record, deck::UnitSystem now) {
   issue.severity = Severity::Note;
   issue.record = record;
   issue.message = fmt::format(
-      "the remark behind its values speaks of {} units and is kept as it is; "
-      "the deck is in {} units now",
+      "the comment after its values mentions {} units and is kept; the deck is now in {} units",
       si ? "English" : "SI", si ? "SI" : "English");
-  issue.remedy = "change the remark in a text editor";
+  issue.remedy = "correct the comment in a text editor";
   return issue;
 }
 
@@ -217,9 +216,9 @@ void Document::save(const fs::path& name) {
       Issue issue;
       issue.record = back.deck.records == state_.deck.records ? "12" : "";
       issue.message = issue.record.empty()
-                          ? "a text in the deck would not read back as it stands here"
-                          : "lines of user routines would not read back as they stand here; the "
-                            "first of them looks like a record, or one is blank";
+                          ? "a text of the deck would be read back differently"
+                          : "lines of user routines would be read back differently; the first line "
+                            "looks like a record, or a line is blank";
       issue.remedy = "change that text";
       reasons.push_back(std::move(issue));
     }

@@ -118,13 +118,13 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
   const std::optional<facade::RunScales> now = scales();
   if (!now)
     return {{},
-            {"is a time whose scale is not known yet",
-             "it is taken when the equilibrium is found, for which other errors must be mended; or "
-             "give a multiple of the time scale"}};
+            {"is a time, but the time scale is not known yet",
+             "correct the other errors, so that the equilibrium gives the time scale, or enter a "
+             "multiple of the time scale"}};
   if (turns && now->turns_per_second == 0.0)
     return {{},
-            {"counts turns, but both races turn alike",
-             "give it in s, or as a multiple of the time scale"}};
+            {"is in revolutions, but both races turn at the same speed",
+             "enter it in s or as a multiple of the time scale"}};
   if (turns) seconds = angle / (2.0 * deck::unit::kPi) / now->turns_per_second;
   double value = 0.0;
   const deck::NumberProblem problem = deck::parse_quantity(

@@ -232,7 +232,7 @@ void DrawingView::paintEvent(QPaintEvent*) {
                      Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, remarks.trimmed());
   }
   if (stale_.isEmpty()) return;
-  const QString text = (old ? tr("The last drawing that was possible. ") : QString()) + stale_;
+  const QString text = (old ? tr("Last valid drawing. ") : QString()) + stale_;
   painter.setFont(desktop::ui_font(12));
   const QRectF room = QRectF(rect()).adjusted(24, 24, -24, -24);
   const QRectF box =

@@ -40,7 +40,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   pages_ = new QComboBox(this);
   pages_->setObjectName("lubricant-page");
-  desktop::name_box(*pages_, tr("Chart of the lubricant"));
+  desktop::name_box(*pages_, tr("Lubricant chart"));
   pages_->addItems(
       {tr("Traction over slip"), tr("Viscosity over pressure"), tr("Film and lambda")});
   chart_ = new desktop::ChartView(this);
@@ -48,7 +48,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   chart_->setMinimumSize(kLeastWidth, kLeastHeight);
   conditions_ = new QLabel(this);
   conditions_->setObjectName("lubricant-conditions");
-  conditions_->setAccessibleName(tr("Conditions of the chart"));
+  conditions_->setAccessibleName(tr("Chart conditions"));
   conditions_->setWordWrap(true);
   conditions_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // Docks ask no label how high it is at its width: three lines at the least width.
@@ -117,11 +117,10 @@ void LubricantPanel::showPage() {
     if (!contact)
       return chart_->showPage(
           sentence(deck_.integer("kTrac") == 0
-                       ? "kTrac = 0 on record 10.0: no lubricant. All contacts have the traction "
-                         "of their curves (records 10.1 to 10.5), which the drawing of those "
-                         "records shows"
-                       : "kTrac on record 10.0 names no lubricant of the table: a routine ADRX7 "
-                         "has its own traction"));
+                       ? "kTrac = 0 in record 10.0: no lubricant. All contacts use the traction "
+                         "curves of records 10.1 to 10.5; see the drawing of those records"
+                       : "kTrac in record 10.0 is not a lubricant of the table: the user routine "
+                         "ADRX7 defines the traction"));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
                                   .at(static_cast<std::size_t>(pages_->currentIndex()));
     // There is little room: what is drawn stands in the list above, conditions below the chart.

@@ -9,9 +9,9 @@ namespace {
 /// Whole sentences first, what an option is called in general last. Buttons and menus by their
 /// names; a program to be typed stays between its marks, where the window has nothing for it.
 constexpr std::pair<std::string_view, std::string_view> kWords[]{
-    {"choose another folder with --out", "run it into a new folder (Shift+F7)"},
-    {"name another one with --out", "run it into a new folder (Shift+F7)"},
-    {"another folder with --out", "run it into a new folder (Shift+F7)"},
+    {"choose another folder with --out", "run it in a new folder (Shift+F7)"},
+    {"name another one with --out", "run it in a new folder (Shift+F7)"},
+    {"another folder with --out", "run it in a new folder (Shift+F7)"},
     {"go on with that run with --continue, replace its results with --overwrite",
      "go on with that run (Continue the run), replace its results"},
     {"--continue: the deck ", "Continue the run: the deck "},
@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[]{
      "; the equilibrium alone: Run quasi-static now (F6), or mode = -1"},
     {" with --user PLUG-IN", " on the command line (`adore run --user PLUG-IN`)"},
     {" of --user ", " of `adore run --user` "},
-    {"give --over-budget", "press Start all the same"},
+    {"give --over-budget", "press Run anyway"},
     {"then --retry-failed", "then press Retry failed"},
     {" with --retry-failed", " with Retry failed"},
     {"give fewer --workers", "make fewer runs at a time"},
