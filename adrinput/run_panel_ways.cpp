@@ -48,7 +48,7 @@ facade::RunRequest sweep_request(const fs::path& file, const fs::path& folder,
 }
 
 QString place_of(const fs::path& folder, const fs::path& file) {
-  return folder == file.parent_path() ? RunPanel::tr("folder of the deck")
+  return folder == file.parent_path() ? RunPanel::tr("next to the deck")
                                       : RunPanel::tr("in %1").arg(from(folder.filename()));
 }
 
@@ -153,7 +153,7 @@ void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
   QStringList names;
   for (const Way& way : ways)
     names << tr("%1: %2").arg(
-        way.folder == file.parent_path() ? tr("folder of the deck") : from(way.folder.filename()),
+        way.folder == file.parent_path() ? tr("next to the deck") : from(way.folder.filename()),
         way.state);
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("continue-which");

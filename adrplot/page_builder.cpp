@@ -164,14 +164,13 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       if (!any_value(curve->y) && !any_but_zero(band->second)) continue;
       curve->low = band->second.low;
       curve->high = band->second.high;
-      chart.band_note = file.every > 1 ? "Pale areas reach from the lowest to the highest value "
-                                         "between the drawn steps."
-                                       : "Pale areas reach from the lowest to the highest value "
-                                         "between the stored steps.";
+      chart.band_note = file.every > 1
+                            ? "Min–max bands: range of the values between the drawn steps."
+                            : "Min–max bands: range of the values between the stored steps.";
     }
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
-    add_note(chart, aliased + "; faster motion between them is not seen in the lines.");
+    add_note(chart, aliased + "; the lines do not show faster motion.");
   else
     tell_of_peaks(chart, file, page, context);
 }
@@ -200,14 +199,14 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   }
   chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
-  panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
+  panel.curves.push_back({"mass center", columns.values(up.curves.front().column).values,
                           columns.values(across.curves.front().column).values});
   // Less than an atom's size, or a billionth of a clearance, is no path.
   const ChartCurve& path = panel.curves.front();
   const double least = panel.unit.empty() ? 1e-9 : desktop::least_span_of(panel.unit);
   const double width = spread(path.x), height = spread(path.y);
   if (width >= 0.0 && height >= 0.0 && std::max(width, height) < least)
-    add_note(chart, "The mass centre does not move in this plane: start and end are one place.");
+    add_note(chart, "The mass center does not move in this plane.");
   chart.panels.push_back(std::move(panel));
 }
 
@@ -227,13 +226,13 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   const std::vector<double> turns = accumulated_turns(file);
   if (!chart.marks.empty() && turns_back(file)) {
     chart.marks.clear();
-    add_note(chart, "The shaft turns to and fro: no speed counts marks.");
+    add_note(chart, "The shaft oscillates: no frequency marks.");
   }
   if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
     const auto [low, high] = speed_range(times(file), turns);
-    add_note(chart, fmt::format("The shaft's speed varies from {} to {}: marks are of the mean "
-                                "over the run.",
-                                rpm_text(low), rpm_text(high)));
+    add_note(chart,
+             fmt::format("The shaft speed varies from {} to {}: marks are for the mean speed.",
+                         rpm_text(low), rpm_text(high)));
   }
   tell_lines(chart, {chart.x.front()}, options);
   first_view_of_spectra(chart, options.scale);
@@ -278,7 +277,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
                                file.header.run_id.empty() ? "(no run name)" : file.header.run_id,
                                chart.about, file.path.filename().string(), number, pages.size());
   if (file.steps.empty()) {
-    chart.note = "The file holds no complete step" +
+    chart.note = "The file contains no complete step" +
                  (file.note.empty() ? std::string(".") : ": " + file.note + ".");
     return chart;
   }

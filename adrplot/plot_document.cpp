@@ -61,25 +61,22 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
   if (every < 2) return {};
   const Unknown unknown = unknown_between(page);
   if (unknown.all)
-    return fmt::format(
-        "Of every {} steps of the run one is stored: peaks between stored steps are not in the "
-        "file.",
-        every);
+    return fmt::format("One of every {} steps is stored: peaks between stored steps are missing.",
+                       every);
   if (unknown.titles.empty()) return {};
   return fmt::format(
-      "Of every {} steps of the run one is stored: peaks of {} between stored steps are not in the "
-      "file.",
-      every, unknown.titles);
+      "One of every {} steps is stored: peaks of {} between stored steps are missing.", every,
+      unknown.titles);
 }
 
 /// Of a range that passes over stored steps.
 std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format("These are {} of the file's steps, one of every {}{}.", steps, every,
-                     unknown.all ? ": shorter peaks are left out"
+  return fmt::format("These are {} of the steps in the file, one of every {}{}.", steps, every,
+                     unknown.all ? ": shorter peaks are missing"
                      : unknown.titles.empty()
                          ? ""
-                         : ": shorter peaks of " + unknown.titles + " are left out");
+                         : ": shorter peaks of " + unknown.titles + " are missing");
 }
 
 /// What is drawn from RESULTS.h5: of which steps.
@@ -89,33 +86,31 @@ struct DigitWords {
 DigitWords digit_words(const results::SolFile& file, const results::FullPrecision& digits) {
   const std::string name = file.path.filename().string();
   const std::size_t own = file.steps.size() - digits.added;
-  DigitWords out{"all digits from RESULTS.h5", {}};
+  DigitWords out{"full precision (RESULTS.h5)", {}};
   if (digits.added > 0) {
     const long first = file.steps[own].step, last = file.steps.back().step;
     out.note = (first == last
                     ? fmt::format("Step {} is", first)
                     : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
-               fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name,
+               fmt::format(" only in RESULTS.h5: {} ends at step {}.", name,
                            std::max(file.last_step, file.steps[own - 1].step));
   }
   if (digits.more)
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format("RESULTS.h5 has more steps behind step {}, for which there is no room.",
+                fmt::format("RESULTS.h5 has more steps after step {} that do not fit in memory.",
                             file.steps.back().step);
   if (digits.exact == own) return out;
   if (digits.from_start) {
     const long last = file.steps[digits.exact - 1].step;
-    out.subtitle = fmt::format("all digits from RESULTS.h5 to step {}", last);
+    out.subtitle = fmt::format("full precision (RESULTS.h5) to step {}", last);
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format("RESULTS.h5 ends at step {}: later values have the eight digits of {}.",
+                fmt::format("RESULTS.h5 ends at step {}: later values have eight digits ({}).",
                             digits.end, name);
   } else {
-    out.subtitle = fmt::format("all digits from RESULTS.h5 of {} of {} steps", digits.exact, own);
+    out.subtitle = fmt::format("full precision (RESULTS.h5) for {} of {} steps", digits.exact, own);
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format(
-                    "RESULTS.h5 does not hold {} of the {} steps: those have the eight "
-                    "digits of {}.",
-                    own - digits.exact, own, name);
+                fmt::format("RESULTS.h5 lacks {} of the {} steps: those have eight digits ({}).",
+                            own - digits.exact, own, name);
   }
   return out;
 }
@@ -186,8 +181,7 @@ class StepPages {
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));
     else if (range_.from > 1)
-      note(fmt::format("These are the stored steps from number {} on; those before are left out.",
-                       range_.from));
+      note(fmt::format("These are the stored steps from number {} on.", range_.from));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
       if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);

@@ -210,14 +210,14 @@ void PlotWindow::showCurrent() {
     abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
     note_->setText(doc->note.empty()
                        ? QString()
-                       : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));
+                       : tr("Incomplete file: %1.").arg(QString::fromStdString(doc->note)));
     setWindowTitle(
         QString("%1 — page %2 of %3 — AdrPlot").arg(nameOf(*doc)).arg(page_).arg(pageCount()));
   } else {
     chart.title = "AdrPlot";
     chart.note =
-        "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or a study's folder, "
-        "or drop one here.";
+        "Open or drop a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or the folder "
+        "of a study.";
     orbit_action_->setVisible(false);
     offerCurves(chart);
   }

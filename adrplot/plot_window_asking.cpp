@@ -91,7 +91,8 @@ void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
   PlotDocument chart;
   chart.path = QString("chart-%1").arg(number).toStdString();
   chart.subject = "own chart";
-  chart.pages = {{how == Combine::Difference ? "Differences" : "Chosen curves", PageKind::History}};
+  chart.pages = {
+      {how == Combine::Difference ? "Differences" : "Selected curves", PageKind::History}};
   chart.build = build;
   addDocument(std::move(chart), {}, false);
 }

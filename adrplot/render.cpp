@@ -25,7 +25,7 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
                 : domain == "spectrum" ? Domain::Spectrum
                                        : Domain::History;
   if (!curve.empty() && view.domain != Domain::Waterfall)
-    throw InputError("--curve says which curve a waterfall is of: give --domain waterfall with it");
+    throw InputError("--curve selects the curve of a waterfall: add --domain waterfall");
   view.waterfall_of = curve;
 }
 
@@ -129,10 +129,10 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
     } else {
       const std::size_t more = options.page == 0 ? document.pages.size() : 1;
       if (written.size() + more > kMaxPictures)
-        throw InputError(fmt::format(
-            "{}: {} more would exceed the limit of {} for one command; choose a page with "
-            "--page, or give fewer files",
-            path.string(), counted(more, "picture"), kMaxPictures));
+        throw InputError(
+            fmt::format("{}: {} more would exceed the limit of {} for one command; select a page "
+                        "with --page, or give fewer files",
+                        path.string(), counted(more, "picture"), kMaxPictures));
       const auto pictures = draw_document(document, stem_of(path, files), options, others);
       written.insert(written.end(), pictures.begin(), pictures.end());
     }
@@ -146,7 +146,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
     refuse_curve(files.size() == 1 ? files.front().string() : "", options, others);
   if (options.tell)
     for (const std::string& file : shorter)
-      options.tell(fmt::format("{}: no page {} of it is drawn", file, options.page));
+      options.tell(fmt::format("{}: page {} was not drawn", file, options.page));
   return written;
 }
 

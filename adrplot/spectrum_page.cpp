@@ -22,11 +22,11 @@ using desktop::ChartCurve;
 using desktop::ChartPage;
 using desktop::ChartPanel;
 
-constexpr std::string_view kHere = "Nothing vibrates here: ";
+constexpr std::string_view kHere = "No vibration: ";
 constexpr std::string_view kSo = ", so there is no frequency spectrum.";
-constexpr auto kStill = "Nothing vibrates here: the value does not change.";
-constexpr auto kAllStill = "Nothing vibrates here: no value of this page changes.";
-constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
+constexpr auto kStill = "No vibration: the value is constant.";
+constexpr auto kAllStill = "No vibration: all values of this page are constant.";
+constexpr auto kRounding = "No vibration: only rounding errors change.";
 
 /// Where a curve that has some values has none, for it cannot have a spectrum; empty: it has all.
 std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
@@ -83,7 +83,7 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
     return;
   }
   if (reasons.empty() && panel.message.empty())
-    panel.message = "There are no values, so there is no frequency spectrum.";
+    panel.message = "No values, so there is no frequency spectrum.";
   const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
     return reason.why == reasons.front().why;
   });
@@ -170,14 +170,14 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
     why.replace(why.size() - kSo.size(), kSo.size(),
-                fmt::format(", for up to {}, and its lines reach {}",
+                fmt::format(", for up to {}, and the lines reach {}",
                             desktop::pretty_quantity(longest, "s", 3),
                             desktop::pretty_quantity(highest, "Hz", 3)));
     return {{}, {}, why + std::string(kSo)};
   }
   out.why_none.clear();
   out.told =
-      fmt::format("{} of {} steps {} no value: bridged by straight lines of up to {}.", missing, n,
+      fmt::format("{} of {} steps {} no value: interpolated linearly (longest gap {}).", missing, n,
                   missing == 1 ? "has" : "have", desktop::pretty_quantity(longest, "s", 3));
   return out;
 }
@@ -222,8 +222,8 @@ static void tell_drift(ChartPage& chart, const std::vector<std::string>& driftin
   std::string of = drifting.size() == drawn ? "" : "Of " + counted(drifting.size(), "curve") + " ";
   if (drifting.size() < drawn && drifting.size() < 3)
     of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
-  add_note(chart, fmt::format("{}{} first line is drift over the whole run, not vibration.", of,
-                              of.empty() ? "The" : "the"));
+  add_note(chart,
+           fmt::format("{}{} first line is drift, not vibration.", of, of.empty() ? "The" : "the"));
 }
 
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
@@ -314,7 +314,7 @@ void drop_low_marks(ChartPage& chart) {
     if (mark.x < first) names += (names.empty() ? "" : ", ") + mark.label;
   }
   std::erase_if(chart.marks, [first](const desktop::ChartMark& mark) { return mark.x < first; });
-  if (!names.empty()) add_note(chart, fmt::format("Below the first line, not marked: {}.", names));
+  if (!names.empty()) add_note(chart, fmt::format("Below the first line (not marked): {}.", names));
 }
 
 void tell_lines(ChartPage& chart, const std::vector<double>& distances,
@@ -323,11 +323,10 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over =
-      options.scale == SpectrumScale::Relative  ? "1 is the largest of its own curve. "
-      : options.scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
-                                                : "";
-  add_note(chart, fmt::format("{}{}, without the mean; a line every {}, none below.", over,
+  const char* over = options.scale == SpectrumScale::Relative  ? "1: maximum of the curve. "
+                     : options.scale == SpectrumScale::Decibel ? "0 dB: maximum of the curve. "
+                                                               : "";
+  add_note(chart, fmt::format("{}{}, mean removed; line spacing {}.", over,
                               capital(window_name(options.window)), apart));
 }
 
@@ -374,10 +373,11 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }
   if (beyond > 0.0)
-    add_note(chart, fmt::format("Beyond the first view no line is above {} % of its curve's "
-                                "largest (at {}).",
-                                desktop::pretty_number(100.0 * beyond, 2),
-                                desktop::pretty_quantity(at, "Hz", 3)));
+    add_note(
+        chart,
+        fmt::format(
+            "Outside the first view, lines are below {} % of the maximum of the curve (at {}).",
+            desktop::pretty_number(100.0 * beyond, 2), desktop::pretty_quantity(at, "Hz", 3)));
 }
 
 }  // namespace adore::adrplot

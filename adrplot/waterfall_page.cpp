@@ -139,7 +139,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
     }
   if (places.empty()) {
     page.panels.clear();
-    page.note = "No curve of this page has values.";
+    page.note = "The curves of this page have no values.";
     return;
   }
   page.chosen = choice_of(page.choices, of).value_or(0);
@@ -157,9 +157,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   const Samples samples = equal_samples(times, bridged.values);
   page.panels.clear();
   if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
-    page.note += (page.note.empty() ? "" : " ") + name +
-                 ": nothing vibrates here; what changes, if anything, is the rounding of the "
-                 "numbers.";
+    page.note += (page.note.empty() ? "" : " ") + name + ": no vibration (only rounding errors).";
     return;
   }
   page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
@@ -207,25 +205,25 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   page.marks = marks_of(motion, steady, fall, distance, decibel ? -kDecibels : 0.0);
   // The bar tells how far lines stand apart, their names which is the earliest.
   std::string drawn = fmt::format(
-      "{} ({}), each of {}, a line every {}, without mean and trend: the first line may be half "
+      "{} ({}), each of {}, line spacing {}, mean and trend removed: the first line may be 50 % "
       "too low.",
       capital(counted(fall.time.size(), "spectrum", "spectra")), window_name(options.window),
       desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   if (!steady)
     drawn +=
-        fmt::format(" Marks move with the shaft, {} to {}.", rpm_text(speed_at(fall.time.front())),
-                    rpm_text(speed_at(fall.time.back())));
+        fmt::format(" Marks follow the shaft speed, {} to {}.",
+                    rpm_text(speed_at(fall.time.front())), rpm_text(speed_at(fall.time.back())));
   if (decibel)
-    drawn += " 0 dB is the largest of all; nothing below " +
-             desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
+    drawn += " 0 dB: maximum of all spectra; values below " +
+             desktop::pretty_quantity(-kDecibels, "dB", 3) + " are not drawn.";
   page.note = drawn + (page.note.empty() ? "" : " ") + page.note;
   const std::string note = page.note;
   choose_frequency_axis(page, ends, kVisible);
   // Where lines end is seen, for each piece has its own.
   page.note = note + (page.log_x ? " Logarithmic frequency." : "");
   if (page.view_high < page.x.back())
-    page.note += fmt::format(" Beyond the first view: below {} % of the largest.",
+    page.note += fmt::format(" Outside the first view: below {} % of the maximum.",
                              desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }

@@ -54,9 +54,7 @@ std::string beyond_log_axes(const ChartPage& page) {
   std::string out;
   const std::vector<Share> shares = shares_of(page);
   if (!shares.empty()) {
-    out =
-        "Values at or below 0 have no place on a logarithmic axis, lines leave it at its foot: "
-        "these are ";
+    out = "Not shown on the logarithmic axis (values at or below 0): ";
     const auto most =
         std::max_element(shares.begin(), shares.end(),
                          [](const Share& a, const Share& b) { return a.part < b.part; });

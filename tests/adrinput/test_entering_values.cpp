@@ -248,7 +248,7 @@ TEST_CASE("the head of a deck says what a run of it would do", "[gui][adrinput][
   says("maxStps", "10", "Ready to run", "");
   says("maxStps", "0", "Ready: no motion", "maxStps is 0");
   says("fTime", "0", "Ready: no motion", "fTime is 0");
-  says("mode", "-1", "Ready: quasi-static", "mode is -1");
+  says("mode", "-1", "Ready: quasi-static", "mode = -1");
 }
 
 TEST_CASE("a number that has an incomplete exponent is told as that", "[gui][adrinput][daily]") {

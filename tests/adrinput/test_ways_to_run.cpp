@@ -86,7 +86,7 @@ TEST_CASE("the run that was cancelled last goes on, in its own folder, and the m
   CHECK(bench.entry().text() == "&Continue the run");
   bench.window.runDeck();
   bench.wait();
-  CHECK(bench.entry().text() == "&Continue the run beside the deck");
+  CHECK(bench.entry().text() == "&Continue the run next to the deck");
   const std::string first = bytes_of(bench.path("RUN.json"));
   bench.change("maxStps", "1000000");
   bench.window.runInNewFolder();
@@ -289,7 +289,7 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     broken_off(other, deck.parent_path());
     Bench bench("1");
     QAction& entry = opened(bench);
-    CHECK(entry.text() == "&Continue the sweep beside the deck");
+    CHECK(entry.text() == "&Continue the sweep next to the deck");
     const std::string before = bytes_of(deck.parent_path() / "rpm2-1/RUN.json");
     entry.trigger();
     CHECK_FALSE(bench.window.runPanel().busy());

@@ -27,7 +27,7 @@ ChartPage orbit_page(const std::string& across = "Y position / clearance") {
   page.guide_radius = 1.0;
   page.x_title = across;
   page.along_title = "Time", page.along_unit = "s";
-  ChartPanel panel{"Z position / clearance", "", {{"mass centre", {}, {}}}, false};
+  ChartPanel panel{"Z position / clearance", "", {{"mass center", {}, {}}}, false};
   for (int i = 0; i <= 400; ++i) {
     const double a = 2.0 * std::numbers::pi * 0.01 * i;
     panel.curves[0].x.push_back(0.999 * std::sin(a));
