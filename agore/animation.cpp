@@ -232,18 +232,16 @@ Known known_of(std::size_t frames, const std::function<bool(std::size_t)>& known
 
 void check_frames(const results::Sol8File& file, const std::string& name) {
   if (file.frames.empty())
-    throw InputError(name + " holds no complete frame" +
+    throw InputError(name + " contains no complete frame" +
                      (file.note.empty() ? "" : " (" + file.note + ")") +
-                     "; let the run store at least one (kAGraf)");
+                     "; store at least one in the run (kAGraf)");
   for (const auto& frame : file.frames)
     if (static_cast<int>(frame.elements.size()) != file.elements)
       throw InputError(fmt::format(
-          "{}: step {} holds {} rolling elements, its header says {}; the file is damaged", name,
+          "{}: step {} has {} rolling elements, but the header says {}; the file is damaged", name,
           frame.step, frame.elements.size(), file.elements));
   if (!(file.geometry.pitch_diameter > 0.0) || !(file.geometry.element_radius > 0.0))
-    throw InputError(name +
-                     " gives no pitch diameter or rolling element size, so there is nothing to "
-                     "draw; the file is damaged");
+    throw InputError(name + " has no pitch diameter or rolling element size; the file is damaged");
 }
 
 /// RESULTS.h5 of an earlier program that leaves out steps of the run: forces of its curves have no
@@ -289,16 +287,16 @@ Animation finish(Animation animation) {
         animation.motion->every() > 1
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
                           animation.motion->stored_steps())
-            : "every stored step, all digits from RESULTS.h5";
+            : "all stored steps, full precision (RESULTS.h5)";
     if (peaks_unknown(*animation.motion))
-      animation.source += "; peaks between stored steps are not in the file";
+      animation.source += "; peaks between stored steps are missing";
     if (const std::string behind = animation.behind_words(); !behind.empty())
       animation.source += "; " + behind;
   } else {
     animation.source = curves_beside(animation)
-                           ? "frames of SOL8: three digits, nothing between; curves of SOL files"
-                           : "SOL8 alone: three digits, nothing between its frames";
-    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 beside it is not used";
+                           ? "SOL8: three digits, stored frames only; curves from SOL files"
+                           : "SOL8 only: three digits, stored frames only";
+    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 is not used";
   }
   if (!animation.file.gaps.empty()) animation.source += "; " + animation.file.gaps;
   return animation;
@@ -311,8 +309,7 @@ void check_version(const std::string& version, const std::string& file) {
   find_version(kLowestVersion, lowest_major, lowest_minor);
   if (!find_version(version, major, minor))
     throw InputError(
-        fmt::format("{} does not name the program version that wrote it (found '{}'); versions "
-                    "from {} are accepted",
+        fmt::format("{} has no valid program version (found '{}'); versions from {} are accepted",
                     file, version, kLowestVersion));
   if (major < lowest_major || (major == lowest_major && minor < lowest_minor))
     throw InputError(fmt::format(
@@ -437,7 +434,7 @@ LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) c
 }
 
 std::string Animation::behind_words() const {
-  return behind(frames() - 1) ? fmt::format("from SOL8 alone from frame {} on", exact + 1)
+  return behind(frames() - 1) ? fmt::format("from SOL8 only from frame {} on", exact + 1)
                               : std::string();
 }
 

@@ -44,7 +44,7 @@ QString exaggeration_remark(const Scene& s) {
   const QString given =
       s.factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(s.factor);
   const double asked = s.options.exaggeration;
-  return asked > s.factor ? given + QString(" (× %1 asked: the most here)").arg(asked) : given;
+  return asked > s.factor ? given + QString(" (maximum; × %1 specified)").arg(asked) : given;
 }
 
 /// Arrows from the centre of the cage, or of each segment, to where its busier land touches the
@@ -74,13 +74,13 @@ void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const auto& elements = s.frame.elements;
   entry(std::any_of(elements.begin(), elements.end(),
                     [](const auto& element) { return element.pocket_force > 0.0; }),
-        "contact in the pocket", "no contact in a pocket now", KeyMark::Star);
+        "pocket contact", "no pocket contact", KeyMark::Star);
   if (s.animation.guide == Guide::None) return;
   bool touches = false;
   for (int part = 0; part < s.animation.segments; ++part)
     for (const std::size_t land : {0U, 1U})
       touches = touches || s.animation.land_touch(s.index, part, land).force > 0.0;
-  entry(touches, "direction of land contact", "no land contact now", KeyMark::Line);
+  entry(touches, "direction of land contact", "no land contact", KeyMark::Line);
 }
 
 QString frame_name(const Scene& s) {
@@ -286,18 +286,17 @@ void cage_view(const Scene& s) {
   draw_centre(s, drawn);
   draw_contact_marks(s);
   if (named) s.sketch.name_frame(origin, s.cage_angle(), arm, t.green);
-  const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
-                                               : QString("orbit of the mass centre");
+  const QString way = s.animation.segments > 1 ? QString("orbit of the segment origin")
+                                               : QString("orbit of the mass center");
   std::vector<KeyEntry> key{{t.green, frame_name(s)}};
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
-  if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
+  if (cleared) key.push_back({t.red, "clearance circle", KeyMark::Dashed});
   if (enlargement > 0.0) {
     key.push_back(way_entry(
-        t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
-        s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
-    key.push_back({t.curves[0],
-                   s.animation.segments > 1 ? "segment's origin now" : "mass centre now",
+        t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its center"),
+        s.animation.segments > 1 ? "segment at the frames" : "center at the frames"));
+    key.push_back({t.curves[0], s.animation.segments > 1 ? "segment origin now" : "mass center now",
                    KeyMark::Spot});
     key.push_back(later_entry(s));
   }

@@ -84,7 +84,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     case View::OuterRace:
     case View::InnerRace: {
       const std::size_t r = options.view == View::OuterRace ? 0 : 1;
-      page.title = "Centre of the race";
+      page.title = "Race center";
       const char* names[] = {"X", "Y", "Z"};
       for (std::size_t c = 0; c < 3; ++c)
         add(page, names[c], "", race_position(animation, r, c), exact);
@@ -104,9 +104,9 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     }
   }
   tell_of_peaks(page, animation);
-  page.band_note = "Pale: extremes between stored steps.";
+  page.band_note = "Min–max band between stored steps.";
   // What is behind the end of RESULTS.h5 has other digits, or none.
-  if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});
+  if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 only"});
   return page;
 }
 

@@ -88,9 +88,9 @@ KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const
     case Known::All:
       break;
     case Known::Some:
-      return {colour, what + ", dots where unknown"};
+      return {colour, what + ", dots: unknown"};
     case Known::None:
-      return {colour, places + ", way between unknown", KeyMark::Dots};
+      return {colour, places + ", path unknown", KeyMark::Dots};
   }
   return {colour, what};
 }
@@ -110,11 +110,11 @@ KeyEntry loads_entry(const Scene& s, std::size_t race, bool any) {
   const QString name = race == 0 ? "outer race loads" : "inner race loads";
   return now_and_then(s.sketch.theme().curves[race], any,
                       name + longest_load(s, s.animation.contacts->largest_of_race[race]),
-                      QString("no %1 to draw now").arg(name));
+                      QString("no %1").arg(name));
 }
 
 void name_arms(const Scene& s, bool named, std::vector<KeyEntry>& key) {
-  if (!named) key.push_back({s.sketch.theme().muted, "longer arm: z", KeyMark::Frame});
+  if (!named) key.push_back({s.sketch.theme().muted, "long arm: z", KeyMark::Frame});
 }
 
 void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
@@ -130,19 +130,18 @@ void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
   const bool coloured =
       scaled && colouring(s.animation, s.index, s.options.colour, s.options.scale).any();
   key.push_back({turning_mark_colour(s.sketch.theme()),
-                 ball ? "turns with the ball" : "turns with the roller",
+                 "rotation mark",
                  ball ? KeyMark::Turning : KeyMark::Sector,
                  {},
                  coloured});
 }
 
 KeyEntry trail_entry(const Scene& s, bool any) {
-  KeyEntry way = way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
-                           "earlier frames");
-  return now_and_then(
-      way.colour, any, way.text,
-      s.animation.known_trails == Known::None ? "way between frames unknown" : "no paths so far",
-      way.mark);
+  KeyEntry way =
+      way_entry(trail_colour(s), s.animation.known_trails, "element paths", "earlier frames");
+  return now_and_then(way.colour, any, way.text,
+                      s.animation.known_trails == Known::None ? "unknown paths" : "no paths",
+                      way.mark);
 }
 
 namespace {

@@ -93,20 +93,19 @@ void element_view(const Scene& s) {
   const bool seen = std::any_of(way.begin(), way.end(), [&](const WayPoint& point) {
     return QLineF(point.at, over).length() > g.element_radius * s.sketch.scale() + 2.0;
   });
-  const KeyEntry path = way_entry(trail_colour(s), s.animation.known_elements,
-                                  "path of the element", "earlier frames");
-  std::vector<KeyEntry> key{
-      {race_colour(t, 1), "inner race frame"},
-      now_and_then(path.colour, seen, path.text, "no path seen so far", path.mark),
-      {t.muted, "pitch circle", KeyMark::Dotted}};
+  const KeyEntry path =
+      way_entry(trail_colour(s), s.animation.known_elements, "element path", "earlier frames");
+  std::vector<KeyEntry> key{{race_colour(t, 1), "inner race frame"},
+                            now_and_then(path.colour, seen, path.text, "no path", path.mark),
+                            {t.muted, "pitch circle", KeyMark::Dotted}};
   name_arms(s, named, key);
   name_turning_mark(s, k, key);
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);
     remark = too_low(s.options, s.sketch.area().height())
-                 ? "slip: the largest"
-                 : "loads and largest slip in the contacts, from RESULTS.h5";
+                 ? "slip: maximum"
+                 : "contact loads and largest slip from RESULTS.h5";
   }
   if (named) s.sketch.name_frame({0, 0}, turned, arm, race_colour(t, 1));
   draw_key(s, key, remark);

@@ -212,20 +212,18 @@ History by_differences(const Animation& animation, const std::vector<double>& an
   constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
   if (outer_turns(animation)) {
-    out.unknown =
-        "Not to be known from SOL8 alone: the outer race turns, and no file tells how far.";
+    out.unknown = "Unknown without RESULTS.h5, because the outer race turns.";
     return out;
   }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown =
-        fmt::format("Not to be known from SOL8 alone: about {} from one frame to the next.",
-                    counted(fmt::format("{:.2g}", turn), "turn"));
+    out.unknown = fmt::format("Unknown from SOL8 only: about {} between frames.",
+                              counted(fmt::format("{:.2g}", turn), "turn"));
     return out;
   }
   const double shaft = shaft_speed(animation);
   if (shaft == 0.0) {
-    out.unknown = "The races do not turn against each other.";
+    out.unknown = "No relative rotation of the races.";
     return out;
   }
   out.value = rate(angle, animation.time);
@@ -392,14 +390,14 @@ History race_position(const Animation& animation, std::size_t race, std::size_t 
 
 History contact_load(const Animation& animation, std::size_t element, std::size_t race) {
   if (!animation.motion || !animation.motion->has("contact.load"))
-    return {{}, {}, "", "Contact loads need RESULTS.h5 beside the file."};
+    return {{}, {}, "", "Contact loads need RESULTS.h5 in the same folder."};
   return with_rest(animation, of_motion(animation, "contact.load", 2 * element + race), {});
 }
 
 History flange_history(const Animation& animation, const std::string& what, std::size_t element,
                        std::size_t race, std::size_t side) {
   if (!animation.motion || !animation.motion->has("flange." + what))
-    return {{}, {}, "", "Flange contacts need RESULTS.h5 beside the file."};
+    return {{}, {}, "", "Flange contacts need RESULTS.h5 in the same folder."};
   History out = of_motion(animation, "flange." + what, 4 * element + 2 * race + side);
   // A gap of exactly 0: the roller's end is nowhere near.
   if (what == "gap")

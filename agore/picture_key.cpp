@@ -348,7 +348,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   }
   if (drawn == entries.size()) return;
   p.drawText(QPointF(place.left(), place.top() + key.line * static_cast<double>(last) - 4.0),
-             QString("%1 more: each view alone (V) has its own key").arg(entries.size() - drawn));
+             QString("%1 more (see the single view, V)").arg(entries.size() - drawn));
 }
 
 }  // namespace adore::agore

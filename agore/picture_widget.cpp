@@ -42,7 +42,7 @@ void PictureWidget::tell() {
     }
     told = views.join(", ") + "; ";
     if (options_.moving)
-      told += tr("it plays");
+      told += tr("playing");
     else
       told += tr("frame %1 of %2, %3")
                   .arg(frame_ + 1)
@@ -65,9 +65,8 @@ void PictureWidget::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), t.surface);
   painter.setPen(t.muted);
   painter.setFont(desktop::ui_font(14));
-  painter.drawText(
-      rect(), Qt::AlignCenter,
-      tr("Open an animation file (SOL8 or RESULTS.h5) with File > Open, or drop one here."));
+  painter.drawText(rect(), Qt::AlignCenter,
+                   tr("Open (File > Open) or drop an animation file (SOL8 or RESULTS.h5)."));
 }
 
 std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {

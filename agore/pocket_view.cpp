@@ -185,8 +185,8 @@ std::string lean_remark(double lean) {
   constexpr double kSeen = 0.5;  // [degrees]
   const double degrees = lean * 180.0 / kPi;
   if (std::abs(degrees) < kSeen) return {};
-  return fmt::format("  ·  top leans {}° {}", desktop::tick_text(std::abs(degrees), 1),
-                     degrees > 0.0 ? "towards the viewer" : "away");
+  return fmt::format("  ·  top tilted {}° {}", desktop::tick_text(std::abs(degrees), 1),
+                     degrees > 0.0 ? "toward the viewer" : "away");
 }
 
 /// "skew in the pocket 3.6° to the right, drawn as 15.8°", or "skew in it × 4.4" of a small
@@ -196,7 +196,7 @@ std::string skew_remark(double skew, double drawn, bool low) {
   constexpr double kSeen = 0.05;  // [degrees], as drawn
   const auto degrees = [](double angle) { return std::abs(angle) * 180.0 / kPi; };
   if (degrees(drawn) < kSeen) return {};
-  if (low) return fmt::format("  ·  skew in it × {}", desktop::pretty_number(drawn / skew, 2));
+  if (low) return fmt::format("  ·  skew × {}", desktop::pretty_number(drawn / skew, 2));
   return fmt::format("  ·  skew in the pocket {}° to the {}, drawn as {}°",
                      desktop::pretty_number(degrees(skew), 2), skew > 0.0 ? "right" : "left",
                      desktop::tick_text(degrees(drawn), 1));
@@ -303,29 +303,28 @@ void pocket_view(const Scene& s) {
     const QPointF tail = touch.at + 0.75 * g.element_radius * touch.wall;
     s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(touch.at.x(), touch.at.y()), t.red,
                    2.6);
-    contacts += fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
+    contacts += fmt::format("{}{} at {}°", contacts.empty() ? "pocket contact: " : ", ",
                             desktop::pretty_quantity(touch.force, s.animation.file.units[2], 3),
                             desktop::tick_text(degrees(touch.angle), 0));
   }
   const bool low = too_low(s.options, s.sketch.area().height());
-  if (!contacts.empty() && !low) contacts += ", arrow shows where";
-  std::vector<KeyEntry> key{
-      {contacts.empty() ? QColor() : t.red,
-       !contacts.empty() ? QString::fromStdString(contacts)
-       : rollers         ? QString("no contact with the side walls; end walls are not stored")
-                         : QString("no contact")}};
+  if (!contacts.empty() && !low) contacts += ", see arrow";
+  std::vector<KeyEntry> key{{contacts.empty() ? QColor() : t.red,
+                             !contacts.empty() ? QString::fromStdString(contacts)
+                             : rollers ? QString("no side wall contact; end walls are not stored")
+                                       : QString("no contact")}};
   if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
   if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),
-                                   s.options.exaggeration > 0.0 ? " (this view's own)" : "");
+                                   s.options.exaggeration > 0.0 ? " (this view only)" : "");
   if (rollers) remark += skew_remark(lies.skew, pose.skew, low);
-  if (!low) remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);
+  if (!low) remark += "  ·  outside view, axis up" + lean_remark(lies.lean);
   if (!shape_known && rollers)
-    remark += "  ·  as long as wide: SOL8 does not hold the length of rollers";
+    remark += "  ·  roller length unknown (not in SOL8)";
   else if (!shape_known && g.pocket_clearance_2 > 0.0)
-    remark += "  ·  drawn round: SOL8 does not hold the pocket's shape";
+    remark += "  ·  pocket shape unknown (not in SOL8)";
   draw_key(s, key, QString::fromStdString(remark));
 }
 

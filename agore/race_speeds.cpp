@@ -127,7 +127,8 @@ std::string speed_text(const Animation& animation) {
   }
   if (!counts_turns(animation)) {
     const SpeedWords words = words_of(of_both(animation));
-    return words.text.empty() ? std::string() : "races " + joined(words) + " rpm to each other";
+    return words.text.empty() ? std::string()
+                              : "races " + joined(words) + " rpm relative to each other";
   }
   const std::array<Turns, 2> races{of_race(animation, 0), of_race(animation, 1)};
   double size = 0.0;

@@ -235,8 +235,7 @@ void section_view(const Scene& s) {
       QString::fromStdString(fmt::format(
           "element {} at {}°  ·  to scale{}", k + 1,
           desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1),
-          too_low(s.options, s.sketch.area().height()) ? ""
-                                                       : "  ·  +x to the right, outwards up")));
+          too_low(s.options, s.sketch.area().height()) ? "" : "  ·  +x to the right, outward up")));
 }
 
 }  // namespace adore::agore

@@ -56,7 +56,7 @@ ColourBy colour_named(const std::string& name) {
   if (name == "slip") return ColourBy::Slip;
   if (name == "heat") return ColourBy::Heat;
   if (name == "temperature") return ColourBy::Temperature;
-  throw InputError("elements cannot be coloured by '" + name +
+  throw InputError("elements cannot be colored by '" + name +
                    "'; use none, load, slip, heat or temperature");
 }
 
@@ -64,7 +64,7 @@ ScaleChoice scale_named(const std::string& name) {
   if (name == "usual") return {};
   if (name == "run") return {ColourScale::Run, 0.0, 0.0};
   if (name == "moment") return {ColourScale::Moment, 0.0, 0.0};
-  const InputError refusal("a scale of colours cannot be '" + name +
+  const InputError refusal("a color scale cannot be '" + name +
                            "'; use usual, run, moment or two rising limits such as 0:0.02");
   std::istringstream text(name);
   text.imbue(std::locale::classic());
@@ -140,18 +140,18 @@ std::string view_title(View view) {
 
 std::string why_not(View view, const Animation& animation) {
   if (!animation.has_cage && (view == View::Cage || view == View::Pocket))
-    return "This bearing has no cage, so there is neither a cage nor a pocket to show.";
+    return "This bearing has no cage.";
   if (view == View::Flange) {
-    if (animation.file.bearing_type == 1) return "Balls run between no flanges.";
+    if (animation.file.bearing_type == 1) return "Ball bearings have no flanges.";
     if (!animation.motion)
-      return "The flange view needs RESULTS.h5 beside the file: " + animation.no_contacts + ".";
+      return "The flange view needs RESULTS.h5 in the same folder: " + animation.no_contacts + ".";
     bool any = false;
     for (std::size_t race = 0; race < 2; ++race)
       for (std::size_t side = 0; side < 2; ++side) any = any || has_flange(animation, race, side);
     if (!any) return "This bearing has no flange.";
   }
   if ((view == View::Section || view == View::Solid) && !animation.motion)
-    return fmt::format("The {} needs the sizes of RESULTS.h5 beside the file: {}.",
+    return fmt::format("The {} needs the dimensions from RESULTS.h5 in the same folder: {}.",
                        view == View::Section ? "axial section" : "3D view", animation.no_contacts);
   return {};
 }
@@ -167,7 +167,7 @@ void check_view(const Animation& animation, const ViewOptions& options) {
   if (!reason.empty()) throw InputError(reason);
   if (options.view == View::Flange && !has_flange(animation, options.flange_race, 0) &&
       !has_flange(animation, options.flange_race, 1))
-    throw InputError(fmt::format("The {} race has no flange; choose the other one.",
+    throw InputError(fmt::format("The {} race has no flange; select the other one.",
                                  options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
     throw InputError(

@@ -86,7 +86,7 @@ void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
 [[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
                                  const QString& places);
 /// What the key adds then.
-inline constexpr const char* kTooSmall = ", arrow too small to draw";
+inline constexpr const char* kTooSmall = ", arrow too small";
 /// Of the ways that element_trail() makes, if there are any.
 [[nodiscard]] KeyEntry trail_entry(const Scene& scene, bool any);
 /// Told apart from loads, frames and marks with every colour vision.

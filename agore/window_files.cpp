@@ -54,11 +54,11 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
                     &gaps = picture_->animation().file.gaps;
   QStringList told;
   if (!note.empty())
-    told << tr("The file is incomplete: %1. Shown: %2.")
+    told << tr("Incomplete file: %1. Shown: %2.")
                 .arg(QString::fromStdString(note))
                 .arg(QString::fromStdString(counted(frameCount(), "complete frame")));
   else if (!gaps.empty())
-    told << tr("Of the file %1.").arg(QString::fromStdString(gaps));
+    told << tr("File: %1.").arg(QString::fromStdString(gaps));
   if (const std::string& why = picture_->animation().unused; !why.empty())
     told << tr("RESULTS.h5 is not used: %1.").arg(QString::fromStdString(why));
   if (!told.isEmpty()) desktop::show_message(this, told.join(' '));
@@ -73,7 +73,7 @@ void AgoreWindow::reload() {
   if (!openFile(path, most_frames_)) return;
   options_.span_from = from, options_.span_to = to;
   setFrame(picture_->frameAt(moment));
-  desktop::tell_in_foot(this, tr("Read again: %1 to %2.")
+  desktop::tell_in_foot(this, tr("Reloaded: %1 to %2.")
                                   .arg(QString::fromStdString(counted(frameCount(), "frame")))
                                   .arg(QString::fromStdString(desktop::pretty_quantity(
                                       picture_->animation().time.back(), "s", 5))));
@@ -149,9 +149,9 @@ void AgoreWindow::lookForGrowth() {
 /// it: all that can be held is what is offered, whatever was asked for before.
 void AgoreWindow::askForFile() {
   desktop::ask_number(
-      this, tr("Open: steps, then the file"),
-      tr("Most time steps to animate. Of a run with more, every 2nd, 3rd ... is shown.\n"
-         "The file is chosen next."),
+      this, tr("Open animation"),
+      tr("Largest number of time steps. Of longer runs every 2nd, 3rd ... is shown.\nSelect the "
+         "file next."),
       static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
             this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",

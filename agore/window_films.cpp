@@ -99,7 +99,7 @@ void AgoreWindow::saveFilm() {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{
-          tr("%1, %2 a second: a film of %3. Writing takes roughly %4.")
+          tr("%1, %2 per second, length %3. Writing takes about %4.")
                   .arg(QString::fromStdString(counted(pictures, "picture")))
                   .arg(filmRate())
                   .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
@@ -119,8 +119,8 @@ void AgoreWindow::saveFilm() {
 }
 
 void AgoreWindow::askForFilmName(int first, int last) {
-  const QString missing = tr(" after ffmpeg is installed");
-  auto* dialog = new QFileDialog(this, tr("Save Film"), proposedName("gif"),
+  const QString missing = tr(" (needs ffmpeg)");
+  auto* dialog = new QFileDialog(this, tr("Save Movie"), proposedName("gif"),
                                  tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
                                     "folder (*)")
                                      .arg(desktop::ffmpeg_found() ? QString() : missing));
@@ -153,7 +153,7 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
   render.first = first, render.last = last;
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
                            static_cast<int>(frameCount()), this);
-  progress.setWindowTitle(tr("Save Film"));
+  progress.setWindowTitle(tr("Save Movie"));
   progress.setWindowModality(Qt::WindowModal);
   progress.setMinimumDuration(500);
   long pictures = 0;
@@ -175,7 +175,7 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
           folder ? tr("Stopped: %1 in %2.")
                        .arg(QString::fromStdString(counted(pictures, "picture is", "pictures are")))
                        .arg(path)
-                 : tr("Stopped: no film was saved."));
+                 : tr("Stopped: no movie was saved."));
     else
       desktop::tell_in_foot(
           this, folder

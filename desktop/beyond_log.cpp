@@ -75,9 +75,9 @@ std::string beyond_log_axes(const ChartPage& page) {
                                                        [](double x) { return x <= 0.0; }),
                                          page.x_unit, 3));
     else if (before > 1)
-      out += fmt::format(
-          "{}{} of {} places of the abscissa are at or below 0 and not drawn: it is logarithmic.",
-          gap, before, page.x.size());
+      out +=
+          fmt::format("{}{} of {} points at or below 0 are not drawn: the abscissa is logarithmic.",
+                      gap, before, page.x.size());
   }
   return out;
 }

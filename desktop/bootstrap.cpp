@@ -61,9 +61,9 @@ std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std
     qInstallMessageHandler(quiet_about_session);
   }
   if (!has_display())
-    throw InputError(name +
-                     " has no display to open a window on; start it in a desktop session, or use "
-                     "--render DIR to write pictures");
+    throw InputError(
+        name +
+        " has no display; start it in a desktop session, or use --render DIR to write pictures");
   auto app = std::make_unique<QApplication>(argc, argv);
   // Qt takes the user's locale for the whole process; C functions in libraries and in users'
   // routines would then read 7.5 as 7 and write 7,5.

@@ -166,11 +166,9 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
   if (!any)
-    addMessage(
-        area,
-        panel.message.empty() ? tr("There are no values in the file.") : text_of(panel.message), m);
-  if (log_of_none)
-    addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
+    addMessage(area, panel.message.empty() ? tr("The file has no values.") : text_of(panel.message),
+               m);
+  if (log_of_none) addMessage(area, tr("No value is above 0 (logarithmic axis)."), m);
   if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);

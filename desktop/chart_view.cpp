@@ -251,10 +251,9 @@ QString ChartView::cursorReport() const {
         // A curve that ends between the cursors, such as that of a shorter run.
         const auto [from, to] = std::minmax(cursors_[0], cursors_[1]);
         if (s.count > 0 && (s.first > from || s.last < to))
-          line += tr(" (of %1 to %2, where it has values)")
-                      .arg(quantity(s.first, unit), quantity(s.last, unit));
+          line += tr(" (%1 to %2)").arg(quantity(s.first, unit), quantity(s.last, unit));
         if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
-          line += tr("  between the values %1 to %2")
+          line += tr("  band %1 to %2")
                       .arg(quantity(band->first - curve.lift, panel.unit, digits),
                            quantity(band->second - curve.lift, panel.unit, digits));
       }

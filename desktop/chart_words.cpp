@@ -129,8 +129,8 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QStringList sentences = sentences_of(note);
   for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
     const qsizetype left = sentences.size() - told;
-    const QString where = pointed_ ? tr(": point here.") : tr(" for which there is no room.");
-    const QString more = (left == 1 ? tr("(One more sentence%1)").arg(where)
+    const QString where = pointed_ ? tr(": point here.") : tr(" not shown.");
+    const QString more = (left == 1 ? tr("(1 more sentence%1)").arg(where)
                                     : tr("(%1 more sentences%2)").arg(left).arg(where));
     out.lines =
         evenly_wrapped(words_of((sentences.mid(0, told) << more).join(' ')), metrics, width);

@@ -249,7 +249,7 @@ void GifWriter::add(const QImage& picture) {
 }
 
 void GifWriter::finish() {
-  if (frames_ == 0) throw InputError("a film without pictures is not written: " + path_.string());
+  if (frames_ == 0) throw InputError("a movie without pictures was not written: " + path_.string());
   write(QByteArray(1, '\x3b'));
   file_.commit();
 }

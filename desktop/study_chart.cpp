@@ -185,12 +185,12 @@ std::vector<StudyChart> parse_study_charts(const std::string& text, const std::s
   const Json list = parse_json(text, name);
   std::vector<StudyChart> out;
   try {
-    if (!list.is_array()) throw InputError("no list");
+    if (!list.is_array()) throw InputError("not a list");
     for (const Json& chart : list) out.push_back(chart_of(chart));
   } catch (const Json::exception&) {
-    throw InputError(fmt::format("{} holds no charts of `adore study`", name));
+    throw InputError(fmt::format("{} contains no charts of `adore study`", name));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{} holds no charts of `adore study`: {}", name, error.what()));
+    throw InputError(fmt::format("{} contains no charts of `adore study`: {}", name, error.what()));
   }
   return out;
 }

@@ -239,7 +239,7 @@ TEST_CASE("readout and cursors tell the extremes between the values", "[gui][ste
   view.setCursor(0, 1.0);
   view.setCursor(1, 3.0);
   // What was before A counts no more.
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 9 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 9 N"));
   view.setCursor(0, 0.0);
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 17.6 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 17.6 N"));
 }

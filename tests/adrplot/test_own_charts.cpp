@@ -378,7 +378,7 @@ TEST_CASE("own charts: a table tells stored values from those read off between t
     const desktop::ChartPage page = combine_curves(picks, how, {});
     const std::string csv = desktop::page_csv(page);
     INFO(csv);
-    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or read off a straight line (0)") !=
+    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or interpolated (0)") !=
           std::string::npos);
     // Each curve's column says 1 as often as that has a stored value.
     const auto coarse_x = coarse.build(1, {}).x, fine_x = fine.build(1, {}).x;

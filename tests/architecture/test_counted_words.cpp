@@ -72,7 +72,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "an interval of {} frames draws nothing",
                                       "more than {:g} pictures",
                                       "one of every %1 frames",
-                                      "a film of {} pictures per second shows nothing",
+                                      "a movie of {} pictures per second is empty",
                                       "{} pockets cannot be shared equally",
                                       "{} elements of {:.4g} mm",
                                       "{} elements do not fit",

@@ -153,5 +153,5 @@ TEST_CASE("chart_scene: places that a logarithmic abscissa leaves out are counte
   page.log_x = true;
   for (double& x : page.x) x -= 0.2505;
   scene.setPage(page);
-  CHECK_THAT(words_of(scene), Contains("251 of 1000 places of the abscissa are at or below 0"));
+  CHECK_THAT(words_of(scene), Contains("251 of 1000 points at or below 0 are not drawn"));
 }
