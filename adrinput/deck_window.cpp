@@ -242,7 +242,7 @@ void DeckWindow::goTo(const Cell& cell) {
   const std::optional<Cell> count = count_of_none(document_, cell);
   page_->focusCell(count ? *count : cell);
   if (count)
-    search_notice_->ask(tr("%1 has as many fields as %2 says, which is 0. Enter %2 above 0.")
+    search_notice_->ask(tr("%1 has no fields because %2, their number, is 0. Enter %2 above 0.")
                             .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
                                  QString::fromStdString(std::string(variable_of(*count)->name))),
                         {{"leave-option", tr("Ignore"), nullptr}});

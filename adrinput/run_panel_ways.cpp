@@ -130,7 +130,7 @@ std::vector<RunPanel::Way> RunPanel::waysToGoOn(const fs::path& file,
   };
   const std::vector<UnfinishedSweep> sweeps = unfinished_sweeps(file);
   if (told && !tells_sweep_ && fs::exists(last / "RUN.json", ignored))
-    add(last, "the run that was told of last", false);
+    add(last, "last run of this window", false);
   for (const UnfinishedSweep& one : sweeps)
     if (told && tells_sweep_ && one.folder == last) add(last, one.state, true);
   for (const UnfinishedSweep& one : sweeps) add(one.folder, one.state, true);

@@ -274,15 +274,10 @@ void add_study(CLI::App& app, int& exit_code) {
   add_work(*study, exit_code);
 
   study->footer(
-      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
-      "NAME.study beside it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n"
-      "\n"
-      "Examples\n"
-      "  adore new ball --out DATA.txt\n"
-      "  adore study new sweep --out sweep.json\n"
-      "  adore study plan sweep.json\n"
-      "  adore study run sweep.json\n"
-      "  adore study resume sweep.json --engine slurm");
+      "A study file is JSON, or TOML when its name ends in .toml. Results are in the "
+      "folder\nNAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\nExamples\n  "
+      "adore new ball --out DATA.txt\n  adore study new sweep --out sweep.json\n  adore study plan "
+      "sweep.json\n  adore study run sweep.json\n  adore study resume sweep.json --engine slurm");
 }
 
 }  // namespace adore::cli

@@ -39,7 +39,7 @@ void start_program(const QString& program, const QStringList& arguments) {
   if (path.isEmpty()) path = QStandardPaths::findExecutable(program);
   if (path.isEmpty())
     throw InputError(program.toStdString() + " is neither in " + here.toStdString() +
-                     " nor in the PATH; install it beside this program");
+                     " nor in the PATH; install it next to this program");
   if (!starter()(path, arguments)) throw InputError(path.toStdString() + " could not be started");
 }
 
