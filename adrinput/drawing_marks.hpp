@@ -9,7 +9,7 @@
 
 class QPainter;
 
-/// The signs of engineering drawings: arrows, dimension lines, hatching. `place` maps metres to
+/// The signs of engineering drawings: arrows, dimension lines, hatching. `place` maps meters to
 /// pixels.
 namespace adore::adrinput::marks {
 

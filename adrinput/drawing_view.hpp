@@ -13,7 +13,7 @@ class QPainter;
 
 namespace adore::adrinput {
 
-/// What the user works on: the drawing shows it in the accent colour, with its measure.
+/// What the user works on: the drawing shows it in the accent color, with its measure.
 struct DrawingFocus {
   std::string record, variable;
   int instance = 1, index = 1;
@@ -63,7 +63,7 @@ class DrawingView : public QWidget {
  private:
   struct Frame {
     QRectF area;       ///< of the figure on the widget, title excluded
-    QTransform place;  ///< from metres to pixels
+    QTransform place;  ///< from meters to pixels
   };
   struct Zoom {
     double scale = 1.0;

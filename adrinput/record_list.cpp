@@ -88,7 +88,7 @@ QListWidget* make_list(const QString& name, QWidget* parent) {
   return list;
 }
 
-/// Told apart by their shape, so that nobody needs to see the colours.
+/// Told apart by their shape, so that nobody needs to see the colors.
 QPixmap state_sign(RecordState state, const QColor& colour) {
   QPixmap pixmap(32, 32);
   pixmap.setDevicePixelRatio(2.0);

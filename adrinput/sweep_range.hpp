@@ -18,7 +18,7 @@ struct SweepRange {
 /// @throws InputError with what is wrong and what would be right
 [[nodiscard]] SweepRange read_sweep(const Document& document, std::string_view text);
 
-/// The unit that a number without one has there: "N", or "mm" where millimetres are shown. Empty
+/// The unit that a number without one has there: "N", or "mm" where millimeters are shown. Empty
 /// for a pure number, and for what is no variable of the deck.
 [[nodiscard]] std::string sweep_unit(const Document& document, std::string_view text);
 

@@ -24,7 +24,7 @@ void choose_unit(std::string_view si, const QString& unit);
 /// The unit that values of a variable are shown in, chosen or the deck's own; "" for pure numbers.
 [[nodiscard]] QString shown_unit(const Document& document, const deck::VariableSpec& variable);
 
-/// What a field shows: "12.7 mm" where millimetres are chosen, else the deck's number, or the text
+/// What a field shows: "12.7 mm" where millimeters are chosen, else the deck's number, or the text
 /// that is none.
 [[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
 

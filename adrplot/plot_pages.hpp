@@ -12,8 +12,8 @@ namespace adore::adrplot {
 
 enum class PageKind : unsigned char {
   History,   ///< panels over revolutions or time
-  Orbit,     ///< one coordinate of the mass centre against another
-  Spectrum,  ///< amplitude over frequency of the mass centre coordinates
+  Orbit,     ///< one coordinate of the mass center against another
+  Spectrum,  ///< amplitude over frequency of the mass center coordinates
   Chart      ///< of a file without steps: the same in every view
 };
 

@@ -109,7 +109,7 @@ class PlotWindow : public QMainWindow {
   void makeKeyMenus(QMenu* view);
   void addDeed(QMenu* menu, desktop::ChartDeed deed, const QString& text,
                const QList<QKeySequence>& keys);
-  /// What would change nothing is grey and says why.
+  /// What would change nothing is gray and says why.
   void offerDeeds();
   /// The names of the legends, to be hidden or shown.
   void offerNames();
@@ -123,7 +123,7 @@ class PlotWindow : public QMainWindow {
   void readReplaced();
   [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
-  /// What of the choices applies to a page; the others are grey and say why.
+  /// What of the choices applies to a page; the others are gray and say why.
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
   /// The curves that a waterfall could be of, where it is one.
   void offerCurves(const desktop::ChartPage& chart);

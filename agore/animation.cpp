@@ -50,7 +50,7 @@ std::vector<double> find_pockets(const Animation& animation) {
     const std::size_t looks = animation.motion ? animation.exact : animation.frames();
     for (std::size_t i = 0; i < looks; ++i) {
       const auto& element = animation.frame(i).elements[k];
-      // Seen from the cage's centre, which may be far from the axis.
+      // Seen from the cage's center, which may be far from the axis.
       const auto& centre = animation.part(i, animation.pocket_part[k]).position;
       const double y = -element.r * std::sin(element.theta) - centre[1],
                    z = element.r * std::cos(element.theta) - centre[2];
@@ -193,7 +193,7 @@ std::vector<results::Sol8Frame> frames_behind(const results::MotionFile& motion,
   return out;
 }
 
-/// Turns of the races between neighbouring frames, as far as they can be told: relative to each
+/// Turns of the races between neighboring frames, as far as they can be told: relative to each
 /// other, and what their angles say, which whole turns are missing from.
 std::vector<double> turns_of(const results::Sol8File& file) {
   std::vector<double> out(file.frames.size(), 0.0);
@@ -486,7 +486,7 @@ std::vector<double> rate(const std::vector<double>& angle, const std::vector<dou
                       : widest;
   const std::size_t reach = std::clamp<std::size_t>(wanted, 1, widest);
   for (std::size_t i = 0; i < n; ++i) {
-    // At the ends the window stays as wide and moves inwards: half a window would double the
+    // At the ends the window stays as wide and moves inward: half a window would double the
     // rounding.
     const std::size_t low = std::min(i > reach ? i - reach : 0, n - 1 - 2 * reach);
     const std::size_t high = low + 2 * reach;

@@ -87,11 +87,11 @@ struct Animation {
   std::string unused;
   /// What is wrong with the files, as sentences without their ends.
   [[nodiscard]] std::vector<std::string> notes() const;
-  std::map<std::string, RunRange> run_ranges;  ///< of quantities that colour, by channel
+  std::map<std::string, RunRange> run_ranges;  ///< of quantities that color, by channel
   bool some_free = false;                      ///< an element touches neither race at some step
-  std::vector<double> pocket_angle;            ///< of each pocket centre in the cage [rad]
+  std::vector<double> pocket_angle;            ///< of each pocket center in the cage [rad]
   std::vector<double> turned;  ///< by the races since the frame before, at least [rev]
-  /// Ways of centres, of elements about the axis, and of elements past each other.
+  /// Ways of centers, of elements about the axis, and of elements past each other.
   Known known_centres = Known::All, known_elements = Known::All, known_trails = Known::All;
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }
@@ -103,10 +103,10 @@ struct Animation {
   /// Contacts of the elements at a frame; null where it has none, for the reason of `no_loads`.
   [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;
   [[nodiscard]] std::string no_loads(std::size_t frame) const;
-  /// May the way of a centre be drawn as a line from the frame before? Where the bearing turns far
+  /// May the way of a center be drawn as a line from the frame before? Where the bearing turns far
   /// in between, nobody knows it.
   [[nodiscard]] bool way_known(std::size_t frame) const;
-  /// The same of an element; `past_others`: against its neighbours, whose places are not to be
+  /// The same of an element; `past_others`: against its neighbors, whose places are not to be
   /// taken for its own.
   [[nodiscard]] bool way_known(std::size_t frame, std::size_t element, bool past_others) const;
   /// Cage, or the segment that holds an element's pocket, at a frame.
@@ -140,7 +140,7 @@ struct History {
 /// `segment`: of the cage, from 0; the only one of a cage in one piece.
 [[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);
 [[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
-/// Speed of the mass centre of the cage about the bearing axis, and of the cage about its own, over
+/// Speed of the mass center of the cage about the bearing axis, and of the cage about its own, over
 /// that of the faster race. Of a segment: its reference point on the cage axis, and its own
 /// turning.
 [[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
@@ -148,7 +148,7 @@ struct History {
 /// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
 [[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
 [[nodiscard]] History element_spin(const Animation& animation, std::size_t element);
-/// Mass centre of a race, coordinate 0, 1, 2 = x, y, z.
+/// Mass center of a race, coordinate 0, 1, 2 = x, y, z.
 [[nodiscard]] History race_position(const Animation& animation, std::size_t race,
                                     std::size_t coordinate);
 /// Load of an element at a race (0 outer, 1 inner).

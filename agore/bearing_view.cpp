@@ -47,7 +47,7 @@ QString exaggeration_remark(const Scene& s) {
   return asked > s.factor ? given + QString(" (maximum; × %1 specified)").arg(asked) : given;
 }
 
-/// Arrows from the centre of the cage, or of each segment, to where its busier land touches the
+/// Arrows from the center of the cage, or of each segment, to where its busier land touches the
 /// race.
 void draw_land_arrows(const Scene& s) {
   const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
@@ -257,7 +257,7 @@ void bearing_view(const Scene& s) {
                    QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
                    KeyMark::None});
   }
-  // First: colours say nothing without.
+  // First: colors say nothing without.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
@@ -277,7 +277,7 @@ void cage_view(const Scene& s) {
   const DrawnOrbit drawn =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   const auto [enlargement, now] = drawn;
-  // Where the orbit is, so that one picture has one centre of the cage.
+  // Where the orbit is, so that one picture has one center of the cage.
   const double arm = 0.5 * g.cage_inner_radius;
   const QPointF origin = enlargement > 0.0 ? now : cage;
   const bool named = s.sketch.frame_named(arm);

@@ -12,17 +12,17 @@
 /// arithmetic on arrays, without a graphics driver: the same picture with and without a screen.
 namespace adore::agore {
 
-/// A colour from shadow (0) over itself (about 190) to its highlight (255).
+/// A color from shadow (0) over itself (about 190) to its highlight (255).
 using Shades = std::array<QRgb, 256>;
 [[nodiscard]] Shades shades_of(const QColor& colour);
 
-/// Light of a surface with this unit normal towards the viewer (x right, y up, z to the viewer), 0
+/// Light of a surface with this unit normal toward the viewer (x right, y up, z to the viewer), 0
 /// to 255: a lamp over the viewer's left shoulder.
 [[nodiscard]] float light_of(float x, float y, float z);
 
 class DepthCanvas {
  public:
-  /// In pixels, y downwards; nearer is larger in depth.
+  /// In pixels, y downward; nearer is larger in depth.
   struct Point {
     float x = 0, y = 0, depth = 0, light = 0;
   };

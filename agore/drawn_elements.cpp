@@ -43,7 +43,7 @@ QString longest_load(const Scene& s, double load) {
 }
 
 bool load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour, double width) {
-  constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the colour
+  constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the color
   if (QLineF(tail, tip).length() < kSeen) return false;
   s.sketch.arrow(tail, tip, colour, width);
   return true;
@@ -146,7 +146,7 @@ KeyEntry trail_entry(const Scene& s, bool any) {
 
 namespace {
 
-/// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
+/// Direction of an element's orientation mark, its body's z axis: right, up, toward the viewer,
 /// seen from +X.
 std::array<double, 3> mark_from_axis(const Scene& s, std::size_t k) {
   const results::Sol8Element& element = s.frame.elements.at(k);

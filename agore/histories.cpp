@@ -18,7 +18,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// d(angle)/dt between the neighbours of each value; one-sided at the ends.
+/// d(angle)/dt between the neighbors of each value; one-sided at the ends.
 std::vector<double> slope(const std::vector<double>& angle, const std::vector<double>& time) {
   const std::size_t n = std::min(angle.size(), time.size());
   std::vector<double> out(n, kNone);
@@ -301,7 +301,7 @@ History cage_whirl(const Animation& animation, int segment) {
   History out = by_differences(animation, continuous(std::move(angle)), kFastest);
   for (std::size_t i = 0; i < out.value.size(); ++i) {
     const auto& p = animation.frame(i).cage.position;
-    // Near the middle the direction of the centre means nothing.
+    // Near the middle the direction of the center means nothing.
     if (std::hypot(p[1], p[2]) <= 1e-3 * largest) out.value[i] = kNone;
   }
   return out;

@@ -25,14 +25,14 @@ enum class KeyMark {
   Dotted,
   Star,
   Dots,
-  Spot,     ///< round: on the face of a race, or where a centre is
+  Spot,     ///< round: on the face of a race, or where a center is
   Arrow,    ///< a broad one
   Contact,  ///< dashes to a contact, and the arrow that presses on it
   Frame,    ///< two arms, the longer one up
   Turning,  ///< the mark of a ball that turns, on steel
   Sector,   ///< that of a roller
-  Disc,     ///< a body of that colour
-  Scale,    ///< the colours of a scale, from end to end
+  Disc,     ///< a body of that color
+  Scale,    ///< the colors of a scale, from end to end
   None      ///< what the picture has in other frames: its room alone
 };
 

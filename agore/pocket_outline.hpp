@@ -8,7 +8,7 @@
 
 namespace adore::agore {
 
-/// A pocket seen from outside, about its centre: right is the way round, up the bearing axis.
+/// A pocket seen from outside, about its center: right is the way round, up the bearing axis.
 struct PocketOutline {
   int code = 0;                                 ///< kPocType
   double radius = 0.0;                          ///< of the element
@@ -20,7 +20,7 @@ struct PocketOutline {
 };
 
 /// A roller seen from outside, about its middle: its silhouette with its axis to the right turned
-/// upright, and then by its skew towards the way round.
+/// upright, and then by its skew toward the way round.
 [[nodiscard]] QPolygonF upright(const QPainterPath& silhouette, double skew);
 
 /// What such a roller in the middle of its pocket has left to the walls at its sides, left and
@@ -37,18 +37,18 @@ struct PocketPlay {
 [[nodiscard]] double drawn_skew(const QPainterPath& silhouette, double taper, double skew,
                                 double factor);
 
-/// How far a body is moved from the middle, towards the second wall, so that what it has left to
+/// How far a body is moved from the middle, toward the second wall, so that what it has left to
 /// two walls is as the gaps to them are; in the middle where it has nothing left.
 [[nodiscard]] double moved(const std::array<double, 2>& play, std::array<double, 2> gaps);
 
 /// The hole. Lengths in one unit of the caller's. A roller has half of clearance I at its sides and
-/// at its ends, however it leans towards the viewer (decision 213), and its window its taper.
+/// at its ends, however it leans toward the viewer (decision 213), and its window its taper.
 [[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
 
 /// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
 [[nodiscard]] QPainterPath pocket_far_edge(const PocketOutline& pocket);
 
-/// Which way from an element's centre the wall lies that carries it, at most 1 long: of a ball
+/// Which way from an element's center the wall lies that carries it, at most 1 long: of a ball
 /// where it has gone, or by the stored angle where it has not (0: the cage drives). A roller's
 /// angle is that of a guide surface beside it, while it may have gone to the pocket's end as well.
 /// `direction`: 1 where the cage turns to the right, else -1.

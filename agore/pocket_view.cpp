@@ -44,7 +44,7 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
 }
 
 /// A roller's axis about its pocket [rad], in the cage's frame, tilted as it is: across the pocket
-/// towards increasing azimuth, and towards who looks from outside along the pocket's axis, which
+/// toward increasing azimuth, and toward who looks from outside along the pocket's axis, which
 /// leans as a conical cage does. A file without the cage's cone does not tell the latter.
 /// @param pocket_angle azimuth of the pocket in its cage [rad]
 AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& element,
@@ -180,7 +180,7 @@ std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOut
   return out;
 }
 
-/// "top leans 7.5° towards the viewer": of a lean that can be seen.
+/// "top leans 7.5° toward the viewer": of a lean that can be seen.
 std::string lean_remark(double lean) {
   constexpr double kSeen = 0.5;  // [degrees]
   const double degrees = lean * 180.0 / kPi;
@@ -236,7 +236,7 @@ void pocket_view(const Scene& s) {
   const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};
   const bool shape_known = s.animation.motion != nullptr;
   const QSizeF hole = pocket_half(pocket);
-  // From the pocket's centre, y up, to the picture.
+  // From the pocket's center, y up, to the picture.
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
   p.setPen(QPen(t.cage.darker(145), 1.6));

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// One race and the path of its centre.
+/// One race and the path of its center.
 namespace adore::agore {
 
 namespace {

@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> render_frames(MotionPicture& picture, int eve
                                                  const std::filesystem::path& folder,
                                                  const RenderOptions& options);
 
-/// A film of every `every`-th frame, by the name's ending: .avi (Motion-JPEG), .gif (256 colours a
+/// A film of every `every`-th frame, by the name's ending: .avi (Motion-JPEG), .gif (256 colors a
 /// picture), .mp4 (H.264 by the program ffmpeg, which must be in the PATH); without an ending a
 /// folder of that name with numbered PNG files. @throws InputError saying what is missing
 void render_movie(MotionPicture& picture, int every, int frames_per_second,

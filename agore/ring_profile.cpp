@@ -33,7 +33,7 @@ AxisAngles axis_angles(const results::Sol8Element& element) {
   const Vec3 axis = rotation(element.angles).col(0);
   const double sine = std::sin(element.theta), cosine = std::cos(element.theta);
   const double along = std::abs(axis.x()) > 1e-9 ? axis.x() : 1.0;
-  // y = -r sin, z = r cos: outwards is (-sin, cos), increasing azimuth (-cos, -sin).
+  // y = -r sin, z = r cos: outward is (-sin, cos), increasing azimuth (-cos, -sin).
   return {std::atan((-axis.y() * sine + axis.z() * cosine) / along),
           std::atan((-axis.y() * cosine - axis.z() * sine) / along)};
 }
@@ -63,7 +63,7 @@ std::vector<RingColumn> ball_ring(const Animation& animation, std::size_t race, 
   const auto near = [&](double x) {
     const double inside = groove * groove - (x - centre_x) * (x - centre_x);
     const double bow = inside > 0.0 ? std::sqrt(inside) : 0.0;
-    // An outer groove is cut from the shoulder outwards, no deeper than the ring.
+    // An outer groove is cut from the shoulder outward, no deeper than the ring.
     if (outer) return std::min(far, inside > 0.0 ? std::max(shoulder, centre_r + bow) : shoulder);
     return std::max(far, inside > 0.0 ? std::min(shoulder, centre_r - bow) : shoulder);
   };

@@ -47,15 +47,15 @@ struct LandPlace {
 /// overhangs, columns go back, and the far side would be drawn there three times.
 [[nodiscard]] std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile);
 
-/// Lean of the rollers' axes outwards [rad] as the run began; 0 for balls.
+/// Lean of the rollers' axes outward [rad] as the run began; 0 for balls.
 [[nodiscard]] double nominal_lean(const Animation& animation);
-/// Of one roller at a frame: lean outwards and skew (turned towards increasing azimuth) [rad].
+/// Of one roller at a frame: lean outward and skew (turned toward increasing azimuth) [rad].
 struct AxisAngles {
   double lean = 0.0, skew = 0.0;
 };
 [[nodiscard]] AxisAngles axis_angles(const results::Sol8Element& element);
 
-/// (u, v) of a body at (x, r) whose axis leans outwards by `lean`.
+/// (u, v) of a body at (x, r) whose axis leans outward by `lean`.
 [[nodiscard]] QPointF leaned(double x, double r, double lean, double u, double v);
 
 /// The cut through the cage, its corners in turn about (0, pitch radius); a conical cage leans as

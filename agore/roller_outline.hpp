@@ -27,7 +27,7 @@ struct RollerProfile {
   [[nodiscard]] std::vector<QPointF> meridian() const;
   /// Its silhouette with u to the right.
   [[nodiscard]] QPainterPath outline() const;
-  /// The same of a roller whose axis leans by an angle towards the viewer: the hull of its discs.
+  /// The same of a roller whose axis leans by an angle toward the viewer: the hull of its discs.
   [[nodiscard]] QPainterPath outline(double lean) const;
   /// What is seen of the rim of the end that such a roller shows; empty for one that hardly leans.
   [[nodiscard]] QPainterPath end_seen(double lean) const;

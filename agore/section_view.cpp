@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// The cut through one element and the bearing's axis, to scale: +x to the right, outwards up. What
+/// The cut through one element and the bearing's axis, to scale: +x to the right, outward up. What
 /// cannot be seen along the axis is here: contact angle, axial position, tilt of a roller.
 namespace adore::agore {
 namespace {
@@ -40,7 +40,7 @@ void fill(const Scene& s, const QPainterPath& path, const QColor& colour) {
   p.drawPath(path);
 }
 
-/// Displacement of a race outwards at an azimuth.
+/// Displacement of a race outward at an azimuth.
 double outward(const results::Sol8Body& body, double azimuth) {
   return -body.position[1] * std::sin(azimuth) + body.position[2] * std::cos(azimuth);
 }
@@ -216,7 +216,7 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
                                      {cut.at(tip.x(), tip.y()), true, false}};
-    // Beside a dark edge of the usual width, dashes are lost that lie on grey steel.
+    // Beside a dark edge of the usual width, dashes are lost that lie on gray steel.
     const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
     draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true, edge});
     const bool drawn =

@@ -26,7 +26,7 @@ QColor over(const QColor& paper, const QColor& colour) {
           mix(paper.blue(), colour.blue())};
 }
 
-/// Of two colours, after WCAG 2.
+/// Of two colors, after WCAG 2.
 double contrast(const QColor& a, const QColor& b) {
   const auto light = [](const QColor& colour) {
     const auto one = [](double v) {

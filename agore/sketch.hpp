@@ -21,7 +21,7 @@ void append_seen(QPolygonF& line, QPointF next);
 /// Length of y of a frame without names, in that of z.
 inline constexpr double kShorterArm = 0.6;
 
-/// Of the edge in the paper's colour that marks over bodies have [pixels on each side]: whatever
+/// Of the edge in the paper's color that marks over bodies have [pixels on each side]: whatever
 /// they lie on, they are told from it.
 inline constexpr double kCasing = 1.2;
 
@@ -29,14 +29,14 @@ inline constexpr double kCasing = 1.2;
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
                    const QColor& rim);
 
-/// The mark that turns with a body of radius `r` [pixels]: right, up, towards the viewer, in its
+/// The mark that turns with a body of radius `r` [pixels]: right, up, toward the viewer, in its
 /// radii; its end is hollow on the far side.
 void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour);
 /// That of a roller, seen on its end: a sector, which no line of a path looks like.
 void draw_turning_sector(QPainter& painter, QPointF middle, double r,
                          const std::array<double, 3>& mark, const QColor& colour);
-/// Their colour on steel, and on the colours of a scale.
+/// Their color on steel, and on the colors of a scale.
 [[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 class Sketch {
@@ -64,7 +64,7 @@ class Sketch {
   void circle(QPointF centre_yz, double radius, const QPen& pen) const;
   /// As straight dashes, and only those in the area: quick at any size.
   void dashed_circle(QPointF centre_yz, double radius, const QColor& colour, double width) const;
-  /// `mark` is the direction of the orientation mark: right, up, towards the viewer; zero: none.
+  /// `mark` is the direction of the orientation mark: right, up, toward the viewer; zero: none.
   /// An invalid `tint` is steel.
   void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
             const QColor& tint = {}) const;
@@ -95,8 +95,8 @@ class Sketch {
   void arrow(QPointF from, QPointF to, const QColor& colour, double width) const;
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
   void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
-             bool bold = false) const;  ///< centred
-  /// The same in bold letters with an edge of the paper's colour, for places over marks.
+             bool bold = false) const;  ///< centered
+  /// The same in bold letters with an edge of the paper's color, for places over marks.
   void label_over(QPointF where, const QString& text, const QColor& colour, int pixel_size) const;
 
   /// The mark of a ball or a roller alone.

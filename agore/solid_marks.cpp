@@ -15,7 +15,7 @@
 namespace adore::agore {
 namespace {
 
-/// The way of an element's centre in the picture, cut where bodies begin and end to hide it.
+/// The way of an element's center in the picture, cut where bodies begin and end to hide it.
 struct CutWay {
   std::vector<std::vector<WayPoint>> seen, hidden;
 };
@@ -25,7 +25,7 @@ class WayCutter {
   WayCutter(const SolidLayer& layer, CutWay& out) : layer_(layer), out_(out) {}
   struct Place {
     QPointF at;
-    double depth;  ///< towards the viewer [pixels]
+    double depth;  ///< toward the viewer [pixels]
   };
   void begin() { last_.reset(); }
   void add(const Place& to, bool joined) {

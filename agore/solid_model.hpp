@@ -14,7 +14,7 @@
 /// Parts of a bearing as triangles on a canvas, seen by an eye.
 namespace adore::agore {
 
-/// Directions at an azimuth: outwards and of increasing azimuth.
+/// Directions at an azimuth: outward and of increasing azimuth.
 inline Vec3 outwards(double azimuth) { return {0.0, -std::sin(azimuth), std::cos(azimuth)}; }
 inline Vec3 onwards(double azimuth) { return {0.0, -std::cos(azimuth), -std::sin(azimuth)}; }
 

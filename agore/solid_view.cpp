@@ -82,7 +82,7 @@ void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnL
                                "dashed: behind a body", "nothing hidden", KeyMark::Dashed));
 }
 
-/// Of the marks in space: purple on steel, grey on the colours of a scale.
+/// Of the marks in space: purple on steel, gray on the colors of a scale.
 void name_solid_mark(const Scene& s, std::vector<KeyEntry>& key) {
   const std::size_t before = key.size();
   name_turning_mark(s, std::nullopt, key);
@@ -143,7 +143,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  // First: colours say nothing without.
+  // First: colors say nothing without.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, QString::fromStdString(remark));

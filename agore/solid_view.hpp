@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The bearing in space: what cannot be seen along its axis (contact angle, skew, tilt of rollers
-/// and cage). Parallel projection; the outer race is cut open towards the viewer. Races are to
+/// and cage). Parallel projection; the outer race is cut open toward the viewer. Races are to
 /// scale; the clearances of elements and cage are magnified like those of the bearing view, and
 /// skew and tilt of rollers by a factor of their own; both are stated. Pockets are as wide in the
 /// middle of the cage's height as everywhere: what a sphere or a cone has more or less at its edges
@@ -28,7 +28,7 @@ inline constexpr double kOpen = 70.0 * kPi / 180.0;
 /// Is the spot of the outer race on metal that is drawn?
 [[nodiscard]] bool outer_spot_shown(const Scene& scene, const Eye& eye);
 
-/// Centre as drawn: the clearances magnified across the axis, to scale along it.
+/// Center as drawn: the clearances magnified across the axis, to scale along it.
 [[nodiscard]] Vec3 element_place(const Scene& scene, std::size_t k);
 
 /// A spot on a face of a race, which shows its turning.
@@ -41,8 +41,8 @@ struct RaceSpot {
 [[nodiscard]] double race_spot_radius(const Scene& scene);
 
 /// Of the marks that turn with elements in space: with light and shade of their own, for a flat
-/// dark one looks like a hole. On an element that the scale colours a grey, which is none of its
-/// colours, pale on dark ones and dark on pale ones.
+/// dark one looks like a hole. On an element that the scale colors a gray, which is none of its
+/// colors, pale on dark ones and dark on pale ones.
 [[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 /// Draws frames of one animation; keeps between them what does not move.
@@ -51,7 +51,7 @@ class SolidLayer {
   /// Draws the bodies into the area of the scene's sketch, `oversample` pixels for one of it each
   /// way.
   void draw(const Scene& scene, int oversample, double pixel_ratio);
-  /// Do the bodies drawn last lie before a place of the picture, that far towards the viewer
+  /// Do the bodies drawn last lie before a place of the picture, that far toward the viewer
   /// [pixels]?
   [[nodiscard]] bool hides(QPointF place, double depth) const;
   /// Magnification of skew and tilt of the rollers; 0 where there is none.

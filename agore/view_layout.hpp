@@ -20,7 +20,7 @@ double outer_rim(const results::Sol8Geometry& geometry);
 /// Pixels about a ring for the numbers of elements, in a picture of that half size.
 double numbers_margin(double half);
 
-/// Room for the scale of colours in the upper right corner of a picture, and height at the top that
+/// Room for the scale of colors in the upper right corner of a picture, and height at the top that
 /// a round picture leaves free for it: as little as keeps its numbers out of that corner.
 [[nodiscard]] QSizeF scale_room(const ViewOptions& options, QSizeF size);
 [[nodiscard]] double scale_head(const Animation& animation, const ViewOptions& options,

@@ -22,10 +22,10 @@ enum class View : unsigned char {
   Solid     ///< in space
 };
 
-/// By what the elements of the bearing view are coloured: the larger of both contacts.
+/// By what the elements of the bearing view are colored: the larger of both contacts.
 enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
 
-/// How the scale of colours is chosen.
+/// How the scale of colors is chosen.
 enum class ColourScale : unsigned char {
   Usual,   ///< what 19 of 20 values of the run stay below: a short peak hides no differences
   Run,     ///< to the largest of the run

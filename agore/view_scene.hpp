@@ -40,7 +40,7 @@ struct Scene {
   }
   [[nodiscard]] const results::Sol8Body& cage() const { return animation.part(index, segment()); }
   [[nodiscard]] double cage_angle() const { return animation.part_angle(index, segment()); }
-  /// Azimuth of the centre of an element's pocket.
+  /// Azimuth of the center of an element's pocket.
   [[nodiscard]] double pocket_azimuth(std::size_t k) const {
     return animation.part_angle(index, animation.pocket_part[k]) + animation.pocket_angle[k];
   }
@@ -57,10 +57,10 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 /// and the circle of radius `edge`, where the words of a picture begin.
 [[nodiscard]] double longest_load_arrow(const Scene& scene, double wanted, double edge);
 
-/// Element centre (y, z) as drawn: its pocket's centre plus the exaggerated way out of it, or its
+/// Element center (y, z) as drawn: its pocket's center plus the exaggerated way out of it, or its
 /// own place when there is no cage.
 [[nodiscard]] QPointF element_centre(const Scene& scene, std::size_t k);
-/// The way of an element's centre as drawn, from now back over nearly a pitch; x along the axis.
+/// The way of an element's center as drawn, from now back over nearly a pitch; x along the axis.
 struct TrailPoint {
   QPointF centre;
   double x = 0.0;
@@ -89,7 +89,7 @@ void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
 inline constexpr const char* kTooSmall = ", arrow too small";
 /// Of the ways that element_trail() makes, if there are any.
 [[nodiscard]] KeyEntry trail_entry(const Scene& scene, bool any);
-/// Told apart from loads, frames and marks with every colour vision.
+/// Told apart from loads, frames and marks with every color vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
 
 /// ", up to 390 N" in the run, for a key: all arrows of loads are on one scale, and that one may
@@ -109,7 +109,7 @@ void load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colou
 
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {}, bool marked = true);
-/// All of them, coloured as the options ask, with the scale. Where paths are to run over them,
+/// All of them, colored as the options ask, with the scale. Where paths are to run over them,
 /// without the marks that turn with them, which would lie below.
 void draw_elements(const Scene& scene);
 /// Those marks.
@@ -118,14 +118,14 @@ void draw_turning_marks(const Scene& scene);
 void draw_contact_marks(const Scene& scene);
 struct DrawnOrbit {
   double enlargement = 0.0;  ///< 0: the body stands still
-  QPointF now{0.0, 0.0};     ///< where its centre is in the picture
+  QPointF now{0.0, 0.0};     ///< where its center is in the picture
 };
-/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths. Without a reference
+/// Orbit of a body's center, enlarged to `radius` of the picture's lengths. Without a reference
 /// length it is drawn about its middle, which is not magnified: only motion is. A body that moves
 /// less than an atom's size stands still.
 DrawnOrbit draw_orbit(const Scene& scene, double radius, double reference,
                       std::vector<QPointF> orbit);
-/// Where the centre is now, over the frame that turns about it.
+/// Where the center is now, over the frame that turns about it.
 void draw_centre(const Scene& scene, const DrawnOrbit& orbit);
 
 class SolidLayer;
@@ -149,18 +149,18 @@ void flange_view(const Scene& scene);
 [[nodiscard]] double flange_picture_radius(const Animation& animation);
 [[nodiscard]] double solid_picture_radius(const Animation& animation);
 
-/// A quantity of an element as a colour: where the value is between the ends of the scale.
+/// A quantity of an element as a color: where the value is between the ends of the scale.
 struct Colouring {
   std::string title, unit;
   double low = 0.0, high = 0.0;  ///< ends of the scale
   bool above = false;            ///< the run has values beyond its upper end
   bool below = false;            ///< beyond its lower end
   std::string scale;             ///< which scale it is, and what the run has beyond
-  std::vector<double> value;     ///< of each element at the frame; empty: nothing to colour by
-  std::vector<bool> touches;     ///< a race: what does not has a colour of its own
+  std::vector<double> value;     ///< of each element at the frame; empty: nothing to color by
+  std::vector<bool> touches;     ///< a race: what does not has a color of its own
   std::string why_none;
   [[nodiscard]] bool any() const { return !value.empty() && high > low; }
-  /// Colour of an element; invalid: steel.
+  /// Color of an element; invalid: steel.
   [[nodiscard]] QColor of(std::size_t element) const;
   /// Names of the scale's ends, with the sign of what lies beyond.
   [[nodiscard]] std::string low_end() const;
@@ -168,7 +168,7 @@ struct Colouring {
 };
 [[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
                                   const ScaleChoice& scale = {});
-/// Of an element that touches no race: a grey, which no scale has.
+/// Of an element that touches no race: a gray, which no scale has.
 [[nodiscard]] QColor no_contact_colour();
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);

@@ -119,7 +119,7 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
 
 namespace {
 
-/// What lines cover of each column of pixels from `left` on, downwards.
+/// What lines cover of each column of pixels from `left` on, downward.
 std::vector<Extent> columns_of(const std::vector<QPolygonF>& lines, const QRectF& area) {
   const auto count = static_cast<std::ptrdiff_t>(std::ceil(area.width())) + 1;
   std::vector<Extent> out(static_cast<std::size_t>(count));

@@ -124,7 +124,7 @@ QPolygonF with_bends(const QPolygonF& line) {
 
 /// The parts of a line that are left to the curve that lies above: every `of`-th of stripes across
 /// the picture, so that a spike, which goes its way twice, shows both. The stripes are bent to and
-/// fro, for along straight ones a line of their own direction would be of one colour. They stand
+/// fro, for along straight ones a line of their own direction would be of one color. They stand
 /// upright where the line is so long, a dense run back and forth, that its parts were very many.
 std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& area) {
   constexpr qreal kWide = 9.0, kLong = 20000.0;

@@ -180,7 +180,7 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
   bool open = false;
   double last = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    // One neighbour beyond each end keeps the line running to the edge of a zoomed view.
+    // One neighbor beyond each end keeps the line running to the edge of a zoomed view.
     const bool needed = (x[i] >= low && x[i] <= high) ||
                         (i + 1 < count && x[i] < low && x[i + 1] >= low) ||
                         (i > 0 && x[i] > high && x[i - 1] <= high);

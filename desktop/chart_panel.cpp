@@ -157,7 +157,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
   if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
   std::vector<QPolygonF> drawn;
-  for (const ShownCurve& one : shown)  // below all curves: none has the colour of another's area
+  for (const ShownCurve& one : shown)  // below all curves: none has the color of another's area
     if (!panel.curves[one.curve].low.empty())
       addBand(index, one.curve, area, y_axis, one.colour, drawn);
   if (!page_.band_note.empty() && !bands_seen_) bands_seen_ = bandsSeen(drawn, shown, area, m.line);

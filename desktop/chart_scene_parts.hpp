@@ -45,7 +45,7 @@ struct ChartScene::ShownCurve {
   int colour = 0;
   std::vector<Polyline> pieces = {};
   std::vector<QPolygonF> lines = {};  ///< the same in the scene
-  std::vector<Extent> extents = {};   ///< of each line, downwards
+  std::vector<Extent> extents = {};   ///< of each line, downward
   /// The first of the curves that this one would hide in the view, and how many others lie between.
   std::optional<std::size_t> hides = {};
   int later = 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kZoom = 0.5, kMove = 0.1;  ///< parts of what is seen
 constexpr qreal kEdge = 0.5;                ///< less is no way to go [px]
 
-/// Part of what is seen, by which a deed moves along the abscissa and upwards.
+/// Part of what is seen, by which a deed moves along the abscissa and upward.
 QPointF way_of(ChartDeed deed) {
   switch (deed) {
     case ChartDeed::MoveLeft:
@@ -23,7 +23,7 @@ QPointF way_of(ChartDeed deed) {
     case ChartDeed::FarRight:
       return {1.0, 0.0};
     case ChartDeed::MoveUp:
-      return {0.0, -kMove};  // downwards in the scene
+      return {0.0, -kMove};  // downward in the scene
     case ChartDeed::MoveDown:
       return {0.0, kMove};
     default:

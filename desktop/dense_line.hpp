@@ -16,7 +16,7 @@ namespace adore::desktop {
 
 struct ColumnBar {
   int column = 0;
-  double top = 0.0, bottom = 0.0;  ///< y of the line, downwards; top <= bottom
+  double top = 0.0, bottom = 0.0;  ///< y of the line, downward; top <= bottom
 };
 
 /// Where a line whose x never falls passes the columns [i, i + 1) / `scale` from 0 on, between

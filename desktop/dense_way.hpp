@@ -18,7 +18,7 @@ class QColor;
 /// Ways to and fro of very many points, such as an orbit of a million: what is drawn of them.
 namespace adore::desktop {
 
-/// Where values of two axes stand in a picture: x_at + x_per * x, and so upwards.
+/// Where values of two axes stand in a picture: x_at + x_per * x, and so upward.
 struct PlaneScale {
   double x_at = 0.0, x_per = 1.0, y_at = 0.0, y_per = 1.0;
   [[nodiscard]] QPointF place(double x, double y) const {

@@ -6,7 +6,7 @@ namespace adore::desktop {
 
 /// Fusion with scroll bars whose handle stands out from its track: in Fusion's own a handle lighter
 /// than the track is easily taken for the track. Boxes and rings to be ticked have an edge that is
-/// seen: Fusion's has a contrast of 1.2 in dark colours.
+/// seen: Fusion's has a contrast of 1.2 in dark colors.
 class ScrollStyle : public QProxyStyle {
   Q_OBJECT
  public:

@@ -108,7 +108,7 @@ StaticTable whole_turn(StaticTable table) {
 }
 
 /// Loads as marks at that distance from the bearing's axis, seen along +x: +z up, azimuth turning
-/// from z towards -y. Marks are not joined: between elements nothing is loaded.
+/// from z toward -y. Marks are not joined: between elements nothing is loaded.
 ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Load around the bearing";
@@ -267,7 +267,7 @@ std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& e
   for (ChartPanel& each : page.panels)
     if (each.curves.size() == 1 && !each.curves[0].name.empty())
       each.title += ", " + each.curves[0].name;
-  // Millionths of a degree, of a newton or of a newton metre are rounding, not a picture.
+  // Millionths of a degree, of a newton or of a newton meter are rounding, not a picture.
   for (ChartPanel& each : page.panels) each.least_span = 1e-6;
   return page;
 }

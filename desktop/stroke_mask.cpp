@@ -73,7 +73,7 @@ struct Pen {
   [[nodiscard]] int most() const { return static_cast<int>(reach.size()) - 1; }
 };
 
-/// An empty image of a colour, to be laid on in covers.
+/// An empty image of a color, to be laid on in covers.
 struct Cover {
   Cover(const QRect& box, const QColor& colour)
       : out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()},

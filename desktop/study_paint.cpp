@@ -89,7 +89,7 @@ struct Extent {
     high = std::max(high, value);
   }
   [[nodiscard]] bool any() const { return low <= high; }
-  /// Values over two decades and more, none of them 0 or negative: in one colour but the largest
+  /// Values over two decades and more, none of them 0 or negative: in one color but the largest
   /// few on an even scale.
   [[nodiscard]] bool wide() const { return low > 0.0 && high >= 100.0 * low; }
   [[nodiscard]] double share(double value, bool logarithmic = false) const {
@@ -99,7 +99,7 @@ struct Extent {
   }
 };
 
-/// Dark blue over green to yellow: rises in lightness, so that it reads in grey too.
+/// Dark blue over green to yellow: rises in lightness, so that it reads in gray too.
 QColor heat_colour(double share) {
   constexpr std::array<std::array<double, 3>, 5> kStops{
       {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};

@@ -6,8 +6,8 @@
 
 #include <array>
 
-/// Colours and fonts of every window and picture. Light on paper, dark on screen; both with the
-/// same order of eight curve colours, told apart with the common colour-vision deficiencies (the
+/// Colors and fonts of every window and picture. Light on paper, dark on screen; both with the
+/// same order of eight curve colors, told apart with the common color-vision deficiencies (the
 /// first after Okabe and Ito, the others by lightness; tests/desktop/test_palette.cpp).
 namespace adore::desktop {
 

@@ -12,7 +12,7 @@ struct Stretch {
   std::size_t first = 0, end = 0;
 };
 
-/// A way in runs of a few neighbouring points and the boxes that hold them: what is far from a
+/// A way in runs of a few neighboring points and the boxes that hold them: what is far from a
 /// place or from a part of a picture is passed over without a look at its points.
 class WayRuns {
  public:
