@@ -54,7 +54,7 @@ class Chance {
       limits_[q] = std::max(limits_[q], times_ * number(noise, kQuantities[q]));
   }
   [[nodiscard]] double largest() const { return *std::max_element(limits_.begin(), limits_.end()); }
-  [[nodiscard]] double times() const { return times_; }  ///< of what chance changes
+  [[nodiscard]] double times() const { return times_; }  ///< part of the statistical scatter
   [[nodiscard]] bool left_behind(const nlohmann::json& errors) const {
     for (std::size_t q = 0; q < limits_.size(); ++q)
       if (number(errors, kQuantities[q]) > limits_[q]) return true;
@@ -92,7 +92,7 @@ std::vector<Point> points_of(const nlohmann::json& rows, const Chance& chance) {
   return out;
 }
 
-/// Below the floor of chance: pale, with a sentence on what lies in it.
+/// Shaded band below the noise level, with a note.
 void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const Chance& chance) {
   if (!(chance.largest() > 0.0) || points.empty()) return;
   const double floor = 100.0 * chance.largest();

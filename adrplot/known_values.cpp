@@ -127,7 +127,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
       }
     return dropped;
   };
-  // What a part of the file shows is not true of all the run.
+  // A part of the file does not represent the whole run.
   const std::string here = file_.part ? "at these steps" : "in this run";
   const auto is_zero = [](double v) { return v == 0.0; };
   const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
@@ -169,7 +169,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
         out.values[i] = kNone;
     }
   } else if (is("pocket.position.")) {
-    // Where a roller that lies along a wall is nearest to it is a matter of rounding.
+    // For a roller parallel to a wall the nearest point is determined by rounding.
     if (drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero))
       out.why_gaps = "no contact";
     constexpr double kMiddle = 1e-9;  // along a roller: rounding

@@ -19,7 +19,7 @@
 namespace adore::adrplot {
 namespace {
 
-/// What tells a curve from all others: its quantity, its body and its run.
+/// Identifies a curve: quantity, body and run.
 using Names = std::array<std::string, 3>;
 
 struct Taken {
@@ -101,7 +101,7 @@ std::vector<std::string> sentences_of(const std::string& note) {
   return out;
 }
 
-/// What the pages say that curves were taken from: of all of them at once, else by their names.
+/// Notes of the pages of the curves: once if they apply to all curves, else by curve name.
 class SourceNotes {
  public:
   void add(const std::string& source, const std::string& sentence) {
@@ -136,7 +136,7 @@ class SourceNotes {
   std::vector<std::pair<std::string, std::vector<std::string>>> said_;
 };
 
-/// What the page of a curve says that is true of the curve over this domain, too.
+/// Notes of the page of a curve that also apply to the curve over this domain.
 std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartPage& history,
                                     const PageOptions& options) {
   std::vector<std::string> out;
@@ -145,7 +145,7 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
   const std::string note = over_time ? history.note : pick.file->build(pick.page, options).note;
   for (const std::string& sentence : sentences_of(note)) {
     const auto is = [&](std::string_view begin) { return sentence.starts_with(begin); };
-    // Of frequencies the page speaks of spectra of its own.
+    // A spectrum page has notes on its own frequencies.
     const bool of_file = is("Aliased: ") || is("These are ") || is("Of the file ") ||
                          is("Of these steps ") || is("The values have ") || is("RESULTS.h5 ");
     if (over_time || of_file) out.push_back(sentence);
@@ -153,8 +153,8 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
   return out;
 }
 
-/// Extremes since the value before at other places: those of the stored step that the place lies
-/// in.
+/// Extremes since the previous value at other points: those of the stored step that contains the
+/// point.
 std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<double>& extremes,
                                 const std::vector<double>& where) {
   std::vector<double> out;
@@ -168,7 +168,8 @@ std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<
   return out;
 }
 
-/// What is chosen, each curve over its own abscissa; title and unit of that go into the page.
+/// The selected curves, each over its own horizontal axis, whose title and unit are stored in the
+/// page.
 std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& options,
                         Domain domain, desktop::ChartPage& page, SourceNotes& notes) {
   std::vector<Taken> taken;
@@ -239,9 +240,8 @@ std::pair<double, double> steps_of(const std::vector<double>& x) {
   return out;
 }
 
-/// Places for the spectrum of a difference: those of both where they are the same, else equal steps
-/// as long as the longest of either. Between its stored values a run knows nothing: straight lines
-/// read off more often would have frequencies of their own.
+/// Points for the spectrum of a difference: those of both runs if equal, else equal steps as long
+/// as the longest step of either. Finer linear interpolation would add artificial frequencies.
 std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop::ChartPage& page) {
   const std::vector<double> both = all_places({a, b});
   if (a.x == b.x || a.x.empty() || b.x.empty()) return both;
@@ -419,7 +419,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     trim(one);
     page.x = one.x;
     page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
-    // Of two runs the difference has no speed of its own.
+    // The difference of two runs has no speed.
     RunMotion motion;
     const PlotDocument& file = *picks[less ? chosen + 1 : chosen].file;
     if (file.motion && (!less || of_one_run(picks))) motion = file.motion();

@@ -33,9 +33,9 @@ std::vector<double> times(const SolFile& file) {
   return numbers;
 }
 
-/// Panels of a page with its curves over the stored steps. A curve without any value leaves its
-/// reason in the panel, or in the page's note beside curves that have some.
-/// @return why curves have gaps, a sentence each
+/// Panels of a page with its curves over the stored steps. For a curve without values the reason is
+/// stored in the panel, or in the note if other curves have values.
+/// @return reasons for gaps, one sentence each
 std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page,
                                     const RunFacts& facts) {
   const KnownColumns columns(file);
@@ -56,7 +56,7 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
         else if (spec.curves.size() > 1)
           why = capital(curve.name) + ": " + small(why);
         reason = before + (before.empty() ? "" : " ") + why;
-        // What is not there has no place in the legend beside what is.
+        // Missing bodies are not listed in the legend.
         if (no_flange(curve.column, facts) &&
             std::any_of(spec.curves.begin(), spec.curves.end(), [&](const CurveSpec& other) {
               return any_value(columns.values(other.column).values);
@@ -153,7 +153,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   tell_of_ratios(chart, file, page, context);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (const CurveSpec& spec : page.panels[p].curves) {
-      // A flange that is not there has no curve beside those that are.
+      // A missing flange has no curve.
       std::vector<ChartCurve>& drawn = chart.panels[p].curves;
       const auto curve = std::find_if(drawn.begin(), drawn.end(),
                                       [&](const ChartCurve& c) { return c.name == spec.name; });
@@ -181,7 +181,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
   const bool over_clearance = file.kind == results::SolKind::Cage;
   chart.equal_axes = true;
-  ChartPage history;  // what its points are told by, as on other pages
+  ChartPage history;  // values shown for its points, as on other pages
   set_abscissa(history, file, abscissa);
   chart.along = std::move(history.x);
   chart.along_title = history.x_title;
@@ -201,7 +201,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
   panel.curves.push_back({"mass center", columns.values(up.curves.front().column).values,
                           columns.values(across.curves.front().column).values});
-  // Less than an atom's size, or a billionth of a clearance, is no path.
+  // A motion smaller than an atom or a billionth of a clearance is not a path.
   const ChartCurve& path = panel.curves.front();
   const double least = panel.unit.empty() ? 1e-9 : desktop::least_span_of(panel.unit);
   const double width = spread(path.x), height = spread(path.y);
@@ -222,7 +222,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
         return std::any_of(panel.curves.begin(), panel.curves.end(),
                            [](const ChartCurve& curve) { return !curve.y.empty(); });
       });
-  if (!drawn) return;  // what is said of lines is false without any
+  if (!drawn) return;  // notes on lines are false without lines
   const std::vector<double> turns = accumulated_turns(file);
   if (!chart.marks.empty() && turns_back(file)) {
     chart.marks.clear();

@@ -41,7 +41,7 @@ double alias_interval(const SolFile& file, double frequency) {
 bool vibrates(const std::string& column) {
   const auto has = [&column](const char* part) { return column.find(part) != std::string::npos; };
   if (has("temperature") || has("life") || has("wear_rate")) return false;
-  if (has("rotation")) return false;  // a ramp of turns, beside which no vibration is seen
+  if (has("rotation")) return false;  // a ramp of revolutions hides vibrations
   return column == "power.loss" ||
          (!column.starts_with("power.") && !column.starts_with("thermal."));
 }
@@ -51,7 +51,7 @@ bool is_nothing(double value, const std::string& unit) {
   return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);
 }
 
-/// Flat lines at 0 say in words that they are what the run has.
+/// Flat lines at 0 get a note that the values are correct.
 void tell_zeros(ChartPage& chart) {
   bool any = false;
   for (const ChartPanel& panel : chart.panels)
@@ -67,7 +67,7 @@ void tell_zeros(ChartPage& chart) {
                          : "All values of this page are 0.");
 }
 
-/// Is there a value between two places without any, beside others that form lines?
+/// Is there a value between two missing ones, in addition to values that form lines?
 bool has_dots(const ChartPage& chart) {
   for (const ChartPanel& panel : chart.panels)
     for (const ChartCurve& curve : panel.curves) {
@@ -85,8 +85,8 @@ bool has_dots(const ChartPage& chart) {
   return false;
 }
 
-/// A life that is predicted at the first and the last step only (kLifeFreq = 0) is held in between:
-/// what is drawn are the values where it was predicted, of a continued run one at each end.
+/// With kLifeFreq = 0 life is predicted only at the first and last step and constant in between:
+/// only the predicted values are drawn, one at each end of a continued run.
 void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
@@ -142,7 +142,7 @@ void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& pa
                                 : " are constant input values, not computed in this run."));
 }
 
-/// An average over no time is no value (known_values.hpp): what was left out is said.
+/// There is no average at time 0 (known_values.hpp): a note explains the missing value.
 void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   const bool averages =
       std::any_of(page.panels.begin(), page.panels.end(), [](const PanelSpec& panel) {
@@ -153,7 +153,7 @@ void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) 
              fmt::format("Step {} has no averages: its time is 0.", file.steps.front().step));
 }
 
-/// Angles of lands and round pockets go on where nothing touches.
+/// Angles of lands and round pockets have values without contact, too.
 void tell_nearest(ChartPage& chart, const PageSpec& page) {
   for (std::size_t p = 1; p < page.panels.size(); ++p) {
     const std::string& column = page.panels[p].curves.front().column;
@@ -169,7 +169,7 @@ void tell_nearest(ChartPage& chart, const PageSpec& page) {
   }
 }
 
-/// What the forces and moments of a race are.
+/// Explains the forces and moments of a race.
 void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const RunFacts& facts) {
   const std::string& column = page.panels.front().curves.front().column;

@@ -20,7 +20,7 @@
 namespace adore::adrplot {
 namespace {
 
-/// What of a page has no extremes between its values.
+/// Panels of a page without extremes between their values.
 struct Unknown {
   bool all = true;     ///< nothing has any
   std::string titles;  ///< of panels, "\"Gap\" and \"Contact angle\""
@@ -49,8 +49,8 @@ Unknown unknown_between(const desktop::ChartPage& page) {
   return out;
 }
 
-/// A file that leaves out steps of the run keeps no extremes of them but those drawn as bands:
-/// what is to be said of a page with other curves.
+/// A file that omits steps of the run contains no extremes of these steps except those drawn as
+/// bands: note for a page with other curves.
 std::string between_steps(const desktop::ChartPage& page, const results::SolFile& file) {
   if (file.steps.size() < 2) return {};
   std::vector<long> apart;
@@ -79,7 +79,7 @@ std::string left_out(const desktop::ChartPage& page, std::size_t steps, long eve
                          : ": shorter peaks of " + unknown.titles + " are missing");
 }
 
-/// What is drawn from RESULTS.h5: of which steps.
+/// Steps that are drawn from RESULTS.h5.
 struct DigitWords {
   std::string subtitle, note;
 };
@@ -134,8 +134,8 @@ PlotDocument document_of(const std::filesystem::path& path, std::string subject,
   return out;
 }
 
-/// The pages of a step file. Where all of its numbers would take too much room, those of the pages
-/// from the asked one on are read, as many as there is room for.
+/// The pages of a step file. If the values of all pages need too much memory, only those of the
+/// current and following pages are read, as many as fit.
 class StepPages {
  public:
   StepPages(std::filesystem::path path, const results::SolRange& range, std::size_t most_values,
@@ -208,7 +208,7 @@ class StepPages {
       if (ids.contains(columns[c].id)) out.insert(c);
     return out;
   }
-  /// Whose pocket a page of a segment is of, which RESULTS.h5 tells.
+  /// Number of the pocket of a segment's page, from RESULTS.h5.
   [[nodiscard]] std::string whose_pocket(int number) const {
     if (file_.kind != results::SolKind::Cage || file_.header.segments < 2) return {};
     const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
@@ -221,7 +221,7 @@ class StepPages {
     }
     return {};
   }
-  /// Those of its curves, and what the page tells is from.
+  /// Columns of its curves and of its notes.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
     const PageSpec& page = pages_[static_cast<std::size_t>(number - 1)];
     std::set<std::string> ids;

@@ -66,7 +66,7 @@ PageSpec coordinates(std::string title, PageKind kind, const std::string& prefix
           ""};
 }
 
-/// What the file holds, by id.
+/// Columns of the file, by id.
 class Columns {
  public:
   explicit Columns(const SolHeader& header) {

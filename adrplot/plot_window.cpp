@@ -311,7 +311,7 @@ void PlotWindow::goToFinding(const Finding& finding) {
   statusBar()->showMessage(desktop::finding_text(finding), 20000);
 }
 
-/// What the cursors tell, in a third of the window at most, beside the least of the chart.
+/// Cursor values, in at most a third of the window, next to the smallest chart.
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
   cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));

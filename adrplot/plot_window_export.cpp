@@ -48,7 +48,7 @@ qulonglong valuesOf(const desktop::ChartPage& page) {
 bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
   Document* doc = document();
   if (!doc) return false;
-  desktop::ChartScene scene;  // of its own: what is seen stays as it is
+  desktop::ChartScene scene;  // a copy: the visible scene does not change
   scene.setTheme(desktop::current_theme());
   const QSizeF size = view_->viewport()->size();
   const int shown = page_;

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-/// What the mouse does to a chart, for the keys: each is in a menu, which shows its key.
+/// Key commands for the mouse actions of a chart: each is in a menu, which shows its key.
 namespace adore::adrplot {
 
 using desktop::ChartDeed;

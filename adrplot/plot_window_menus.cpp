@@ -30,7 +30,7 @@ void PlotWindow::makeButtons() {
   bar->setObjectName("buttons");
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  // The key of what stands in a menu too belongs to the menu, which shows it.
+  // The shortcut of a button with a menu entry belongs to the menu, which shows it.
   const auto button = [&](const QString& text, const QKeySequence& key, auto slot,
                           const QString& help, bool in_menu = false) {
     auto* action = bar->addAction(text);
@@ -159,7 +159,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
 
 namespace {
 
-/// What does not apply says why, under the pointer.
+/// Disabled entries show the reason in a tooltip.
 template <class Choice>
 void offer(Choice* choice, bool applies, const QString& why_not) {
   choice->setEnabled(applies);
@@ -222,7 +222,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
-    log_x_.reset();  // what was chosen for times means nothing for frequencies
+    log_x_.reset();  // the setting for times does not apply to frequencies
     showCurrent();
   });
   orbit_ = new QComboBox(this);

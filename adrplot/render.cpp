@@ -44,7 +44,7 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
     desktop::ChartPage page = document.build(number, options.view);
-    // Of a curve that is asked for by its name the pages that have it are wanted.
+    // A curve that is selected by name needs the pages that contain it.
     if (!options.view.waterfall_of.empty() && !choice_of(page.choices, options.view.waterfall_of)) {
       for (const std::string& choice : page.choices)
         others += (others.empty() ? "" : "; ") + choice;
@@ -123,7 +123,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
   std::vector<std::string> shorter;
   for (const auto& path : files) {
     const PlotDocument document = open_document(path, options.range);
-    // One file alone refuses the page itself.
+    // A single file rejects the page number itself.
     if (files.size() > 1 && options.page > static_cast<int>(document.pages.size())) {
       shorter.push_back(too_short(document));
     } else {

@@ -47,7 +47,7 @@ OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns
   };
   if (!no_land("cage.land1_force") || !no_land("cage.land2_force") || file.steps.empty())
     return out;
-  // Seven digits; no pocket has a play of a whole meter or inch.
+  // Seven digits; no pocket has a clearance of a whole meter or inch.
   const bool one = std::abs(out.length - 1.0) < 1e-5;
   out.of = one ? Of::UnitOfLength : Of::Pockets;
   return out;

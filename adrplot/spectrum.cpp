@@ -45,8 +45,8 @@ std::string window_name(Window window) {
 
 namespace {
 
-/// Times of equal steps that pass through as many of the stored ones as may be: straight lines take
-/// away what is fast from every value that lies between two stored ones.
+/// Grid with equal steps through as many stored times as possible: linear interpolation attenuates
+/// fast motion at all other points.
 struct Grid {
   double start = 0.0, step = 0.0;
   std::size_t count = 0;
@@ -226,7 +226,7 @@ Waterfall waterfall(const Samples& samples, Window window, std::size_t pieces) {
     Spectrum piece = amplitude_spectrum(without_trend(values), samples.step, window);
     double size = 0.0;
     for (const double v : values) size = std::max(size, std::abs(v));
-    // What a straight line leaves is the rounding of it.
+    // After a linear trend only rounding remains.
     if (*std::max_element(piece.amplitude.begin(), piece.amplitude.end()) <= 2e-13 * size)
       std::fill(piece.amplitude.begin(), piece.amplitude.end(), 0.0);
     out.frequency = piece.frequency;

@@ -28,7 +28,7 @@ constexpr auto kStill = "No vibration: the value is constant.";
 constexpr auto kAllStill = "No vibration: all values of this page are constant.";
 constexpr auto kRounding = "No vibration: only rounding errors change.";
 
-/// Where a curve that has some values has none, for it cannot have a spectrum; empty: it has all.
+/// Position of missing values, which prevent a spectrum; empty: no values are missing.
 std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
   const auto missing = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }));
@@ -56,13 +56,13 @@ std::string named(const std::string& name, std::string why) {
   return capital(name.empty() ? why : name + ": " + why);
 }
 
-/// Curves without a spectrum beside others that have one.
+/// Curves without a spectrum in panels with other spectra.
 struct Aside {
   Reason reason;
   std::string panels;
 };
 
-/// The same of another curve, or panel, is said once.
+/// Equal reasons of several curves or panels are given once.
 void add_aside(std::vector<Aside>& asides, const Reason& reason, const std::string& panel) {
   const auto same = std::find_if(asides.begin(), asides.end(), [&](const Aside& aside) {
     return aside.reason.curve == reason.curve && aside.reason.why == reason.why;
@@ -92,7 +92,7 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
   panel.message.clear();
   for (const Reason& reason : reasons) {
     std::string why = reason.why;
-    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one says it
+    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one has it
       why.replace(why.size() - kSo.size(), kSo.size(), ".");
     panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, why);
   }
@@ -110,7 +110,7 @@ bool first_line_is_drift(const Spectrum& spectrum, const Samples& samples, Windo
   return level.amplitude.front() < kLost * all.front();
 }
 
-/// Over the largest, whatever is drawn.
+/// Relative to the largest value.
 std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumScale scale) {
   std::vector<double> out = y;
   if (scale == SpectrumScale::Decibel) {
@@ -119,7 +119,7 @@ std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumSca
   }
   double largest = 0.0;
   for (const double a : y)
-    if (a > largest) largest = a;  // beside missing values
+    if (a > largest) largest = a;  // missing values are skipped
   for (double& a : out) a = largest > 0.0 ? a / largest : 0.0;
   return out;
 }
@@ -154,7 +154,8 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
     }
     std::size_t end = i;
     while (end < n && !known(end)) ++end;
-    if (i == 0 || end == n) return {{}, {}, out.why_none};  // what is not there has no other side
+    if (i == 0 || end == n)
+      return {{}, {}, out.why_none};  // a gap at an end cannot be interpolated
     const std::size_t from = i - 1;
     longest = std::max(longest, t[end] - t[from]);
     for (; i < end; ++i)
@@ -266,7 +267,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       ++drawn;
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
-      add_note(chart, samples.note);  // of what is drawn
+      add_note(chart, samples.note);  // of the drawn curves
       if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
     }
     tell_reasons(panel, reasons, asides);
@@ -282,7 +283,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
   for (ChartPanel& panel : chart.panels)
     if (all_still) panel.message = kAllStill;
   tell_drift(chart, drifting, drawn);
-  // One sentence for panels of which the same is to be said.
+  // One sentence for panels with the same remark.
   for (const Aside& aside : asides)
     add_note(chart,
              named(aside.panels + (aside.reason.curve.empty() ? "" : ", ") + aside.reason.curve,

@@ -59,7 +59,7 @@ struct Options : DeckOptions {
 
 std::string contents(const std::filesystem::path& path) { return read_text_file(path); }
 
-/// Rows are said as they come.
+/// Print rows as they arrive.
 class Reporter {
  public:
   void operator()(const facade::AccuracyRow& row, const facade::AccuracyStudy& study) {
@@ -155,7 +155,7 @@ int run(const Options& options) {
           fmt::format("--continue: there is no {}; leave it out to begin a study", json.string()));
     earlier = facade::read_accuracy(contents(json), json.string());
   }
-  // Where results cannot go is said before they are made.
+  // Check the output location before computing.
   check_export(folder / "ACCURACY.csv", facade::accuracy_csv(earlier), {options.deck});
   check_export(json, facade::accuracy_json(earlier), {options.deck});
   const auto write = [&](const facade::AccuracyStudy& study) {

@@ -83,7 +83,7 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   return report.fail > 0 ? 1 : 0;
 }
 
-/// Exit 0 whatever the figures say: the page shows misses, it does not judge them.
+/// Exit code 0 in any case: the page shows deviations but does not judge them.
 void experiments(const std::string& only, const std::string& report_file, bool json,
                  bool markdown) {
   const std::vector<facade::Experiment> all =

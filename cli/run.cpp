@@ -37,7 +37,7 @@ struct RunOptions : DeckOptions {
   bool quiet = false, list_options = false, json = false, reproducible = false, go_on = false,
        overwrite = false, verify = false, extend = false;
 
-  /// The command that goes on with this run, to its own end or to another one.
+  /// The command that continues this run to its end or to another end.
   [[nodiscard]] std::string continuation(bool tolerance_given, const std::string& to) const {
     std::string line = deck == "-" ? "cat DECK | adore run -" : "adore run " + quoted(deck);
     const auto add = [&](const char* name, const std::string& value) {
@@ -68,7 +68,7 @@ void list_options(bool json) {
   write_text("", "", dump_json(list, 2) + "\n");
 }
 
-/// Runs, and once more when what stands in the way may go.
+/// Runs; runs again if the user allows existing results to be replaced.
 template <class Run>
 auto run_asking(facade::RunRequest& request, Run&& run_it) {
   try {
@@ -127,8 +127,8 @@ facade::AccuracyStatement state(const facade::RunRequest& request,
   return out;
 }
 
-/// The statement covers the run itself. Settings whose numerical part is too large are tightened;
-/// with --extend a run whose means scatter too much goes on.
+/// The statement covers the run itself. Settings with a too large numerical part are tightened;
+/// with --extend a run with too much scatter in its means is continued.
 int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
                     const facade::ProgressSink& sink, InterruptWatch& watch) {
   constexpr int kMostTighter = 2, kMostExtended = 2;

@@ -213,7 +213,7 @@ void add_run_like(CLI::App& study, const char* name, const char* text, bool resu
   command->callback([=, &exit_code] { exit_code = run(*options, resume); });
 }
 
-/// What engines start; nobody types it.
+/// Started by engines, not typed by users.
 void add_work(CLI::App& study, int& exit_code) {
   CLI::App* command = study.add_subcommand("work", "the worker's side of an engine");
   command->group("");

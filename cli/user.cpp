@@ -78,7 +78,7 @@ std::string makefile(const std::string& name, const std::string& lang) {
       cpp ? "$(CXX)" : "$(CC)", cpp ? "cpp" : "c");
 }
 
-/// What the deck of an example needs beside the routine: options, and lines that it reads.
+/// Requirements of an example in addition to the routine: options, and lines that it reads.
 struct NeededByDeck {
   std::string_view options, lines;
 };

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
-/// What is written from the tree of commands: help on the terminal, the manual page, completion of
-/// the three shells, JSON.
+/// Output generated from the tree of commands: help on the terminal, manual page, completion for
+/// three shells, JSON.
 namespace adore::command_line {
 
 /// `--help` of a command; `path`: "adore run".

@@ -26,7 +26,7 @@ std::string help_of(const OptionText& option) {
   return out;
 }
 
-/// Names in a left column, texts beside them; long names have their line alone.
+/// Names in a left column with texts next to them; long names get a separate line.
 std::string entries(const std::vector<std::pair<std::string, std::string>>& rows,
                     std::size_t width) {
   constexpr std::size_t kMargin = 2, kMostNames = 24;

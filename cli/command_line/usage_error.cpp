@@ -77,7 +77,7 @@ std::string surplus(const CLI::App& app, const CommandText& command, const std::
                        did_you_mean(name, option_names(command)));
   }
   if (option_named(command, "--set") != nullptr) {
-    // What follows a --set without one of its own was taken for the deck.
+    // CLI11 took the argument after a --set without value for the deck.
     std::vector<std::string> words{word};
     for (const CLI::Option* option : app.get_options())
       if (option->get_positional())

@@ -163,7 +163,7 @@ void make_run(const std::string& deck, const fs::path& folder) {
   (void)facade::run(request);
 }
 
-/// What of a run can be drawn.
+/// Drawable parts of a run.
 void draw_run(Gallery& gallery, const fs::path& run) {
   const results::RunFolder files = results::run_folder(run);
   bool any = !files.plots.empty();
