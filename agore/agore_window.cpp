@@ -331,7 +331,7 @@ void AgoreWindow::refresh() {
     for (QAction* action : scales->actions())
       if (action->isCheckable())
         action->setChecked(action->data().toInt() == static_cast<int>(options_.scale.kind));
-  // What was chosen on the command line.
+  // Options of the command line.
   const auto check = [this](const char* menu, double chosen) {
     for (QAction* action : findChild<QMenu*>(menu)->actions())
       if (action->isCheckable()) action->setChecked(action->data().toDouble() == chosen);
@@ -341,7 +341,7 @@ void AgoreWindow::refresh() {
   findChild<QAction*>("contactsAction")->setChecked(options_.contacts);
   findChild<QAction*>("trailsAction")->setChecked(options_.trails);
   if (picture_) {
-    // Runs are told apart by their folders, as in AdrInput.
+    // Runs are distinguished by their folders, as in AdrInput.
     const std::filesystem::path& file = picture_->animation().file.path;
     const auto named = std::filesystem::absolute(file).parent_path().filename() / file.filename();
     setWindowTitle(QString::fromStdString(named.string() + " — " + view_title(options_.view)) +

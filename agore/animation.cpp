@@ -40,7 +40,7 @@ std::vector<double> angle_history(const results::Sol8File& file, Angle angle) {
   return continuous(std::move(values));
 }
 
-/// Where each pocket sits in the cage: mean direction over the file, because single frames are
+/// Position of each pocket in the cage: mean direction over the file, because single frames are
 /// coarse.
 std::vector<double> find_pockets(const Animation& animation) {
   const double pitch_radius = 0.5 * animation.file.geometry.pitch_diameter;
@@ -75,10 +75,10 @@ double size_of(const Animation& animation, const std::string& name) {
   return found->second / (english ? 0.0254 : 1.0);
 }
 
-/// Lands that exist, and the race that they guide on. RESULTS.h5 says so. SOL8 does not: a land
-/// whose force and angle are 0 in every frame is none, and the lands touch on the side to which the
-/// cage has moved (outer race) or on the other one (inner race); without a contact the narrower gap
-/// is taken for the guiding one.
+/// Existing lands and the race that guides the cage, from RESULTS.h5. For SOL8 they are estimated:
+/// a land with force and angle 0 in all frames does not exist; contacts are in the direction of the
+/// cage displacement (outer race) or opposite (inner race). Without contacts the land with the
+/// smaller gap is assumed to guide.
 void find_guide(Animation& animation) {
   const auto& g = animation.file.geometry;
   if (animation.motion && animation.motion->geometry().contains("lands")) {
@@ -193,8 +193,8 @@ std::vector<results::Sol8Frame> frames_behind(const results::MotionFile& motion,
   return out;
 }
 
-/// Turns of the races between neighboring frames, as far as they can be told: relative to each
-/// other, and what their angles say, which whole turns are missing from.
+/// Rotation of the races between neighboring frames: relative rotation, and rotation from their
+/// angles, which is known only modulo one revolution.
 std::vector<double> turns_of(const results::Sol8File& file) {
   std::vector<double> out(file.frames.size(), 0.0);
   for (std::size_t i = 1; i < file.frames.size(); ++i) {
@@ -208,7 +208,7 @@ std::vector<double> turns_of(const results::Sol8File& file) {
   return out;
 }
 
-/// Does a file SOL1 to SOL6 of the same run lie beside SOL8?
+/// Is there a file SOL1 to SOL6 of the same run next to SOL8?
 bool curves_beside(const Animation& animation) {
   for (const std::filesystem::path& path :
        results::run_folder(animation.file.path.parent_path()).plots) {
@@ -249,7 +249,7 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
 bool peaks_unknown(const results::MotionFile& motion) {
   const auto& frames = motion.frames().frames;
   const std::size_t stored = motion.every() * (std::max<std::size_t>(frames.size(), 1) - 1);
-  constexpr double kLeastApart = 1.5;  // on average: the last step is stored whatever its distance
+  constexpr double kLeastApart = 1.5;  // on average: the last step is always stored
   if (stored == 0 || static_cast<double>(frames.back().step - frames.front().step) <
                          kLeastApart * static_cast<double>(stored))
     return false;
@@ -359,7 +359,7 @@ Animation prepare(results::MotionFile motion) {
 Animation open_motion(const std::filesystem::path& named, long most_frames) {
   const std::filesystem::path path = results::animation_file(named);
   if (path.extension() != ".h5") {
-    // The whole run all the same, as from RESULTS.h5.
+    // The whole run, as from RESULTS.h5.
     const long stored = results::stored_steps(path), most = std::max(most_frames, 1L);
     const long every = std::max(1L, stored / most + (stored % most > 0 ? 1 : 0));
     results::SolRange range;
@@ -449,7 +449,7 @@ std::string Animation::no_loads(std::size_t i) const {
 bool Animation::way_known(std::size_t i) const { return i > 0 && turned.at(i) <= kKnownTurn; }
 
 bool Animation::way_known(std::size_t i, std::size_t element, bool past_others) const {
-  // Farther, a whole turn might be missing from the difference of two angles.
+  // For larger angles the difference of two angles may lack a revolution.
   constexpr double kSure = 0.25;
   if (i == 0 || turned.at(i) > kSure) return false;
   const double half_pitch = 0.5 / std::max(1, file.elements);

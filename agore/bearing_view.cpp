@@ -17,7 +17,7 @@ namespace adore::agore {
 
 namespace {
 
-/// Of the cage or its segments, to lie behind the elements or below the bars.
+/// Side rings of the cage or its segments, drawn behind the elements or below the bars.
 void draw_rails(const Scene& s) {
   for (int part = 0; part < s.animation.segments; ++part) {
     const QPointF centre = s.place(s.animation.part(s.index, part));
@@ -39,7 +39,7 @@ void draw_cage(const Scene& s) {
                   s.cages.of(s.animation, s.pocket_radius(), part, outside * s.sketch.scale()));
 }
 
-/// A factor that was asked for and not given is named.
+/// A factor that cannot be used is named.
 QString exaggeration_remark(const Scene& s) {
   const QString given =
       s.factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(s.factor);
@@ -65,8 +65,8 @@ void draw_land_arrows(const Scene& s) {
   }
 }
 
-/// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
-/// have is named so, in the same place, without a mark.
+/// Land arrows have the length of the cage radius for any force. Missing contacts are listed in the
+/// same place, without a mark.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
     key.push_back(now_and_then(s.sketch.theme().red, now, there, none, mark));
@@ -168,8 +168,8 @@ bool draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   return named;
 }
 
-/// Their names, of each on that side of its arms where they stand farther from those before, and
-/// from all the other arms.
+/// Names of the frames, on the side of the arms that is farther from previous names and from all
+/// other arms.
 void name_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
   const auto heads_of = [&](const TurningFrame& frame) {
@@ -257,7 +257,7 @@ void bearing_view(const Scene& s) {
                    QString::fromStdString("no race loads: " + s.animation.no_loads(s.index)),
                    KeyMark::None});
   }
-  // First: colors say nothing without.
+  // First: colors have no meaning without the scale.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
@@ -277,7 +277,7 @@ void cage_view(const Scene& s) {
   const DrawnOrbit drawn =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   const auto [enlargement, now] = drawn;
-  // Where the orbit is, so that one picture has one center of the cage.
+  // At the position of the orbit, so that a picture has a single cage center.
   const double arm = 0.5 * g.cage_inner_radius;
   const QPointF origin = enlargement > 0.0 ? now : cage;
   const bool named = s.sketch.frame_named(arm);

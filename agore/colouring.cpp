@@ -34,7 +34,7 @@ Quantity quantity_of(ColourBy by) {
   return {"contact.load", "contact load"};
 }
 
-/// `from_lowest`: zero says nothing of a temperature.
+/// `from_lowest`: for temperatures, where zero has no meaning.
 void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const ScaleChoice& choice) {
   if (!(run.largest > 0.0)) {
     out.why_none = "no colors: zero in the whole run";
@@ -112,8 +112,7 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
     }
   }
   out.unit = channel->unit;
-  // What no contact carries has no load, slips nowhere and heats nothing: zero, or what the file
-  // has in its place, is not a small value.
+  // Without contact there is no load, slip or heat: these values are not small values of the scale.
   const results::MotionChannel* const load = animation.motion->channel("contact.load");
   const bool loads = load != nullptr && load->width == 2 * n;
   for (std::size_t k = 0; k < n; ++k) {

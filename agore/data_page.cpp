@@ -39,7 +39,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     case View::Bearing:
     case View::Section:
     case View::Solid: {
-      // Where no land has a force to show, the loads are.
+      // Without land forces the loads are drawn.
       const bool guided = animation.has_cage && (animation.land[0] || animation.land[1]);
       if ((options.view != View::Bearing || !guided) && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
@@ -105,7 +105,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
   }
   tell_of_peaks(page, animation);
   page.band_note = "Min–max band between stored steps.";
-  // What is behind the end of RESULTS.h5 has other digits, or none.
+  // Values after the end of RESULTS.h5 have fewer digits or are missing.
   if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 only"});
   return page;
 }

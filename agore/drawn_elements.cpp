@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Where elements are drawn, how they look, and what is written beside them.
+/// Positions and appearance of the elements, and the labels next to them.
 namespace adore::agore {
 
 std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
@@ -78,7 +78,7 @@ std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
         std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
     if (swept > 0.8 * pitch) break;
   }
-  // Where it is now is seen by itself.
+  // The current position is visible without a mark.
   if (out.size() == 1 || !out[1].joined) out.erase(out.begin());
   return out;
 }
@@ -184,7 +184,7 @@ void draw_turning_marks(const Scene& s) {
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
   const double star = std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0);
-  // Beside the cage's ring and the stars on it, which have a rim.
+  // Outside the ring of the cage and its stars, which have an edge.
   constexpr double kHalfNumber = 9.0, kRim = 3.0;  // pixels
   const double outside =
       s.options.view == View::Cage
@@ -200,7 +200,7 @@ void draw_contact_marks(const Scene& s) {
     const bool contact = s.frame.elements[k].pocket_force > 0.0;
     if (s.animation.has_cage && contact)
       s.sketch.asterisk(s.sketch.at(centre.x(), centre.y()), star, t.red);
-    // About the ring that they stand beside: the cage's own where it is alone.
+    // Radius for labels around a ring: that of the cage if it is alone.
     const QPointF hub =
         s.options.view == View::Cage ? s.place(s.animation.cage_of(s.index, k)) : QPointF(0, 0);
     const QPointF from_hub = centre - hub;

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-/// The curves beside the pictures: from RESULTS.h5, from the SOL file of the body, or from SOL8.
+/// The curves next to the pictures: from RESULTS.h5, from the SOL file of the body, or from SOL8.
 namespace adore::agore {
 namespace {
 
@@ -62,13 +62,13 @@ std::vector<double> race_speed(const Animation& animation, std::size_t race) {
   return slope(animation.motion->series("race.rotation", race), animation.motion->times());
 }
 
-/// What ratios are divided by [rad/s].
+/// Divisor of the ratios [rad/s].
 std::vector<double> divisor_of_motion(const Animation& animation) {
   if (races_alike(animation)) return race_speed(animation, 1);
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
 }
 
-/// What a cage's SOL file has behind the end of RESULTS.h5 is over another speed (N54).
+/// Ratios in the SOL file of a cage after the end of RESULTS.h5 have another divisor (N54).
 std::function<History(const Animation&)> if_same_divisor(
     const Animation& animation, std::function<History(const Animation&)> alone) {
   if (animation.alone && over_of_cage(*animation.alone) == Over::FasterRace) return {};
@@ -85,8 +85,8 @@ void change_divisor(History& out, const Animation& animation) {
   }
 }
 
-/// What RESULTS.h5 has, and behind its end what SOL8 or a SOL file beside it has; `alone` null:
-/// they do not have it, and the curve ends before the frames do.
+/// Values of RESULTS.h5, and after its end those of SOL8 or a SOL file; `alone` null: those files
+/// do not contain it, and the curve ends before the frames.
 History with_rest(const Animation& animation, History exact,
                   const std::function<History(const Animation&)>& alone) {
   if (!animation.alone || exact.time.empty()) return exact;
@@ -109,7 +109,7 @@ History with_rest(const Animation& animation, History exact,
   return exact;
 }
 
-// --- SOL1-SOL6 beside a lone SOL8
+// --- SOL1-SOL6 next to SOL8 without RESULTS.h5
 
 constexpr double kRpm = kTurn / 60.0;
 
@@ -209,7 +209,7 @@ double turns_per_frame(const Animation& animation) {
 /// Speeds from angles of SOL8, unless the body may turn further from frame to frame than an angle
 /// can tell. `ratio`: about how fast it turns against the shaft.
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
-  constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
+  constexpr double kMostTurn = 0.45;  // of half a revolution, minus rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
   if (outer_turns(animation)) {
     out.unknown = "Unknown without RESULTS.h5, because the outer race turns.";

@@ -114,8 +114,8 @@ QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   if (views <= 1) return {};
   const QRectF tile = tiles_of(pictures_area(area), views).front();
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
-  // Below the curves: what is left beside the pictures is theirs.
-  // Not so much that the numbers of their axis have no room: the key has smaller letters, too.
+  // Below the curves: the space next to the pictures belongs to them.
+  // The numbers of the axis need some of it; the key has smaller letters then.
   constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
   const double both = area.height() - kHeading - bar_space(area);
   const double height =

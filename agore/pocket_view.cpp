@@ -60,13 +60,14 @@ AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& ele
           std::atan2(skewed, along)};
 }
 
-/// What lies at the left and right of a roller: gaps in the file's length, forces in its unit.
+/// Walls at the left and right of a roller: gaps in the length unit of the file, forces in its
+/// force unit.
 struct SideWalls {
   std::array<double, 2> gap{}, force{}, angle{};
   std::array<std::optional<double>, 2> along{};  ///< where they touch, from the pocket's middle
 };
 
-/// How a roller is drawn in its pocket, and what it has left to the walls at its sides.
+/// Drawn position of a roller in its pocket, and its gaps to the side walls.
 struct RollerPose {
   QPointF centre;
   double skew = 0.0;  ///< as drawn [rad]
@@ -74,8 +75,8 @@ struct RollerPose {
   std::array<QPointF, 2> touch;  ///< where it meets those walls
 };
 
-/// Of each side the guide surface that carries most, or else is nearest, as the run has them:
-/// surfaces are stored in pairs, first the one that drives. Nothing where they are not in pairs.
+/// For each side the guide surface with the largest load, or else the nearest: surfaces are stored
+/// in pairs, the driving one first. No value without pairs.
 std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t frame,
                                       std::size_t element, bool to_the_right) {
   if (!animation.motion || animation.behind(frame)) return std::nullopt;
@@ -101,8 +102,8 @@ std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t fr
   return out;
 }
 
-/// What is drawn keeps the gaps in proportion: those at the sides as the run has them, so that a
-/// roller touches where it carries, those at the ends from its shape to scale.
+/// The drawing keeps the ratio of the gaps: side gaps from the run, so that a roller touches where
+/// it carries load; end gaps from its shape, to scale.
 RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAngles& lies,
                        double factor, bool to_the_right) {
   const auto k = static_cast<std::size_t>(s.options.element - 1);
@@ -152,7 +153,7 @@ std::vector<WallTouch> touches_of(const RollerPose& pose, double direction) {
   return out;
 }
 
-/// Of a ball: each surface that carries, as the run has them, or the one that the frame tells.
+/// For a ball: each loaded surface of the run, or the one of the frame.
 std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOutline& pocket,
                                   QPointF centre, double direction) {
   std::vector<WallTouch> out;
@@ -282,14 +283,14 @@ void pocket_view(const Scene& s) {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
   constexpr double kHalfHead = 15.0, kHalfArrow = 4.0;  // pixels of the arrow
-  // Within the picture, above which its title stands where it is one of several.
+  // Inside the picture, below its title if there are several.
   const double most =
       (s.sketch.at(0, 0).y() - s.sketch.area().top() - kHalfArrow) / s.sketch.scale();
   const double wanted = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
   const double top = s.options.zoom == 1.0 ? std::min(wanted, most) : wanted;
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
                  s.sketch.at(direction * g.element_radius, top), t.green, 7.0);
-  // A small picture has no room for it below the view's title.
+  // A small picture has no space for it below the title.
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);

@@ -95,7 +95,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
 
 namespace {
 
-/// Draws the frames of a film and tells how many are done. @return false: somebody stopped it
+/// Draws the frames of a movie and reports the progress. @return false: cancelled
 template <class Draw>
 bool draw_all(const std::vector<std::size_t>& frames, const RenderOptions& options, Draw&& draw) {
   for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -32,7 +32,7 @@ double RollerProfile::side(double u) const {
 std::vector<QPointF> RollerProfile::meridian() const {
   constexpr int kBody = 24, kCorner = 6, kFace = 8;
   std::vector<QPointF> out;
-  // An end from its corner inward; a dome stands back by what it has dropped there.
+  // An end from its corner inward; a dome recedes by its drop there.
   const auto end = [&](std::size_t k) {
     const double way = k == 0 ? -1.0 : 1.0, round = corner[k];
     const double at = line(way * half);
@@ -144,7 +144,7 @@ RollerProfile roller_profile(const Animation& animation) {
   out.radius = g.element_radius;
   // The large end is that toward -x (contact/roller_profile.hpp).
   if (tapered) out.slope = -std::tan(size_number(animation, "roller_half_angle"));
-  // What a crown of meters takes away cannot be seen.
+  // A crown radius of meters is not visible.
   const double crown = size_length(animation, "roller_crown_radius");
   if (crown > out.half && crown < 40.0 * out.half) {
     out.crown = crown;

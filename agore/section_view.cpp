@@ -98,8 +98,8 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
   }
 }
 
-/// The lands on the cage, beside the race that guides it: stepped where their diameter is another
-/// than the cage's.
+/// Lands of the cage near the guiding race: with a step if their diameter differs from that of the
+/// cage.
 void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
   const std::vector<LandPlace> lands = land_places(s.animation);
   const auto& t = s.sketch.theme();
@@ -126,8 +126,8 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
   if (!lands.empty()) key.push_back({t.red, kGuideLands});
 }
 
-/// Flange forces on the roller, at its ends. Those are small beside race loads: their arrows are
-/// as much longer as leaves them within the longest of those.
+/// Flange forces on the roller, at its ends. They are small compared with race loads: their arrows
+/// have a larger scale, up to the length of the longest race arrow.
 void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
   const results::MotionChannel* forces =
       s.animation.motion ? s.animation.motion->channel("flange.force") : nullptr;
@@ -216,7 +216,7 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
                                      {cut.at(tip.x(), tip.y()), true, false}};
-    // Beside a dark edge of the usual width, dashes are lost that lie on gray steel.
+    // Dashes on gray steel are not visible next to a dark edge of the usual width.
     const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
     draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true, edge});
     const bool drawn =

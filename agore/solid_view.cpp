@@ -56,8 +56,8 @@ std::array<bool, 2> draw_spots(const Scene& s, const SolidLayer& layer, const Ey
   return out;
 }
 
-/// Paths and loads, each by how it is drawn: dashes alone where all of it is behind bodies. What
-/// dashes are is said once for all of them.
+/// Paths and loads, by their appearance: only dashed if they are completely behind bodies. The
+/// dashes are explained once.
 void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnLines, 2>& loads,
                 std::vector<KeyEntry>& key) {
   const desktop::Theme& t = s.sketch.theme();
@@ -143,7 +143,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  // First: colors say nothing without.
+  // First: colors have no meaning without the scale.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, QString::fromStdString(remark));

@@ -191,8 +191,8 @@ double way_of_cage(const Animation& animation) {
   return out;
 }
 
-/// The largest factor that a picture can show: elements stand apart and within their races' rings,
-/// the cage lies over neither ring. Rounded down to what reads well.
+/// The largest possible factor of a picture: elements do not overlap and stay within the rings of
+/// the races, and the cage overlaps neither ring. Rounded down to a simple number.
 double most_exaggeration(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const double pitch_radius = 0.5 * g.pitch_diameter, pocket = 0.5 * g.pocket_clearance_1;
@@ -218,7 +218,7 @@ double automatic_exaggeration(const Animation& animation);
 double used_exaggeration(const Animation& animation, const ViewOptions& options) {
   if (!(options.exaggeration > 0.0)) return automatic_exaggeration(animation);
   if (!animation.has_cage || options.exaggeration <= 1.0) return options.exaggeration;
-  // What is chosen from the geometry can be shown, whatever the limits say.
+  // Values chosen from the geometry are always allowed.
   return std::min(options.exaggeration,
                   std::max(most_exaggeration(animation), automatic_exaggeration(animation)));
 }

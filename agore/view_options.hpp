@@ -63,10 +63,10 @@ struct ViewOptions {
   bool moving = false;                  ///< a quick picture of the 3D view is enough
   /// What is to be repeated, as the time line shows it [s]; none: to that end of the run.
   std::optional<double> span_from, span_to;
-  bool one_of_several = false;        ///< beside others: smaller ones share a key below them
-  std::vector<SideView> beside = {};  ///< drawn beside the first, at the same frame
+  bool one_of_several = false;        ///< one of several: smaller pictures share a key below them
+  std::vector<SideView> beside = {};  ///< additional views of the same frame
 
-  /// The options of one of the pictures: 0 is the first view, others are those beside it.
+  /// The options of one of the pictures: 0 is the first view, others are additional ones.
   [[nodiscard]] ViewOptions tile(std::size_t number) const;
 };
 

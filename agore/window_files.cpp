@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-/// What the window shows: opening, reading again, following a running solver.
+/// Opening, reloading, following a running solver.
 namespace adore::agore {
 namespace {
 
@@ -137,7 +137,7 @@ void AgoreWindow::lookForGrowth() {
   const bool at_end = frame_ + 1 == frameCount() && !playing();
   const double moment = picture_->animation().time[frame_];
   adopt(std::move(*fresh));
-  seen_ = now;  // what came while it was read is found at the next look
+  seen_ = now;  // steps that arrive while reading are found at the next check
   frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
   refresh();
   // Reading a long file takes its time, of which the solver wants most.
@@ -145,8 +145,8 @@ void AgoreWindow::lookForGrowth() {
   growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
 }
 
-/// The number first, as the classic tool has it. Nobody who only wants to see a run loses steps by
-/// it: all that can be held is what is offered, whatever was asked for before.
+/// The number first, as in the classic tool. The default is the largest possible number, whatever
+/// was entered before, so that no steps are lost by accident.
 void AgoreWindow::askForFile() {
   desktop::ask_number(
       this, tr("Open animation"),

@@ -82,7 +82,8 @@ RenderOptions AgoreWindow::filmOptions() const {
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
   pause();
-  // One picture tells how long all will take; setting it in a file takes 30 ms (picture-speed.md).
+  // The time for all pictures is estimated from one; writing to a file takes 30 ms
+  // (picture-speed.md).
   constexpr double kInFile = 0.03;  // [s]
   const RenderOptions render = filmOptions();
   QElapsedTimer clock;
@@ -127,7 +128,7 @@ void AgoreWindow::askForFilmName(int first, int last) {
   dialog->setObjectName("film");
   desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
+  // The selected file type determines the name: "film" and GIF give film.gif, not a folder.
   const auto name_as = [this, dialog](const QString& filter) {
     const QString suffix = QRegularExpression("\\*\\.(\\w+)").match(filter).captured(1);
     const QString base =
@@ -147,7 +148,7 @@ void AgoreWindow::askForFilmName(int first, int last) {
 }
 
 bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
-  writing_ = true;  // what is drawn stays until the film is there
+  writing_ = true;  // the picture stays unchanged until the movie is written
   const auto written = qScopeGuard([this] { writing_ = false; });
   RenderOptions render = filmOptions();
   render.first = first, render.last = last;

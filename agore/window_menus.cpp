@@ -180,7 +180,7 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   menu->addAction(tr("&Delete Marks"), Qt::Key_X, this, [this] { setSpan({}, {}); });
 }
 
-/// What the wheel and the pointer do, by keys, for the first picture.
+/// Key commands for mouse wheel and pointer, for the first picture.
 void AgoreWindow::addZoomKeys(QMenu* menu) {
   static constexpr double kZoom = 1.25, kMostZoom = 200.0, kWay = 0.1, kTurn = 10.0;
   const auto zoom = [this](double factor) {
