@@ -60,8 +60,8 @@ struct Extent {
   [[nodiscard]] bool empty() const { return low > high; }
 };
 
-/// Smallest range that an axis of a unit of the result files shows: below it stands rounding, not a
-/// result. A ten-billionth of a meter is an atom; 0 for a unit that has no such size.
+/// Smallest range of an axis for a unit of the result files: smaller changes are rounding. A
+/// ten-billionth of a meter is the size of an atom; 0 for a unit without such a limit.
 double least_span_of(std::string_view unit);
 
 /// The largest of 1, 2, 5 times a power of ten that divides `span` into at least `parts` parts.

@@ -120,9 +120,9 @@ std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
 
 namespace {
 
-/// The values from `first` to before `last`; of whole blocks only the ends and the extremes of as
-/// many together as are no wider than `width`: of a wider one every peak is seen. Blocks of what
-/// `wraps` are together while their values lie within a wrap.
+/// The values from `first` to before `last`; of whole blocks only the ends and extremes, combined
+/// up to `width`, so that all peaks remain visible. Blocks of values that wrap (`wraps`) are
+/// combined only within one period.
 Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
                  std::size_t last, double width, bool wraps, const CurveBlocks& blocks) {
   Polyline out;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What the scene of charts tells of the place under the pointer.
+/// Values of the chart scene under the pointer.
 namespace adore::desktop {
 
 namespace {

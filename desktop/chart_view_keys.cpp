@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-/// What the keys do to a chart: the same as the mouse, from the place that is read or the middle of
-/// what is seen.
+/// Key commands of a chart: the same as those of the mouse, at the current point or the middle of
+/// the visible range.
 namespace adore::desktop {
 namespace {
 
-constexpr double kZoom = 0.5, kMove = 0.1;  ///< parts of what is seen
-constexpr qreal kEdge = 0.5;                ///< less is no way to go [px]
+constexpr double kZoom = 0.5, kMove = 0.1;  ///< fractions of the visible range
+constexpr qreal kEdge = 0.5;                ///< smaller motions are ignored [px]
 
-/// Part of what is seen, by which a deed moves along the abscissa and upward.
+/// Fraction of the visible range by which a command moves along the abscissa and upward.
 QPointF way_of(ChartDeed deed) {
   switch (deed) {
     case ChartDeed::MoveLeft:
@@ -186,7 +186,7 @@ QRectF ChartView::withinAll(const QRectF& part) const {
 
 void ChartView::showPart(const QRectF& part) {
   if (scene_->isPlane()) return scene_->setPlaneView(part);
-  // The very ends, whatever a pixel is rounded to.
+  // The exact ends, without rounding to pixels.
   const QRectF all = scene_->everything();
   const double low = part.left() < all.left() + kEdge ? -std::numeric_limits<double>::infinity()
                                                       : scene_->abscissaAt(part.left());
@@ -236,7 +236,7 @@ std::vector<LegendEntry> ChartView::namedCurves() const {
 void ChartView::toggleCurve(std::size_t panel, std::size_t curve) {
   scene_->showCurve(panel, curve, scene_->page().panels.at(panel).curves.at(curve).hidden);
   emit curvesChanged();
-  emit cursorsChanged();  // what they tell is of the curves that are shown
+  emit cursorsChanged();  // they describe the visible curves
   if (reading_) read();
 }
 

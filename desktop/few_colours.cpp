@@ -154,7 +154,7 @@ QImage in_mixed_colours(const QImage& picture) {
   Nearest nearest(table);
   QImage out(image.size(), QImage::Format_Indexed8);
   out.setColorTable(table);
-  // What a pixel is off goes to those to its right and below it, in sixteenths.
+  // The color error of a pixel is distributed to those to its right and below it, in sixteenths.
   using Error = std::array<int, 3>;
   const auto width = static_cast<std::size_t>(image.width());
   std::vector<Error> here(width + 2), below(width + 2);

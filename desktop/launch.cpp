@@ -15,7 +15,7 @@ bool start_detached(const QString& path, const QStringList& arguments) {
   QProcess process;
   process.setProgram(path);
   process.setArguments(arguments);
-  // A window that holds a pipe of this program keeps whoever reads it waiting for its end.
+  // A window that holds a pipe of this program would keep its reader waiting.
   process.setStandardInputFile(QProcess::nullDevice());
   process.setStandardOutputFile(QProcess::nullDevice());
   process.setStandardErrorFile(QProcess::nullDevice());

@@ -46,7 +46,7 @@ std::string page_csv(const ChartPage& page) {
   for (const ChartPanel& panel : page.panels)
     for (const ChartCurve& curve : panel.curves) {
       std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
-      // "Orbital" of what? A column goes on without its page.
+      // A column needs its full name without the page.
       if (!page.about.empty())
         name = page.about + ": " + (page.title == panel.title ? "" : page.title + ": ") + name;
       if (page.equal_axes)

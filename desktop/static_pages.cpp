@@ -92,8 +92,8 @@ StaticTable by_azimuth(StaticTable table) {
   return table;
 }
 
-/// A sorted table whose element at 180 degrees stands at -180 too, so that the axis is a whole
-/// turn.
+/// A sorted table whose element at 180 degrees is repeated at -180, so that the axis is a full
+/// circle.
 StaticTable whole_turn(StaticTable table) {
   const StaticColumn* azimuth = table.find("azimuth");
   const double half_turn = std::acos(-1.0);
@@ -150,7 +150,7 @@ ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
   return page;
 }
 
-/// Where the ellipses of all elements lie on their grooves.
+/// Position of the ellipses of all elements on their grooves.
 std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.points = true;
@@ -378,7 +378,7 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.x_title = sweep.variable;
       page.x_unit = sweep.unit;
       page.x = sweep.values;
-      page.points = true;  // what was computed; lines only join it
+      page.points = true;  // computed values; lines only join them
       std::string names;
       // Shifts and tilts are both "Displacement", with another unit.
       for (std::size_t k = i; k < std::min(i + kPanelsPerPage, panels.size()); ++k)

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-/// What is in a picture of a study, and its file. Drawing: study_paint.cpp.
+/// Content of a picture of a study, and its file. Drawing: study_paint.cpp.
 namespace adore::desktop {
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<double> numbers(const Json& json) {
   return out;
 }
 
-/// Charts of an earlier release know no runs.
+/// Charts of an earlier release contain no runs.
 template <class Value>
 Value runs_of(const Json& json) {
   const auto found = json.find("runs");

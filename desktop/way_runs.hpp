@@ -16,8 +16,7 @@ struct Stretch {
 /// place or from a part of a picture is passed over without a look at its points.
 class WayRuns {
  public:
-  /// Of a run, with the stroke to the next one. Nothing is known of a run: its left is right of its
-  /// right.
+  /// Extent of a run, with the stroke to the next one. For an empty run left is right of right.
   struct Box {
     double left, right, low, high;
   };
