@@ -74,7 +74,7 @@ void CatalogueDialog::look(const QString& designation) {
       lines << QString::fromStdString(line);
     story_->setText(lines.join("\n\n"));
     take_->setEnabled(true);
-    // The list opens after this, and would hide what is told of the bearing, and take its Enter.
+    // The list opens after this, and would hide the description of the bearing and take its Enter.
     QTimer::singleShot(0, this, [list = name_->completer()] { list->popup()->hide(); });
   } catch (const InputError& error) {
     const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
@@ -87,8 +87,8 @@ void CatalogueDialog::look(const QString& designation) {
   if (isVisible()) makeRoom();
 }
 
-/// What is told of a bearing ends with what is not known: it must not be out of sight. On a screen
-/// that is too low it scrolls.
+/// The description of a bearing ends with unknown values: they must be visible. On a low screen it
+/// scrolls.
 void CatalogueDialog::makeRoom() {
   const int more = story_->heightForWidth(area_->viewport()->width()) - area_->viewport()->height();
   const QScreen* on = screen();

@@ -54,7 +54,7 @@ QString text_in(const std::string& bytes) {
 
 constexpr int kListWidth = 144;   // of the records, at least
 constexpr int kFormWidth = 320;   // of a record's page, which scrolls where it needs more
-constexpr int kUsualForm = 390;   // where the window opens with room for it
+constexpr int kUsualForm = 390;   // fits the window at start
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
@@ -219,7 +219,7 @@ void DeckWindow::makeCentre() {
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
     showRecord(record.toStdString());
-    list_->focusRecords();  // so that the arrow keys go on through the records
+    list_->focusRecords();  // so that the arrow keys move through the records
   });
   connect(list_, &RecordList::stateChosen, this, [this] {
     tabs_->setCurrentWidget(problems_);
@@ -347,7 +347,7 @@ void DeckWindow::showUnits() {
   drawing_->nameAnew();
 }
 
-/// Tab goes from the last field of a page on to what stands below it; Qt puts a new page last.
+/// Tab moves from the last field of a page to the widgets below it; Qt puts a new page last.
 void DeckWindow::orderTabs() {
   QWidget* last = nullptr;
   std::vector<QWidget*> behind;
@@ -373,7 +373,7 @@ void DeckWindow::refresh() {
   const std::vector<std::string> pages = document_.pages();
   list_->sync();
   if (std::find(pages.begin(), pages.end(), current_) == pages.end()) {
-    // The page went away: show the one that stands where it stood.
+    // The page was removed: show its successor.
     const auto spec_of = [](const std::string& id) { return deck::find_record(id); };
     std::string nearest = pages.front();
     for (const std::string& id : pages)
@@ -414,7 +414,7 @@ void DeckWindow::checkNow() {
   check_->stop();
   take_waiting_times(document_);  // the scale may have been found while something was typed
   document_.check_model();
-  check_->stop();  // what was just found is no change
+  check_->stop();  // the change by this check needs no other check
   askForStart();
   askForScales();
 }

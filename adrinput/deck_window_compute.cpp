@@ -15,11 +15,11 @@
 #include <cmath>
 #include <exception>
 
-/// What the window has computed: plan, equilibrium with its charts, accuracy, runs and sweeps.
+/// Results of the window: plan, equilibrium with its charts, accuracy, runs and sweeps.
 namespace adore::adrinput {
 
 bool DeckWindow::readyToCompute() {
-  document_.end_step();  // what is being typed counts
+  document_.end_step();  // includes the text being typed
   if (!document_.has_errors()) return true;
   desktop::show_message(this, tr("The deck has errors. Correct them first (F8)."), true);
   return false;

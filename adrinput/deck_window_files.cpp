@@ -45,7 +45,7 @@ QString from(const std::filesystem::path& path) { return QString::fromStdString(
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
-/// Shows and hides a dock; one that stands behind another comes to the front first.
+/// Shows and hides a dock; a covered dock is raised first.
 QAction* dock_action(QDockWidget* dock, const QString& text) {
   QAction* action = dock->toggleViewAction();
   action->setText(text);
@@ -176,8 +176,8 @@ void DeckWindow::makeOtherMenus() {
   });
 }
 
-/// What was computed for the deck before is nothing of the one that is here now.
-/// `reread`: it is the same file, which another program changed.
+/// Results of the previous deck do not belong to the new one.
+/// `reread`: the same file, changed by another program.
 void DeckWindow::forgetResults(bool reread) {
   plan_->forget();
   statics_->forget();
@@ -291,7 +291,7 @@ void DeckWindow::makeToolBar() {
   button(tr("Quit"), tr("Quit AdrInput (Ctrl+Q)"), &DeckWindow::close);
 }
 
-/// Saves and goes on, unless the deck is refused or the user does not want it.
+/// Saves and continues, unless the deck has errors or the user cancels.
 void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()> then) {
   if (!document_.changed_on_disk(path)) {
     if (writeTo(path) && then) then();
@@ -346,7 +346,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
 }
 
 void DeckWindow::askForName(std::function<void()> then) {
-  // No name mends a deck.
+  // Another name does not remove errors.
   if (const std::vector<Issue> errors = document_.errors(); !errors.empty())
     return refuseToSave(errors, {});
   auto* dialog = new QFileDialog(this, tr("Save deck"), settings().value("folder").toString(),

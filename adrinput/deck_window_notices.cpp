@@ -70,8 +70,8 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
           [](bool on) { QSettings("Adore", "adrinput").setValue("session/reopen", on); });
 }
 
-/// For each kind of quantity the unit that its values are shown in; beside each field a button does
-/// the same.
+/// The unit in which values of each kind of quantity are shown; same as the button next to each
+/// field.
 void DeckWindow::makeUnitChoices(QMenu* view) {
   QMenu* choices = view->addMenu(tr("Show &values in"));
   choices->setObjectName("unit-choices");

@@ -87,7 +87,7 @@ void DeckWindow::stepProblem(int by) {
   tabs_->setCurrentWidget(problems_);
   if (count == 0) return;
   const int here = problems_->currentRow();
-  // One that is mended has left the list, and the next stands in its row.
+  // A corrected problem is removed from the list, and the next one is in its row.
   const bool mended =
       by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
       document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kTimeVariation = "3.4";
 
-/// What of a deck has no part in the scale of time: steps, names, and which bodies are stored.
+/// Variables without effect on the time scale: steps, names, and selection of stored bodies.
 bool is_beside_the_scale(std::string_view record, std::string_view variable) {
   return record == "1" || record == "2.1" || record == "2.3" || record == "3.1" ||
          (record == kTimeVariation && (variable == "kNumPltElem" || variable == "kPltElemInd"));
@@ -76,7 +76,7 @@ std::optional<deck::Deck> deck_without_scales(const Document& document) {
   if (document.typing() || document.scales()) return std::nullopt;
   for (const Problem& problem : document.problems()) {
     if (problem.issue.severity != Severity::Error) continue;
-    // A text that is no value leaves the deck with the value before it.
+    // For a text that is not a value the deck keeps the previous value.
     const bool kept = problem.cell && document.is_draft(*problem.cell) && problem.page == "2.1";
     const std::string_view named =
         std::string_view(problem.issue.variable).substr(0, problem.issue.variable.find('['));

@@ -254,7 +254,7 @@ void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const 
       QFontMetricsF(painter.font()).elidedText(text_of(pane.title), Qt::ElideRight, title.width()));
   painter.setClipRect(frame.area);
   if (!pane.axes.empty()) paintAxes(painter, pane, frame);
-  // What is in focus lies on top of its kind, so that its outline is whole.
+  // The outline of the part in focus is drawn last among its kind.
   for (const drawing::Shape& shape : pane.shapes) paintShape(painter, shape, frame.place);
   for (const drawing::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);

@@ -78,7 +78,7 @@ Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
 Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
                            const RunOptionValues& options) {
   deck::Deck still = deck;
-  still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
+  still.set("mode", "-1");  // only the equilibrium, for any mode of the deck
   still.complete();
   const facade::Prepared ready = prepared(still, path, options);
   listing::Report report(ready.bearing.run_id, deck.units());

@@ -25,7 +25,7 @@ constexpr int kPause = 300;                           // ms
 constexpr int kLeastWidth = 400, kLeastHeight = 360;  // of a chart with four lines of notes
 constexpr int kLeastDockWidth = 140, kLeastDockHeight = 120;
 constexpr int kDockTitle = 40;     // its height, at most
-constexpr int kRoomForDock = 640;  // of the window, for list and form beside it
+constexpr int kRoomForDock = 640;  // width of the window for list and form next to the dock
 
 desktop::ChartPage sentence(const std::string& text) {
   desktop::ChartPage page;
@@ -123,7 +123,7 @@ void LubricantPanel::showPage() {
                          "ADRX7 defines the traction"));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
                                   .at(static_cast<std::size_t>(pages_->currentIndex()));
-    // There is little room: what is drawn stands in the list above, conditions below the chart.
+    // The space is limited: the list above names the charts, the conditions are below.
     conditions_->setText(QString::fromStdString(page.title + ": " + page.subtitle));
     page.title = page.title.substr(0, page.title.find(" ("));
     page.subtitle.clear();

@@ -31,8 +31,8 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Draws a sign and all lines of a text: the style's own drawing writes dots for the last line of
-/// some texts although there is room.
+/// Draws a sign and all lines of a text: the style would shorten the last line of some texts with
+/// dots although there is space.
 class WrappedText : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -88,7 +88,7 @@ QListWidget* make_list(const QString& name, QWidget* parent) {
   return list;
 }
 
-/// Told apart by their shape, so that nobody needs to see the colors.
+/// Distinguished by shape, for color-blind users.
 QPixmap state_sign(RecordState state, const QColor& colour) {
   QPixmap pixmap(32, 32);
   pixmap.setDevicePixelRatio(2.0);
@@ -200,7 +200,7 @@ RecordList::RecordList(Document& document, QWidget* parent)
   sync();
 }
 
-/// Would a run begin? No record says that of itself.
+/// State of the deck: can a run start?
 void RecordList::syncState() {
   const auto errors = static_cast<int>(
       std::count_if(document_.problems().begin(), document_.problems().end(),
@@ -304,7 +304,7 @@ void RecordList::search(const QString& query) {
   }
 }
 
-/// What was found, and pale where the deck does not have it now.
+/// Search results, pale if the deck does not have them now.
 void RecordList::describeFound() {
   for (int row = 0; row < found_->count(); ++row) {
     QListWidgetItem* item = found_->item(row);
@@ -334,7 +334,7 @@ bool RecordList::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && object == query_ && query_->text().isEmpty()) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-      event->ignore();  // an empty search has nothing of its own to undo: the deck has
+      event->ignore();  // an empty search has no text to undo: the shortcut is for the deck
       return true;
     }
   }

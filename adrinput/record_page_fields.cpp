@@ -104,7 +104,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
     side->addWidget(row.choice = makeUnitChoice(variable));
   if (record_ == kOptionsPage && variable.name == "effectsOff")
     side->addWidget(row.names = makeEffectNames(cellOf(v)));
-  // Limits stand beside a field; below a table, which may be as wide as the page.
+  // Limits are next to a field; below a table, which may be as wide as the page.
   auto* whole = new QVBoxLayout;
   whole->setSpacing(2);
   whole->addLayout(side);

@@ -11,7 +11,7 @@
 #include <QPlainTextEdit>
 #include <QToolButton>
 
-/// What a record's page shows of the document.
+/// Updates the page of a record from the document.
 namespace adore::adrinput {
 
 void RecordPage::showProblems(Row& row) {
@@ -93,8 +93,7 @@ void RecordPage::syncRow(Row& row, bool all) {
   showProblems(row);
 }
 
-/// What a text being typed will be, the value in the other system of units, and whether anything
-/// uses it.
+/// The value of a text being typed, the value in the other unit system, and whether it is used.
 void RecordPage::showAside(Row& row) {
   const Cell cell = cellOf(row.variable);
   if (row.other != nullptr) {

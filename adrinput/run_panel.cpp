@@ -69,7 +69,7 @@ QString headline_of(const facade::RunOutcome& outcome) {
   const std::string message = in_window_words(outcome.message);
   switch (outcome.status) {
     case facade::RunStatus::Done:
-      // A message says that there was nothing left to do.
+      // A message reports that the run was already complete.
       return from(
           "Done: " + (message.empty() ? done : message + ".") +
           (outcome.missed_end > 0.0
@@ -187,7 +187,7 @@ void RunPanel::enableButtons() {
   enableViewers();
 }
 
-/// A viewer of plots follows a run that goes on.
+/// A plot viewer follows an active run.
 void RunPanel::enableViewers() {
   const RunResults found = results();
   plots_->setEnabled(!found.plots.isEmpty());
@@ -202,7 +202,7 @@ RunResults RunPanel::results() const {
   return results_in(resultFolder(), computed_);
 }
 
-/// The folder of results and, for the day when it is removed or made, the one that it stands in.
+/// The folder of results and its parent folder, in case it is removed or created.
 void RunPanel::watchResults() {
   namespace fs = std::filesystem;
   QStringList wanted;
@@ -239,7 +239,7 @@ void RunPanel::show(const facade::Progress& progress) {
   }
   stored_ = stored_ || progress.step > 0;
   enableViewers();
-  // Beside the bar stands what will end the run.
+  // Next to the bar: the limit that ends the run.
   const std::string left = duration_text(progress.remaining);
   headline_ =
       from(progress.last_step > 0
@@ -265,7 +265,7 @@ void RunPanel::show(const RunEnd& end) {
     showSweep(*end.sweep);
   } else {
     const QString reason = from(in_window_words(end.reason));
-    // Progress is told now and then only: a short run may have stored steps before.
+    // Progress is reported at intervals: a short run may have stored steps before.
     const RunResults since = results_in(resultFolder(), computed_, began_);
     stored_ = stored_ || (!end.results_exist && since.moved);
     headline_ =
@@ -383,7 +383,7 @@ void RunPanel::showListing() {
   auto* layout = new QVBoxLayout(window);
   layout->addWidget(listing, 1);
   layout->addWidget(buttons);
-  window->show();  // beside the form: the user goes on there
+  window->show();  // next to the form, which keeps the focus
 }
 
 }  // namespace adore::adrinput

@@ -98,8 +98,8 @@ void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOpti
   launchRequest(sweep_request(file_, out_, range.toStdString()));
 }
 
-/// What one run of it has is kept: of a deck or program that is another one by now, all of them
-/// would be computed anew in its place.
+/// Existing results of its runs are kept: for another deck or program all of them would be computed
+/// again.
 void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
                              const RunOptionValues& options, const fs::path& file) {
   const auto mark = facade::read_sweep_mark(folder);

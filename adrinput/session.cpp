@@ -41,7 +41,7 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Where it cannot be made, store() says so.
+/// If it cannot be created, store() reports it.
 void make_own_folder(const fs::path& folder) {
   try {
     (void)make_folders(folder);
@@ -88,7 +88,7 @@ Session::Session(DeckWindow& window, const QString& folder)
 Session::~Session() {
   rememberPlace();
   if (window_.document().modified() && window_.isVisible()) {
-    store();  // nobody was asked whether to save
+    store();  // the user was not asked whether to save
   } else if (lock_) {
     remove_both(file_);
   }

@@ -46,7 +46,7 @@ StudyJson number_or_text(const std::string& text) {
   static const std::regex whole(R"(-?\d{1,18})");
   if (std::regex_match(text, whole)) return std::stoll(text);
   double value = 0.0;
-  (void)deck::parse_real(text, value);  // it looks like one; too large ones are refused later
+  (void)deck::parse_real(text, value);  // looks like a number; too large ones are rejected later
   return value;
 }
 

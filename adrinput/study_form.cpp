@@ -113,14 +113,15 @@ void StudyForm::addTable(QBoxLayout* column, const StudyTableSpec& spec) {
 void StudyForm::syncField(const Field& field) {
   const QString text = QString::fromStdString(document_.field(*field.spec));
   if (auto* line = qobject_cast<QLineEdit*>(field.input)) {
-    // "5, " on the way to "5, 50" is not taken away; what is typed means what the file has.
+    // "5, " while typing "5, 50" is not removed; the typed text has the meaning of the value in the
+    // file.
     const bool typing = line->hasFocus() &&
                         shown_value(typed_value(field.spec->cell, line->text().toStdString())) ==
                             text.toStdString();
     if (line->text() != text && !typing) line->setText(text);
   } else if (auto* list = qobject_cast<QComboBox*>(field.input)) {
     int at = list->findText(text);
-    if (at < 0) {  // what the file has, right or wrong
+    if (at < 0) {  // content of the file, valid or not
       list->addItem(text);
       at = list->count() - 1;
     }

@@ -38,8 +38,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const QString kApp = "adrinput-studies";  // recent files of their own
-constexpr int kStorePause = 500;          // [ms] from a change until it is kept beside the file
+const QString kApp = "adrinput-studies";  // separate list of recent files
+constexpr int kStorePause = 500;          // [ms] from a change to its backup next to the file
 
 QString from(const std::string& text) { return QString::fromStdString(text); }
 
@@ -350,7 +350,7 @@ void StudyWindow::leave(std::function<void()> then) {
     QPushButton* quit = box->addButton(tr("Stop the runs"), QMessageBox::DestructiveRole);
     connect(box, &QMessageBox::buttonClicked, this, [this, quit, then](QAbstractButton* button) {
       if (button != quit) return;
-      // What comes next waits for the workers.
+      // The next action waits for the workers.
       connect(
           panel_, &StudyPanel::finished, this, [this, then] { leave(then); },
           Qt::SingleShotConnection);

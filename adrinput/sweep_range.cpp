@@ -34,7 +34,7 @@ Parts parts_of(const std::string& text) {
   return {match.captured(1).trimmed().toStdString(), match.captured(2).trimmed().toStdString()};
 }
 
-/// A value that has no unit of its own in that of its neighbor.
+/// A value without a unit is in the unit of its neighbor.
 std::string with_unit(const std::string& value, const std::string& unit) {
   if (unit.empty() || !parts_of(value).unit.empty()) return value;
   const bool sum =

@@ -162,7 +162,7 @@ std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable
     if (variable.max_length > 0) out = fmt::format("at most {} characters", variable.max_length);
   } else {
     deck::Range range = deck::range_in_deck_units(deck, variable);
-    constexpr double kAnyInteger = 2147483647.0, kAnyReal = 1e6;  // nobody needs to read those
+    constexpr double kAnyInteger = 2147483647.0, kAnyReal = 1e6;  // never displayed
     const double far = variable.type == deck::VarType::Integer ? kAnyInteger : kAnyReal;
     if (range.min <= -far) range.min = -std::numeric_limits<double>::infinity();
     if (range.max >= far) range.max = std::numeric_limits<double>::infinity();

@@ -282,7 +282,7 @@ void ChartScene::build() {
     addItem(new StudyPicture(page_.study, *theme_, size_));
     return;
   }
-  constexpr qreal kLabelWidth = 45.0;  // distance of a number to others [px]
+  constexpr qreal kLabelWidth = 45.0;  // width of a number next to others [px]
   Metrics m = metrics();
   addHeading(m);
   const QRectF space = this->space(m);

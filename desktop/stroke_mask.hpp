@@ -11,8 +11,8 @@ class QPen;
 
 /// Strokes of a round pen and areas with increasing x, as an image of the covered fraction of each
 /// pixel. A general painter cuts a stroke into its outline first, which takes several microseconds
-/// for each point, and sorts the edges of an outline; here a point takes less and a column of
-/// pixels less than one.
+/// for each point, and sorts the edges of an outline; here a point takes no
+/// measurable time and a column of pixels less than a microsecond.
 namespace adore::desktop {
 
 struct StrokeImage {
