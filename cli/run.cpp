@@ -131,7 +131,7 @@ facade::AccuracyStatement state(const facade::RunRequest& request,
 /// with --extend a run with too much scatter in its means is continued.
 int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
                     const facade::ProgressSink& sink, InterruptWatch& watch) {
-  constexpr int kMostTighter = 2, kMostExtended = 2;
+  constexpr int kMaxTightenings = 2, kMaxExtensions = 2;
   const double target = parse_percentage("--accuracy", options.accuracy);
   facade::ChosenSettings chosen =
       facade::choose_settings(request, target, watch.token(), facade::asked_turns(request));
@@ -145,7 +145,7 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
       facade::RunRequest as_run = request;
       facade::add_choice(as_run, chosen);
       stated = state(as_run, outcome, target, watch);
-      if (stated->numerical() > target && tighter < kMostTighter && !request.go_on) {
+      if (stated->numerical() > target && tighter < kMaxTightenings && !request.go_on) {
         ++tighter;
         tell(fmt::format("numerical part {:.2g} %: the run is repeated with tighter settings\n",
                          100.0 * stated->numerical()));
@@ -154,7 +154,7 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
         continue;
       }
       if (const double turns = stated->needed_turns(target);
-          options.extend && turns > 0.0 && extended < kMostExtended) {
+          options.extend && turns > 0.0 && extended < kMaxExtensions) {
         ++extended;
         tell(fmt::format("the mean values need about {}: the run continues\n",
                          counted(fmt::format("{:.3g}", turns), "revolution")));

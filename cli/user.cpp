@@ -97,7 +97,7 @@ NeededByDeck needed_by(int hook) {
   return kNeeded[static_cast<std::size_t>(hook)];
 }
 
-void tell_what_the_deck_needs(int hook, bool python) {
+void print_deck_requirements(int hook, bool python) {
   const NeededByDeck needed = needed_by(hook);
   if (!needed.options.empty())
     tell(fmt::format("enable it in the deck, e.g. with {}\n", needed.options));
@@ -153,7 +153,7 @@ void new_routine(const UserOptions& options) {
   else
     tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
                      (folder / fmt::format("lib{}.so", name)).string()));
-  tell_what_the_deck_needs(hook, python);
+  print_deck_requirements(hook, python);
 }
 
 }  // namespace

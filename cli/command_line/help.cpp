@@ -29,10 +29,10 @@ std::string help_of(const OptionText& option) {
 /// Names in a left column with texts next to them; long names get a separate line.
 std::string entries(const std::vector<std::pair<std::string, std::string>>& rows,
                     std::size_t width) {
-  constexpr std::size_t kMargin = 2, kMostNames = 24;
+  constexpr std::size_t kMargin = 2, kMaxNameWidth = 24;
   std::size_t names = 0;
   for (const auto& row : rows)
-    if (row.first.size() <= kMostNames) names = std::max(names, row.first.size());
+    if (row.first.size() <= kMaxNameWidth) names = std::max(names, row.first.size());
   const std::size_t column = kMargin + std::max<std::size_t>(names, 8) + 2;
   std::string out;
   for (const auto& [name, text] : rows) {
