@@ -133,7 +133,7 @@ void DeckWindow::makeOtherMenus() {
                  &DeckWindow::runQuasiStatic);
   run->addSeparator();
   run->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
-  run->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
+  run->addAction(tr("Run in a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
                  &DeckWindow::runInNewFolder);
   QAction* go_on = run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
   run->setToolTipsVisible(true);

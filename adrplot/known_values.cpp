@@ -200,7 +200,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
     else if (is_heat(id)) {  // an average over a thermal step that has ended
       const std::vector<double> total = stored(kTotalHeat);
       for (std::size_t i = 0; i < out.values.size() && total[i] == 0.0; ++i) out.values[i] = kNone;
-      if (none) nothing("No thermal step ended " + here + ".");
+      if (none) nothing("No thermal step was completed " + here + ".");
     }
   } else if (is_rate(id)) {
     const auto places = places_of(id);

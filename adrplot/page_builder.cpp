@@ -95,8 +95,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
   std::vector<std::string> out;
   for (const auto& [what, of] : curves) {
     const bool several = (what.first + of).find(" and ") != std::string::npos;
-    out.push_back(capital(fmt::format("{}{} {} off where there is {}.", what.first, of,
-                                      several ? "break" : "breaks", what.second)));
+    out.push_back(capital(fmt::format("{}{} {} missing where there is {}.", what.first, of,
+                                      several ? "are" : "is", what.second)));
   }
   return out;
 }

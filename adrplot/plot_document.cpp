@@ -176,7 +176,7 @@ class StepPages {
       note(lost);
     if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
     if (!file_.gaps.empty())
-      note((file_.part ? "Of these steps " : "Of the file ") + file_.gaps + ".");
+      note((file_.part ? "In these steps " : "In this file ") + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));

@@ -146,7 +146,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
       group->addAction(action);
     }
   };
-  choices(tr("Spectrum: &Amplitude"), {tr("over the largest"), tr("in units"), tr("in dB")},
+  choices(tr("Spectrum: &Amplitude"), {tr("relative"), tr("in units"), tr("in dB")},
           [](PageOptions& o, int i) { o.spectrum.scale = static_cast<SpectrumScale>(i); });
   choices(tr("Spectrum: &Window"), {tr("Hann"), tr("flat top"), tr("none")},
           [](PageOptions& o, int i) {

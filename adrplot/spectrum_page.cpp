@@ -341,7 +341,7 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, do
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % end at {} to {}.",
+  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % extend to {} to {}.",
                               desktop::pretty_number(100.0 * visible, 2),
                               desktop::pretty_quantity(least, "Hz", 3),
                               desktop::pretty_quantity(most, "Hz", 3)));

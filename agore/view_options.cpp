@@ -65,7 +65,7 @@ ScaleChoice scale_named(const std::string& name) {
   if (name == "run") return {ColourScale::Run, 0.0, 0.0};
   if (name == "moment") return {ColourScale::Moment, 0.0, 0.0};
   const InputError refusal("a color scale cannot be '" + name +
-                           "'; use usual, run, moment or two rising limits such as 0:0.02");
+                           "'; use usual, run, moment or two increasing limits such as 0:0.02");
   std::istringstream text(name);
   text.imbue(std::locale::classic());
   ScaleChoice out{ColourScale::Typed, 0.0, 0.0};

@@ -127,7 +127,7 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPage page;
   page.title = "Thermal network";
   page.note =
-      "Schematic: radius upwards, coolant or medium to the right. Arrows point along the heat "
+      "Schematic: radius upward, coolant or medium to the right. Arrows point along the heat "
       "flow.";
   page.equal_axes = true;
   page.closed_outline = true;

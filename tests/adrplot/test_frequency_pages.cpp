@@ -61,7 +61,7 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
     const desktop::ChartPage page = spectra(40.0, 8000.0, scale);
     INFO(page.note);
     CHECK(page.log_x);
-    CHECK(page.note.find("Logarithmic frequency: lines above 1 % end at 50 Hz to 8.01 kHz.") !=
+    CHECK(page.note.find("Logarithmic frequency: lines above 1 % extend to 50 Hz to 8.01 kHz.") !=
           std::string::npos);
     // What either panel holds has a tenth of the width at least.
     desktop::ChartScene scene;

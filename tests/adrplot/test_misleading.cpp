@@ -135,7 +135,7 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
     set(file, id, 0.0);
   heat = page_with(file, "Average heat");
   for (const desktop::ChartPanel& panel : heat.panels)
-    CHECK(panel.message == "No thermal step ended in this run.");
+    CHECK(panel.message == "No thermal step was completed in this run.");
   CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
 }
 
@@ -253,13 +253,14 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   // The load, in the other panel, is 0 there.
   const std::string gap = note("load and angle");
   CHECK_THAT(gap, Catch::Contains("ontact angle") && !Catch::Contains("ontact load"));
-  CHECK_THAT(gap, Catch::Contains("of the inner race break") && !Catch::Contains("outer race"));
-  CHECK_THAT(gap, Catch::Contains("off where there is no contact."));
+  CHECK_THAT(gap, Catch::Contains("of the inner race") && !Catch::Contains("outer race"));
+  CHECK_THAT(gap, Catch::Contains("missing where there is no contact."));
   // A spectrum has no such gaps; a number that the file never had is no open contact.
   for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
     PageOptions options;
     options.domain = domain;
-    CHECK(page_with(file, "load and angle", options).note.find("breaks off") == std::string::npos);
+    CHECK(page_with(file, "load and angle", options).note.find("missing where") ==
+          std::string::npos);
   }
   results::SolFile damaged = test::synthetic_sol(SolKind::Element);
   set(damaged, "contact.load.", 100.0);
@@ -267,7 +268,7 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id.starts_with("contact.angle."))
       damaged.steps[0].values[c] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(page_with(damaged, "load and angle").note.find("breaks off") == std::string::npos);
+  CHECK(page_with(damaged, "load and angle").note.find("missing where") == std::string::npos);
   CHECK(note("slip").find("largest of all slices") == std::string::npos);  // balls have none
   file.header.bearing_type = 2;
   CHECK(note("slip").find("largest of all slices") != std::string::npos);
