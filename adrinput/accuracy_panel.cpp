@@ -69,18 +69,17 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
     return box;
   };
   start_ = button(tr("Stud&y accuracy"), "study-accuracy",
-                  tr("Run this deck with other integrators, tolerances and steps, and compare"),
+                  tr("Compare integrators, tolerances and step sizes for this deck"),
                   &AccuracyPanel::wanted);
-  cancel_ = button(tr("Cancel"), "cancel-study", tr("End the study; what it found stays"),
+  cancel_ = button(tr("Cancel"), "cancel-study", tr("Stop the study and keep its results"),
                    &AccuracyPanel::cancel);
-  target_ = number(tr("asked"), "accuracy-target", 1.0, 0.01, 50.0, " %");
-  budget_ = number(tr("at most"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
-  turns_ = number(tr("over"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
+  target_ = number(tr("target"), "accuracy-target", 1.0, 0.01, 50.0, " %");
+  budget_ = number(tr("limit"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
+  turns_ = number(tr("length"), "accuracy-turns", facade::AccuracyRequest().turns, 0.1, 10000.0,
                   tr(" rev"));
   turns_->setToolTip(
-      tr("Turns of the shaft that the best settings are judged over, fewer where "
-         "the time does not pay for them. All settings run over a short span before "
-         "(first round), whose turns the time decides; the table says how many."));
+      tr("Shaft revolutions over which the best settings are compared; fewer if the time limit is "
+         "reached. A first round runs all settings over a shorter span (see the table)."));
   row->addStretch();
   layout->addLayout(row);
   row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
@@ -88,14 +87,15 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   bar_->setObjectName("study-progress");
   bar_->setRange(0, kBarSteps);
   row->addWidget(bar_);
-  apply_ = button(tr("Put into the deck"), "apply-accuracy",
-                  tr("Write the recommended settings into this deck"), &AccuracyPanel::applyWanted);
-  note_ = new QLabel(tr("What accuracy costs: this deck's own run with every integrator, tolerance "
-                        "and longest step, as `adore accuracy` does it. No file is written."),
-                     this);
+  apply_ = button(tr("Apply to deck"), "apply-accuracy",
+                  tr("Set the recommended values in this deck"), &AccuracyPanel::applyWanted);
+  note_ =
+      new QLabel(tr("Runs this deck with all integrators, tolerances and longest steps, like "
+                    "`adore accuracy`, and compares error and computing time. No file is written."),
+                 this);
   note_->setObjectName("study-note");
   note_->setWordWrap(true);
-  view_ = desktop::make_listing_view(tr("What accuracy costs"), this);
+  view_ = desktop::make_listing_view(tr("Accuracy study"), this);
   view_->setObjectName("study-text");
   view_->hide();
   layout->addLayout(row);
@@ -123,7 +123,7 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   view_->clear();
   view_->show();
   bar_->setValue(0);
-  headline_ = tr("Computing the accurate run that the others are compared with …");
+  headline_ = tr("Computing the reference run …");
   note_->setText(headline_);
   facade::AccuracyRequest request;
   request.text = deck::write_deck(deck);
@@ -164,16 +164,16 @@ void AccuracyPanel::showRow(const QString& line, const QString& round, double us
   bar_->setValue(
       std::max(bar_->value(), static_cast<int>(std::lround(kBarSteps * std::min(share, 1.0)))));
   view_->appendPlainText("  " + line);
-  note_->setText(tr("Studying: %1 s of at most %2 s of computing time used.")
+  note_->setText(tr("Running: %1 s of %2 s computing time used.")
                      .arg(used, 0, 'f', 0)
                      .arg(budget_->value(), 0, 'f', 0));
 }
 
 void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString& failure) {
   if (!failure.isEmpty()) {
-    headline_ = tr("There is no study, for this reason: %1").arg(failure);
+    headline_ = tr("The study failed: %1").arg(failure);
   } else if (!study_made.complete) {
-    headline_ = tr("The study was ended before it was complete.");
+    headline_ = tr("The study was stopped before it was complete.");
   } else {
     bar_->setValue(kBarSteps);
     if (!dropped_) sets_ = facade::recommended_sets(study_made);
@@ -189,15 +189,13 @@ void AccuracyPanel::showNote() {
   QStringList changes;
   for (const auto& [name, value] : sets_)
     changes << QString::fromStdString(fmt::format("{} = {}", name, value));
-  note_->setText((reread_    ? tr("Of the deck as it was before its file was read again; a new "
-                                     "study tells the settings of this one. ")
-                  : dropped_ ? tr("Of another deck. ")
-                  : stale_   ? tr("Of the deck as it was before the last change. ")
-                             : QString()) +
-                 headline_ +
-                 (changes.isEmpty()
-                      ? QString()
-                      : tr(" \"Put into the deck\" sets %1.").arg(changes.join(", "))));
+  note_->setText(
+      (reread_    ? tr("Out of date: the file was reloaded. Run the study again. ")
+       : dropped_ ? tr("From another deck. ")
+       : stale_   ? tr("Out of date: the deck has changed. ")
+                  : QString()) +
+      headline_ +
+      (changes.isEmpty() ? QString() : tr(" \"Apply to deck\" sets %1.").arg(changes.join(", "))));
 }
 
 void AccuracyPanel::forget(bool reread) {

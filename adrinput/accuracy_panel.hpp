@@ -23,8 +23,8 @@ class QPushButton;
 
 namespace adore::adrinput {
 
-/// What `adore accuracy` does, for the deck in the form: the study with its progress, its table and
-/// its recommendation, which a button puts into the deck.
+/// The study of `adore accuracy` for the deck in the form: progress, table, and recommended
+/// settings, which a button applies to the deck.
 class AccuracyPanel : public QWidget {
   Q_OBJECT
  public:
@@ -36,9 +36,9 @@ class AccuracyPanel : public QWidget {
                                       std::stop_token)>
       study;
 
-  /// Studies a deck without errors as it stands in the form.
+  /// Studies the deck of the form, which has no errors.
   void start(const deck::Deck& deck, const RunOptionValues& options);
-  /// The deck is this one now: a study of an older one says so.
+  /// The current deck: a study of an older one is marked as out of date.
   void setDeck(const deck::Deck& deck);
   /// Another deck was opened, or its file was read again: what is recommended is not for it.
   void forget(bool reread);
@@ -46,7 +46,7 @@ class AccuracyPanel : public QWidget {
   void setStored(const QString& text);
   [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
-  /// What is recommended; empty before, or when nothing is.
+  /// Recommended settings; empty before a study or without a recommendation.
   [[nodiscard]] const Sets& recommended() const { return sets_; }
 
  public slots:

@@ -9,8 +9,7 @@ class QThread;
 
 namespace adore::adrinput {
 
-/// One piece of work in a thread of its own. What it reports and its end arrive in the thread of
-/// this object.
+/// A task in a separate thread. Its reports and its end arrive in the thread of this object.
 class Background : public QObject {
   Q_OBJECT
  public:

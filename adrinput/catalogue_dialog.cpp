@@ -23,15 +23,14 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
     : QDialog(parent), name_(new QLineEdit(this)), story_(new QLabel(this)) {
   setObjectName("catalogue");
   desktop::delete_when_done(*this);
-  setWindowTitle(tr("New deck from the catalogue"));
-  auto* label =
-      new QLabel(tr("&Bearing, such as 6205, 7208 B, NU209, 30208 or 22210; or an outside "
-                    "such as deep-groove 25x52x15:"),
-                 this);
+  setWindowTitle(tr("New deck from the catalog"));
+  auto* label = new QLabel(tr("&Bearing, e.g. 6205, 7208 B, NU209, 30208 or 22210, or type and "
+                              "size, e.g. deep-groove 25x52x15:"),
+                           this);
   label->setWordWrap(true);
   label->setBuddy(name_);
   name_->setObjectName("designation");
-  name_->setAccessibleName(tr("Designation of the bearing"));
+  name_->setAccessibleName(tr("Bearing designation"));
   QStringList all;
   for (const std::string& designation : deck::catalogue_designations())
     all << QString::fromStdString(designation);
@@ -42,7 +41,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   story_->setWordWrap(true);
   story_->setTextFormat(Qt::PlainText);
   area_ = new QScrollArea(this);
-  area_->setAccessibleName(tr("What is told of the designation"));
+  area_->setAccessibleName(tr("Description of the bearing"));
   area_->setWidgetResizable(true);
   area_->setFrameShape(QFrame::NoFrame);
   area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -50,7 +49,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   area_->setWidget(story_);
   story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  take_ = buttons->addButton(tr("&Make the deck"), QDialogButtonBox::AcceptRole);
+  take_ = buttons->addButton(tr("&Create deck"), QDialogButtonBox::AcceptRole);
   take_->setObjectName("take");
   take_->setDefault(true);
   auto* layout = new QVBoxLayout(this);
@@ -75,7 +74,7 @@ void CatalogueDialog::look(const QString& designation) {
       lines << QString::fromStdString(line);
     story_->setText(lines.join("\n\n"));
     take_->setEnabled(true);
-    // The list opens after this, and would hide what is told of the bearing, and take its Enter.
+    // The list opens after this, and would hide the description of the bearing and take its Enter.
     QTimer::singleShot(0, this, [list = name_->completer()] { list->popup()->hide(); });
   } catch (const InputError& error) {
     const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
@@ -88,8 +87,8 @@ void CatalogueDialog::look(const QString& designation) {
   if (isVisible()) makeRoom();
 }
 
-/// What is told of a bearing ends with what is not known: it must not be out of sight. On a screen
-/// that is too low it scrolls.
+/// The description of a bearing ends with unknown values: they must be visible. On a low screen it
+/// scrolls.
 void CatalogueDialog::makeRoom() {
   const int more = story_->heightForWidth(area_->viewport()->width()) - area_->viewport()->height();
   const QScreen* on = screen();

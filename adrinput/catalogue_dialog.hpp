@@ -9,8 +9,8 @@ class QPushButton;
 
 namespace adore::adrinput {
 
-/// Type 6205, 7208 B, NU209, 30208 or 22210 and get a deck: what is standard in it and what is an
-/// estimate is said before it is taken.
+/// Creates a deck from 6205, 7208 B, NU209, 30208 or 22210. The dialog shows standard and estimated
+/// values before the deck is created.
 class CatalogueDialog : public QDialog {
   Q_OBJECT
  public:

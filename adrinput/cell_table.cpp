@@ -30,8 +30,8 @@ namespace {
 constexpr int kOtherRole = Qt::UserRole;  // the value in the other system of units
 constexpr int kRowHeight = 28, kTwoLines = 44;
 
-/// Several values, as a spreadsheet or a list of numbers has them: they are no text of one cell.
-/// Two numbers with a blank between them may be one with a group of digits.
+/// Several values, as from a spreadsheet or a list of numbers: not the text of one cell. Two
+/// numbers separated by a blank may be one with a group of digits.
 bool fills_cells(const QString& text) {
   static const QRegularExpression list(
       R"(^\s*[-+]?[\d.,]+([eEdD][-+]?\d+)?((\s*;\s*|\s+)[-+]?[\d.,]+([eEdD][-+]?\d+)?){2,}\s*$)");
@@ -293,7 +293,7 @@ void CellTable::sync() {
   setVisible(columns > 0);
 }
 
-/// Room for the bar where the table scrolls sideways.
+/// Space for the scroll bar if the table scrolls horizontally.
 void CellTable::fitHeight() {
   const bool scrolls = width() < cells_.width();
   setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
@@ -316,7 +316,7 @@ bool CellTable::focusCell(const Cell& cell) {
   return false;
 }
 
-/// Values in their order, whatever stands between them: for tables that are one list.
+/// Values in their order, with any separators: for tables that are a single list.
 void CellTable::pasteInOrder(const QString& text) {
   const bool cells = text.contains('\t') || text.trimmed().contains('\n');
   const QString between = cells                ? "[\\t\\r\\n]+"

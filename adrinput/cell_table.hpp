@@ -6,8 +6,8 @@
 
 namespace adore::adrinput {
 
-/// Values that stand side by side: the elements of an array (one row), or a repeated record (a row
-/// per variable and element, a column per instance). Cells are edited in place.
+/// Values side by side: the elements of an array (one row), or a repeated record (a row per
+/// variable and element, a column per instance). Cells are edited in place.
 class CellTable : public QTableWidget {
   Q_OBJECT
  public:

@@ -30,7 +30,7 @@ CompareDialog::CompareDialog(const Document& document, deck::Deck other, const Q
       other_(std::move(other)),
       name_(name),
       summary_(new QLabel(this)),
-      labels_(new QCheckBox(tr("Also the &labels of records"), this)),
+      labels_(new QCheckBox(tr("Include record &labels"), this)),
       list_(new QListWidget(this)) {
   setObjectName("compare");
   desktop::delete_when_done(*this);
@@ -69,12 +69,12 @@ void CompareDialog::sync() {
   const int number = static_cast<int>(rows_.size()) - (labels_->isChecked() ? labels : 0);
   QString text =
       number == 0
-          ? tr("Nothing differs from %1").arg(name_)
+          ? tr("No difference from %1").arg(name_)
           : tr("%1 from %2").arg(counted(number, tr("difference"), tr("differences")), name_);
   if (labels > 0)
-    text += tr(", and %1 of records, which mean nothing to a run")
+    text += tr(", and %1 of records, which do not affect a run")
                 .arg(counted(labels, tr("label"), tr("labels")));
-  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(name_);
+  text += tr(". \"Here\": the deck in the window; \"there\": %1.").arg(name_);
   summary_->setText(text);
   labels_->setEnabled(labels > 0);
 

@@ -11,8 +11,8 @@ class QListWidget;
 
 namespace adore::adrinput {
 
-/// What differs between the deck in the window and another one, in words. Stays open beside the
-/// form and follows every change; a row leads to its field.
+/// Differences between the deck in the window and another one. Stays open next to the form and
+/// follows every change; a row leads to its field.
 class CompareDialog : public QDialog {
   Q_OBJECT
  public:

@@ -55,7 +55,7 @@ QString text_in(const std::string& bytes) {
 
 constexpr int kListWidth = 144;   // of the records, at least
 constexpr int kFormWidth = 320;   // of a record's page, which scrolls where it needs more
-constexpr int kUsualForm = 390;   // where the window opens with room for it
+constexpr int kUsualForm = 390;   // fits the window at start
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
@@ -152,13 +152,13 @@ void DeckWindow::makeCentre() {
   connect(problems_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
   plan_ = new EvaluationPanel(
-      &plan_of, tr("What this deck turns on and why, its unknowns and the expected cost: F5."),
+      &plan_of,
+      tr("Effects of this deck with reasons, number of unknowns, expected computing time: F5."),
       this);
   plan_->setObjectName("plan");
   plan_->setTextName(tr("Plan"));
   statics_ = new EvaluationPanel(
-      &quasi_static_of, tr("The quasi-static equilibrium of this deck and its fatigue life: F6."),
-      this);
+      &quasi_static_of, tr("Quasi-static equilibrium and fatigue life of this deck: F6."), this);
   statics_->setObjectName("statics");
   statics_->setTextName(tr("Quasi-static solution"));
   for (const EvaluationPanel* panel : {plan_, statics_})
@@ -225,7 +225,7 @@ void DeckWindow::makeCentre() {
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
     showRecord(record.toStdString());
-    list_->focusRecords();  // so that the arrow keys go on through the records
+    list_->focusRecords();  // so that the arrow keys move through the records
   });
   connect(list_, &RecordList::stateChosen, this, [this] {
     tabs_->setCurrentWidget(problems_);
@@ -248,11 +248,10 @@ void DeckWindow::goTo(const Cell& cell) {
   const std::optional<Cell> count = count_of_none(document_, cell);
   page_->focusCell(count ? *count : cell);
   if (count)
-    search_notice_->ask(
-        tr("%1 has a field for each of %2, which is 0: give %2 above 0 to see them.")
-            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
-                 QString::fromStdString(std::string(variable_of(*count)->name))),
-        {{"leave-option", tr("Leave it"), nullptr}});
+    search_notice_->ask(tr("%1 has no fields because %2, their number, is 0. Enter %2 above 0.")
+                            .arg(QString::fromStdString(std::string(variable_of(cell)->name)),
+                                 QString::fromStdString(std::string(variable_of(*count)->name))),
+                        {{"leave-option", tr("Ignore"), nullptr}});
 }
 
 void DeckWindow::makeDrawing() {
@@ -307,17 +306,17 @@ QWidget* DeckWindow::makeButtons() {
     connect(push, &QPushButton::clicked, this, slot);
     return push;
   };
-  row->addWidget(button(tr("Go &Back"), "back", tr("The record before this one (Page Up)"),
-                        &DeckWindow::goBack));
   row->addWidget(
-      button(tr("&Next Rec"), "next", tr("The next record (Page Down)"), &DeckWindow::nextRecord));
+      button(tr("Go &Back"), "back", tr("Previous record (Page Up)"), &DeckWindow::goBack));
+  row->addWidget(
+      button(tr("&Next Rec"), "next", tr("Next record (Page Down)"), &DeckWindow::nextRecord));
   row->addStretch();
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
                         tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
-  row->addWidget(button(tr("R&un"), "run-deck", tr("Save the deck and run it whole (F7)"),
-                        &DeckWindow::runDeck));
-  row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and end AdrInput"),
+  row->addWidget(
+      button(tr("R&un"), "run-deck", tr("Save the deck and run it (F7)"), &DeckWindow::runDeck));
+  row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and close AdrInput"),
                         &DeckWindow::saveAndExit));
   return bar;
 }
@@ -354,7 +353,7 @@ void DeckWindow::showUnits() {
   drawing_->nameAnew();
 }
 
-/// Tab goes from the last field of a page on to what stands below it; Qt puts a new page last.
+/// Tab moves from the last field of a page to the widgets below it; Qt puts a new page last.
 void DeckWindow::orderTabs() {
   QWidget* last = nullptr;
   std::vector<QWidget*> behind;
@@ -380,7 +379,7 @@ void DeckWindow::refresh() {
   const std::vector<std::string> pages = document_.pages();
   list_->sync();
   if (std::find(pages.begin(), pages.end(), current_) == pages.end()) {
-    // The page went away: show the one that stands where it stood.
+    // The page was removed: show its successor.
     const auto spec_of = [](const std::string& id) { return deck::find_record(id); };
     std::string nearest = pages.front();
     for (const std::string& id : pages)
@@ -421,7 +420,7 @@ void DeckWindow::checkNow() {
   check_->stop();
   take_waiting_times(document_);  // the scale may have been found while something was typed
   document_.check_model();
-  check_->stop();  // what was just found is no change
+  check_->stop();  // the change by this check needs no other check
   askForStart();
   askForScales();
 }

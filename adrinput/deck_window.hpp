@@ -54,16 +54,16 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] RunPanel& runPanel() { return *run_; }
   [[nodiscard]] AccuracyPanel& accuracyPanel() { return *accuracy_; }
   [[nodiscard]] SolutionCharts& solutionCharts() { return *charts_; }
-  /// Goes to a value. One that the deck does not have: to the option that would show it, and says
-  /// which.
+  /// Goes to a value. If the deck does not have it: to the option that would show it, with its
+  /// name.
   void goTo(const Cell& cell);
   /// Shows a page if the deck has it.
   void showPage(const std::string& record);
   /// Panels that an earlier session left open and that have nothing to show yet.
   void hideEmptyPanels();
-  /// Where a session asks about decks that were left unsaved.
+  /// Place where a session asks about unsaved decks.
   [[nodiscard]] NoticeBar& sessionNotice() { return *session_notice_; }
-  /// Takes over a snapshot (document.hpp) and goes on, once the present deck is saved or given up.
+  /// Restores a snapshot (document.hpp) after the current deck is saved or discarded.
   void restoreDeck(const std::string& bytes, std::function<void()> then);
   /// Shows what differs from another deck; `name` is what it is called in sentences.
   void compareWith(deck::Deck other, const QString& name);
@@ -98,7 +98,7 @@ class DeckWindow : public QMainWindow {
   void continueRun();
   void askForSweep();
   void switchTheme();
-  /// A window of its own for a study of this deck, once that has a name.
+  /// A separate window for a study of this deck, after that has a name.
   void newStudy(const QString& kind);
   void openStudy();
   void compareWithSaved();
@@ -127,18 +127,18 @@ class DeckWindow : public QMainWindow {
   void makeUnitChoices(QMenu* view);
   void applyAccuracy();
   void showCharts();
-  /// Has what stands beside the times of a run found out, where they are shown.
+  /// Computes the scales for the times of a run, if they are shown.
   void askForScales();
   /// Has found out whether a run would begin, where nobody knows.
   void askForStart();
   void goToOptionOf(const Cell& cell);
-  /// True when the deck can be computed; else a message says why not.
+  /// True if the deck can be computed; else a message gives the reason.
   bool readyToCompute();
   void refreshNotices();
   void checkFile();
   void compareWithFile(const std::filesystem::path& path, const QString& name);
   void makeToolBar();
-  /// Goes on with a deck that has no errors and is saved.
+  /// Continues with a deck without errors, after it is saved.
   void withSavedDeck(std::function<void()> then);
   void orderTabs();
   void showUnits();
@@ -153,15 +153,15 @@ class DeckWindow : public QMainWindow {
   void refuseToSave(const std::vector<Issue>& issues, const QString& otherwise);
   bool writeTo(const std::filesystem::path& path);
   void askForName(std::function<void()> then);
-  /// Goes on at once, or after the user has saved or given up what is not saved.
+  /// Continues at once, or after the user has saved or discarded the changes.
   void leaveDeck(std::function<void()> then);
-  /// Goes on at once, or after the user has agreed to end the run that is going on.
+  /// Continues at once, or after the user has agreed to stop the active run.
   void leaveRun(std::function<void()> then);
   void remember(const std::filesystem::path& path);
   void forgetResults(bool reread = false);
 
-  static constexpr int kDrawingWidth = 300;  ///< of the drawing beside the form
-  /// Of a window whose form needs the room of list and drawing.
+  static constexpr int kDrawingWidth = 300;  ///< of the drawing next to the form
+  /// For a window whose form needs the space of list and drawing.
   static constexpr int kNarrow = 1100;
   Document document_;
   std::string visited_problem_;  ///< its text

@@ -15,13 +15,13 @@
 #include <cmath>
 #include <exception>
 
-/// What the window has computed: plan, equilibrium with its charts, accuracy, runs and sweeps.
+/// Results of the window: plan, equilibrium with its charts, accuracy, runs and sweeps.
 namespace adore::adrinput {
 
 bool DeckWindow::readyToCompute() {
-  document_.end_step();  // what is being typed counts
+  document_.end_step();  // includes the text being typed
   if (!document_.has_errors()) return true;
-  desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  desktop::show_message(this, tr("The deck has errors. Correct them first (F8)."), true);
   return false;
 }
 
@@ -113,21 +113,21 @@ void DeckWindow::askForSweep() {
   desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Sweep"));
   const auto tell = [this, dialog](const QString& typed) {
-    QString told = tr("such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
+    QString told = tr("e.g. appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5");
     try {
       if (!typed.trimmed().isEmpty())
         told = QString::fromStdString(read_sweep(document_, typed.toStdString()).told);
     } catch (const InputError&) {
       const QString unit = QString::fromStdString(sweep_unit(document_, typed.toStdString()));
-      if (!unit.isEmpty()) told = tr("a number without a unit is in %1").arg(unit);
+      if (!unit.isEmpty()) told = tr("numbers without a unit are in %1").arg(unit);
     }
     const std::string none = facade::why_no_step(document_.deck());
     const QString end = QString::fromStdString(none.substr(0, none.find(' ')));
     if (!none.empty() && !typed.trimmed().startsWith(end))
-      told += tr("\nNo step is made (%1): the table will have loads at rest, and no means, ratios "
-                 "or heat.")
-                  .arg(QString::fromStdString(none));
-    dialog->setLabelText(tr("Variable, first and last value and number of runs:\n%1").arg(told));
+      told +=
+          tr("\nStatic runs only (%1): the table has loads at rest, but no means, ratios or heat.")
+              .arg(QString::fromStdString(none));
+    dialog->setLabelText(tr("Variable, first value, last value, number of runs:\n%1").arg(told));
   };
   tell({});
   connect(dialog, &QInputDialog::textValueChanged, this, tell);

@@ -45,7 +45,7 @@ QString from(const std::filesystem::path& path) { return QString::fromStdString(
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
-/// Shows and hides a dock; one that stands behind another comes to the front first.
+/// Shows and hides a dock; a covered dock is raised first.
 QAction* dock_action(QDockWidget* dock, const QString& text) {
   QAction* action = dock->toggleViewAction();
   action->setText(text);
@@ -87,7 +87,7 @@ void DeckWindow::makeFileMenu() {
     connect(action, &QAction::triggered, this, [this, name] { newDeck(name); });
   }
   fresh->addSeparator();
-  fresh->addAction(tr("From the &catalogue …"), QKeySequence::New, this,
+  fresh->addAction(tr("From the &catalog …"), QKeySequence::New, this,
                    &DeckWindow::newFromCatalogue);
   file->addAction(tr("&Open …"), QKeySequence::Open, this, &DeckWindow::askForFile);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) {
@@ -99,8 +99,8 @@ void DeckWindow::makeFileMenu() {
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
-  file->addAction(tr("Park as a &draft …"), this, &DeckWindow::parkDraft);
-  file->addAction(tr("Decks left &unsaved …"), this, &DeckWindow::unsavedWanted);
+  file->addAction(tr("Save as &draft …"), this, &DeckWindow::parkDraft);
+  file->addAction(tr("Recover &unsaved …"), this, &DeckWindow::unsavedWanted);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &DeckWindow::close);
 }
@@ -112,7 +112,7 @@ void DeckWindow::makeOtherMenus() {
   redo_->setShortcuts(
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addSeparator();
-  edit->addAction(tr("Propose the &inside from bore, outside diameter and width"), this,
+  edit->addAction(tr("Estimate &internal geometry from bore, diameter and width"), this,
                   &DeckWindow::proposeInside);
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
@@ -128,12 +128,12 @@ void DeckWindow::makeOtherMenus() {
 
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   run->setObjectName("run-menu");
-  run->addAction(tr("&Plan of this deck"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
+  run->addAction(tr("&Plan"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
   run->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
                  &DeckWindow::runQuasiStatic);
   run->addSeparator();
   run->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
-  run->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
+  run->addAction(tr("Run in a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
                  &DeckWindow::runInNewFolder);
   QAction* go_on = run->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
   run->setToolTipsVisible(true);
@@ -162,8 +162,8 @@ void DeckWindow::makeOtherMenus() {
     const deck::RecordSpec& record = *page_record(current_);
     desktop::show_help(this, page_heading(record), record_help(document_.deck(), record));
   });
-  help->addAction(tr("How a &deck is written"), this,
-                  [this] { desktop::show_help(this, tr("How a deck is written"), format_help()); });
+  help->addAction(tr("&Deck format"), this,
+                  [this] { desktop::show_help(this, tr("Deck format"), format_help()); });
   help->addAction(tr("&Keys and Mouse"), this,
                   [this] { desktop::show_help(this, tr("Keys and Mouse"), keyboard_help()); });
   help->addAction(tr("&About AdrInput"), this, [this] {
@@ -176,8 +176,8 @@ void DeckWindow::makeOtherMenus() {
   });
 }
 
-/// What was computed for the deck before is nothing of the one that is here now.
-/// `reread`: it is the same file, which another program changed.
+/// Results of the previous deck do not belong to the new one.
+/// `reread`: the same file, changed by another program.
 void DeckWindow::forgetResults(bool reread) {
   plan_->forget();
   statics_->forget();
@@ -237,8 +237,7 @@ void DeckWindow::proposeInside() {
     const deck::InnerGeometry inner = deck::propose_inner(deck);
     document_.change(inner.sets);
     page_->sync(true);
-    desktop::show_message(this, tr("An estimate, in place of what the deck had; Ctrl+Z takes it "
-                                   "back.\n\n%1.")
+    desktop::show_message(this, tr("The deck now has estimated values. Undo with Ctrl+Z.\n\n%1.")
                                     .arg(QString::fromStdString(inner.reasons)));
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -280,17 +279,19 @@ void DeckWindow::makeToolBar() {
   bar->addAction(undo_);
   bar->addAction(redo_);
   bar->addSeparator();
-  button(tr("Plan"), tr("What this deck would simulate and why (F5)"), &DeckWindow::showPlan);
+  button(tr("Plan"), tr("Effects that this deck simulates, with reasons (F5)"),
+         &DeckWindow::showPlan);
   button(tr("Quasi-static"), tr("Equilibrium, contacts and life (F6)"),
          &DeckWindow::runQuasiStatic);
-  button(tr("Run"), tr("Save the deck and run it whole (F7)"), &DeckWindow::runDeck);
-  button(tr("Accuracy"), tr("What accuracy costs for this deck (F9)"), &DeckWindow::studyAccuracy);
+  button(tr("Run"), tr("Save the deck and run it (F7)"), &DeckWindow::runDeck);
+  button(tr("Accuracy"), tr("Error against computing time for this deck (F9)"),
+         &DeckWindow::studyAccuracy);
   bar->addSeparator();
-  button(tr("Dark/Light"), tr("Change the colours (Ctrl+D)"), &DeckWindow::switchTheme);
-  button(tr("Quit"), tr("End AdrInput (Ctrl+Q)"), &DeckWindow::close);
+  button(tr("Dark/Light"), tr("Dark or light theme (Ctrl+D)"), &DeckWindow::switchTheme);
+  button(tr("Quit"), tr("Quit AdrInput (Ctrl+Q)"), &DeckWindow::close);
 }
 
-/// Saves and goes on, unless the deck is refused or the user does not want it.
+/// Saves and continues, unless the deck has errors or the user cancels.
 void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()> then) {
   if (!document_.changed_on_disk(path)) {
     if (writeTo(path) && then) then();
@@ -309,12 +310,12 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
     remember(document_.path());
     QString said = tr("Saved %1").arg(QString::fromStdString(path.string()));
     if (!document_.kept_copy().empty())
-      said += tr("; the file as it was is kept as %1")
+      said += tr("; the previous file is kept as %1")
                   .arg(QString::fromStdString(document_.kept_copy().filename().string()));
     std::error_code unknown;
     if (!draft.empty() && document_.draft().empty() && !std::filesystem::exists(draft, unknown))
-      said += tr("; the draft %1 became it and is gone")
-                  .arg(QString::fromStdString(draft.filename().string()));
+      said +=
+          tr("; the draft %1 was deleted").arg(QString::fromStdString(draft.filename().string()));
     statusBar()->showMessage(said, 8000);
     return true;
   } catch (const InputError& error) {
@@ -336,7 +337,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
   box->setTextFormat(Qt::PlainText);
   desktop::delete_when_done(*box);
   box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
-  QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
+  QPushButton* park = box->addButton(tr("Save as draft …"), QMessageBox::ActionRole);
   park->setObjectName("park-draft");
   connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {
     if (button == park) parkDraft();
@@ -345,7 +346,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
 }
 
 void DeckWindow::askForName(std::function<void()> then) {
-  // No name mends a deck.
+  // Another name does not remove errors.
   if (const std::vector<Issue> errors = document_.errors(); !errors.empty())
     return refuseToSave(errors, {});
   auto* dialog = new QFileDialog(this, tr("Save deck"), settings().value("folder").toString(),
@@ -364,7 +365,7 @@ void DeckWindow::askForName(std::function<void()> then) {
 void DeckWindow::parkDraft() {
   document_.end_step();
   auto* dialog =
-      new QFileDialog(this, tr("Park the deck as a draft"), settings().value("folder").toString(),
+      new QFileDialog(this, tr("Save the deck as a draft"), settings().value("folder").toString(),
                       tr("Drafts of AdrInput (*.draft);;All files (*)"));
   dialog->setObjectName("save-draft");
   desktop::delete_when_done(*dialog);
@@ -381,7 +382,7 @@ void DeckWindow::parkDraft() {
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
       document_.save_draft(file.toStdString());
-      statusBar()->showMessage(tr("Parked as %1; no run takes it before it is saved").arg(file),
+      statusBar()->showMessage(tr("Saved as draft %1. Save it as a deck to run it.").arg(file),
                                8000);
     } catch (const std::exception& error) {
       desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -408,7 +409,7 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
   if (!document_.modified()) return then();
   auto* box = new QMessageBox(
       QMessageBox::Warning, "AdrInput",
-      tr("%1 has changes that are not saved. Save them?")
+      tr("%1 has unsaved changes. Save them?")
           .arg(document_.path().empty() ? tr("The new deck")
                                         : QString::fromStdString(short_name(document_.path()))),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
@@ -427,14 +428,14 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
 
 void DeckWindow::leaveRun(std::function<void()> then) {
   if (!run_->busy()) return then();
-  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("A run is going on. Quitting ends it; its files are valid up to "
-                                 "the last stored step."),
-                              QMessageBox::Cancel, this);
+  auto* box = new QMessageBox(
+      QMessageBox::Warning, "AdrInput",
+      tr("A run is active. Quitting stops it; its files are valid up to the last stored step."),
+      QMessageBox::Cancel, this);
   box->setObjectName("running");
   desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);
-  QPushButton* quit = box->addButton(tr("End the run"), QMessageBox::DestructiveRole);
+  QPushButton* quit = box->addButton(tr("Stop the run"), QMessageBox::DestructiveRole);
   connect(box, &QMessageBox::buttonClicked, this, [quit, then](QAbstractButton* button) {
     if (button == quit) then();
   });

@@ -57,12 +57,12 @@ void DeckWindow::makeCompareMenu(QMenu* file) {
 }
 
 void DeckWindow::makeUnitsMenu(QMenu* view) {
-  other_units_ = view->addAction(tr("Show other &units too"));
+  other_units_ = view->addAction(tr("Show both &unit systems"));
   other_units_->setObjectName("other-units-action");
   other_units_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
   other_units_->setCheckable(true);
   connect(other_units_, &QAction::toggled, this, [this](bool on) { page_->setOtherUnits(on); });
-  QAction* reopen = view->addAction(tr("R&eopen the last deck at start"));
+  QAction* reopen = view->addAction(tr("R&eopen last deck at startup"));
   reopen->setObjectName("reopen");
   reopen->setCheckable(true);
   reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());
@@ -70,8 +70,8 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
           [](bool on) { QSettings("Adore", "adrinput").setValue("session/reopen", on); });
 }
 
-/// For each kind of quantity the unit that its values are shown in; beside each field a button does
-/// the same.
+/// The unit in which values of each kind of quantity are shown; same as the button next to each
+/// field.
 void DeckWindow::makeUnitChoices(QMenu* view) {
   QMenu* choices = view->addMenu(tr("Show &values in"));
   choices->setObjectName("unit-choices");
@@ -87,7 +87,7 @@ void DeckWindow::makeUnitChoices(QMenu* view) {
         action->setCheckable(true);
         action->setChecked(chosen_unit(si) == unit);
       };
-      add(tr("as in the deck"), {});
+      add(tr("as in deck"), {});
       for (const std::string_view unit : deck::usual_units({si, si})) {
         const QString name = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
         add(name, name);
@@ -104,8 +104,7 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
   if (!way) {
     desktop::show_message(
         this,
-        tr("%1 is on record %2, which is not part of this deck. It is there "
-           "when %3.")
+        tr("%1 is in record %2, which this deck does not have. It requires %3.")
             .arg(name, record_number(spec), QString::fromStdString(std::string(spec.condition))));
     return;
   }
@@ -116,9 +115,8 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
   showRecord(way->option.record);
   page_->focusCell(way->option);
   search_notice_->ask(
-      (way->enough ? tr("%1 is on record %2, which this deck has with %3 = %4%5.")
-                   : tr("%1 is on record %2, which this deck does not have; %3 = %4%5 is the first "
-                        "step to it."))
+      (way->enough ? tr("%1 is in record %2, which requires %3 = %4%5.")
+                   : tr("%1 is in record %2, which this deck does not have. Set %3 = %4%5 first."))
           .arg(name, record_number(spec), option_name, code,
                meaning.isEmpty() ? QString() : " (" + meaning + ")"),
       {{"set-option", tr("&Set %1 = %2").arg(option_name, code),
@@ -132,7 +130,7 @@ void DeckWindow::goToOptionOf(const Cell& cell) {
           else
             goToOptionOf(cell);
         }},
-       {"leave-option", tr("Leave it"), nullptr}});
+       {"leave-option", tr("Ignore"), nullptr}});
 }
 
 void DeckWindow::showPage(const std::string& record) {
@@ -147,18 +145,17 @@ void DeckWindow::refreshNotices() {
     units_notice_->hide();
   } else if (!units_notice_->isVisibleTo(this)) {
     const bool si = document_.deck().units() == deck::UnitSystem::SI;
-    units_notice_->ask(tr("The deck is in %1 now. Its numbers are still those of %2, "
-                          "but for what is typed since.")
+    units_notice_->ask(tr("The deck is now in %1, but values entered earlier are still in %2.")
                            .arg(si ? tr("SI units") : tr("English units"),
                                 si ? tr("English units") : tr("SI units")),
-                       {{"convert", tr("C&onvert the values"),
+                       {{"convert", tr("C&onvert values"),
                          [this] {
                            document_.convert_values();
                            page_->sync(true);
                            page_->setFocus();
                            page_->focusFirst();
                          }},
-                        {"keep-numbers", tr("&Keep the numbers"), [this] {
+                        {"keep-numbers", tr("&Keep numbers"), [this] {
                            document_.keep_numbers();
                            page_->focusFirst();
                          }}});
@@ -173,14 +170,14 @@ void DeckWindow::checkFile() {
   const QString name = QString::fromStdString(short_name(path));
   if (!std::filesystem::exists(path, error)) {
     file_notice_->ask(
-        tr("%1 was removed or renamed by another program. Saving writes it again.").arg(name),
+        tr("Another program removed or renamed %1. Saving creates it again.").arg(name),
         {{"file-ok", tr("OK"), nullptr}});
     return;
   }
   if (!document_.changed_on_disk(path)) return file_notice_->hide();
   const bool mine = document_.modified();
   file_notice_->ask(tr("Another program changed %1.").arg(name),
-                    {{"reload", mine ? tr("Reload, &dropping my changes") : tr("Reloa&d"),
+                    {{"reload", mine ? tr("Reload, &discard my changes") : tr("Reloa&d"),
                       [this, path] {
                         const std::string page = current_;
                         if (openFile(path)) showPage(page);
@@ -198,9 +195,8 @@ void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> the
       const std::filesystem::path before = document_.path();
       const std::string page = document_.restore(bytes);
       if (!before.empty() && before != document_.path())
-        statusBar()->showMessage(tr("%1, which was open here, is closed")
-                                     .arg(QString::fromStdString(short_name(before))),
-                                 8000);
+        statusBar()->showMessage(
+            tr("%1 was closed").arg(QString::fromStdString(short_name(before))), 8000);
       forgetResults();
       checkNow();
       current_.clear();
@@ -228,7 +224,7 @@ void DeckWindow::compareWith(deck::Deck other, const QString& name) {
 void DeckWindow::compareWithSaved() {
   if (document_.path().empty())
     return desktop::show_message(this, tr("The deck has not been saved yet."));
-  compareWithFile(document_.path(), tr("the file as saved"));
+  compareWithFile(document_.path(), tr("the saved file"));
 }
 
 void DeckWindow::compareWithFile(const std::filesystem::path& path, const QString& name) {

@@ -46,11 +46,11 @@ void DeckWindow::refreshProblems() {
   }
   if (problems_->count() == 0) {
     const bool ready = document_.deck_state() == DeckState::Ready;
-    auto* item = new QListWidgetItem(
-        state_icon(ready ? RecordState::Complete : RecordState::Untouched),
-        ready ? tr("The deck is complete and has no problem.")
-              : tr("The deck has no error; whether a run begins is being found out …"),
-        problems_);
+    auto* item =
+        new QListWidgetItem(state_icon(ready ? RecordState::Complete : RecordState::Untouched),
+                            ready ? tr("The deck is complete and has no problems.")
+                                  : tr("The deck has no errors. Checking that the run can start …"),
+                            problems_);
     item->setFlags(Qt::ItemIsEnabled);
   }
   problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
@@ -87,7 +87,7 @@ void DeckWindow::stepProblem(int by) {
   tabs_->setCurrentWidget(problems_);
   if (count == 0) return;
   const int here = problems_->currentRow();
-  // One that is mended has left the list, and the next stands in its row.
+  // A corrected problem is removed from the list, and the next one is in its row.
   const bool mended =
       by > 0 && here >= 0 && here < count && !visited_problem_.empty() &&
       document_.problems()[static_cast<std::size_t>(here)].issue.text() != visited_problem_;

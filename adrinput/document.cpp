@@ -49,7 +49,7 @@ void Document::start(State state) {
   kept_copy_.clear();
   model_issues_.clear();
   change_issues_.clear();
-  // What a file holds beyond what its options ask for waits with the rest.
+  // Values of the file that its options do not need are kept with the hidden ones.
   for (const deck::RecordData& record : std::exchange(state_.deck.shelf, {}))
     state_.shelf.try_emplace({record.id, record.instance}, record);
   settle();
@@ -75,7 +75,7 @@ void Document::start_new(std::string_view template_name) {
 void Document::start_with(const std::string& text) {
   deck::ReadResult read = deck::read_deck_text(text, "new deck");
   if (!read.ok()) throw InputError(std::move(read.issues));
-  start_new("ball");  // what a new deck is in every other respect
+  start_new("ball");  // otherwise like a new deck
   State state;
   state.deck = std::move(read.deck);
   state.deck.file.clear();
@@ -167,7 +167,7 @@ void Document::type(const Cell& cell, std::string_view typed) {
   notify();
 }
 
-/// What is being typed becomes the value; the step is one for undo, and none when nothing changed.
+/// The text being typed becomes the value; one step for undo, and none if nothing changed.
 void Document::end_step() {
   if (typing_) {
     const Cell cell = *std::exchange(typing_, std::nullopt);
@@ -175,7 +175,7 @@ void Document::end_step() {
     if (draft != state_.drafts.end()) {
       const std::string typed = draft->second;
       const State& before = undo_.back().state;
-      const auto held = before.drafts.find(cell);  // what the field held before it was typed in
+      const auto held = before.drafts.find(cell);  // content of the field before typing
       state_.drafts.erase(draft);
       if (held != before.drafts.end()) state_.drafts[cell] = held->second;
       edit(cell, meaning ? meaning(cell, typed) : typed);
@@ -334,7 +334,7 @@ void Document::find_problems() {
     const deck::VariableSpec& variable = *variable_of(cell);
     deck::NumberProblem problem = parse(cell, typed).problem;
     if (!problem)  // of a session that was cut off
-      problem = {"was typed, but not yet taken as the value", "press Enter in its field"};
+      problem = {"was typed but not accepted yet", "press Enter in its field"};
     Issue issue;
     issue.record = cell.record;
     issue.variable = variable.name;
@@ -354,7 +354,7 @@ void Document::find_problems() {
     if (!said) add_problem(std::move(issue));
   }
   find_option_problems();
-  // Refusals keep their marks: an error elsewhere does not make a record run that was refused.
+  // Rejections are kept: an error elsewhere does not remove the rejection of a record.
   if (has_error(problems_)) model_issues_.clear();
   for (const Issue& issue : model_issues_) {
     const std::string text = issue.text();
@@ -387,7 +387,7 @@ void Document::find_problems() {
                    [&](const Problem& a, const Problem& b) { return weight(a) > weight(b); });
 }
 
-/// What a run ends with before its first step; the model says some of it already.
+/// Errors that end a run before its first step; some of them are already errors of the model.
 void Document::add_refusals() {
   if (!refusals_.empty()) return;
   for (Issue issue : start_refusals_) {

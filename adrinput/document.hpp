@@ -19,7 +19,7 @@
 /// The deck being prepared: what the user typed, what is wrong with it, and the way back. No Qt.
 namespace adore::adrinput {
 
-/// What is wrong, and where to go to mend it.
+/// A problem, and the place to correct it.
 struct Problem {
   Issue issue;
   std::string page;          ///< record id; empty when it concerns no record
@@ -37,7 +37,7 @@ enum class DeckState : unsigned char {
 
 enum class RecordState : unsigned char {
   Complete,
-  Untouched,  ///< holds values that stand in for what nobody gave
+  Untouched,  ///< contains default values that the user has not confirmed
   Doubtful,   ///< has warnings
   Wrong       ///< has errors
 };
@@ -49,8 +49,8 @@ class Document {
 
   /// Called after every change of anything below.
   std::function<void()> changed;
-  /// What a text that was typed into a field means, where fields show other units than the deck's
-  /// (as_meant()). Not called for edit().
+  /// Meaning of a typed text if fields show other units than the deck (as_meant()). Not called for
+  /// edit().
   std::function<std::string(const Cell&, const std::string&)> meaning;
 
   /// A new data set from an example deck (deck/templates.hpp). @throws InputError
@@ -58,22 +58,22 @@ class Document {
   /// A new data set from the text of a deck without errors, whose remarks the saved file keeps.
   /// @throws InputError
   void start_with(const std::string& text);
-  /// A broken deck is taken as far as it can be understood: texts that are no values stay in their
-  /// fields, and everything that the reader remarked is among the problems.
-  /// @throws InputError when there is no such file or it is no text; the document stays as it was.
+  /// Reads as much as possible of a deck with errors: texts that are not values stay in their
+  /// fields, and all remarks of the reader are among the problems.
+  /// @throws InputError if the file is missing or is not text; the document is then unchanged.
   void open(const std::filesystem::path& name);
-  /// Writes the deck when `adore check` accepts it and it reads back equal, in the text of the file
-  /// that it was opened from with the file's own remarks (deck/keep_text.hpp). Where that text
-  /// cannot be kept, the first save leaves the old file beside it as NAME.bak. Run options go into
-  /// the ADORE.json beside it when they differ from what it says.
-  /// @throws InputError with every reason against it; no file is touched then.
+  /// Writes the deck if `adore check` accepts it and it reads back equal, based on the text of the
+  /// file that it was opened from, with its comments (deck/keep_text.hpp). If that text cannot be
+  /// kept, the first save keeps the old file as NAME.bak. Run options are written to ADORE.json in
+  /// the same folder if they differ from it.
+  /// @throws InputError with all errors; then no file is changed.
   void save(const std::filesystem::path& name);
-  /// Errors for which save() would refuse the deck whatever the file.
+  /// Errors for which save() would reject the deck for any file.
   [[nodiscard]] std::vector<Issue> errors();
-  /// Where the last save() left the file that was there before; empty when it did not.
+  /// Path of the previous file kept by the last save(); empty if none.
   [[nodiscard]] const std::filesystem::path& kept_copy() const { return kept_copy_; }
-  /// Parks the document, whatever is wrong with it, in a file that only AdrInput reads: open()
-  /// takes it back as it stands here. It counts as saved. @throws InputError
+  /// Saves the document, with errors, as a draft that only AdrInput reads: open() restores it. It
+  /// counts as saved. @throws InputError
   void save_draft(const std::filesystem::path& path);
   /// The draft that holds this document; empty when none does.
   [[nodiscard]] const std::filesystem::path& draft() const { return draft_; }
@@ -85,15 +85,14 @@ class Document {
   [[nodiscard]] bool modified() const;
   /// Did another program change the file that this deck would replace?
   [[nodiscard]] bool changed_on_disk(const std::filesystem::path& path) const;
-  /// Goes on with what is here although another program changed the file: counts as not saved, and
-  /// saving leaves what the other program wrote as NAME.bak.
+  /// Keeps the current deck although another program changed the file: counts as not saved, and
+  /// saving keeps the file of the other program as NAME.bak.
   void keep_mine();
 
-  /// Everything that a later session needs to go on where this one stood, the undo history apart:
-  /// bytes for restore().
+  /// State for restore() in a later session, without the undo history.
   [[nodiscard]] std::string snapshot(std::string_view page) const;
-  /// Returns the page that was shown. @throws InputError when the bytes are no snapshot; the
-  /// document stays as it was. Bytes that hold no whole name make a deck without one.
+  /// Returns the page that was shown. @throws InputError if the bytes are not a snapshot; the
+  /// document is then unchanged. Bytes without a complete name give a deck without name.
   std::string restore(std::string_view bytes);
 
   /// Run options as the page shows them, those that differ from their defaults.
@@ -102,8 +101,8 @@ class Document {
   /// knows because the deck cannot be run.
   [[nodiscard]] const std::vector<std::string>& effects() const { return effects_; }
 
-  /// What the deck's dimensionless times are, as far as somebody found out for the deck as it is
-  /// (step control and name apart).
+  /// Scales of the dimensionless times of the deck, if known for the current deck (step control and
+  /// name may differ).
   void set_scales(const deck::Deck& of, const std::optional<facade::RunScales>& scales);
   [[nodiscard]] std::optional<facade::RunScales> scales() const;
   /// A text of a field as a value: also "5 rev" and "0.02 s" for times of a run.
@@ -122,9 +121,9 @@ class Document {
   /// kOptionsPage (adrinput/options_page.hpp), which are always there.
   [[nodiscard]] std::vector<std::string> pages() const;
   [[nodiscard]] int instances(std::string_view record) const;
-  /// What the field of a cell shows: the value, or the text that is none.
+  /// Content of the field of a cell: the value, or the text that is not a value.
   [[nodiscard]] std::string text(const Cell& cell) const;
-  /// Does the field hold a text that is no value, or not yet?
+  /// Does the field contain a text that is not a value (yet)?
   [[nodiscard]] bool is_draft(const Cell& cell) const { return state_.drafts.count(cell) > 0; }
   /// Why a run of this deck does not use a value, as a clause; empty when it does, and when nobody
   /// knows because the deck cannot be run.
@@ -146,7 +145,7 @@ class Document {
   void change(const std::vector<std::pair<std::string, std::string>>& sets);
   void set_user_lines(std::vector<std::string> lines);
   void end_step();
-  /// The user looked at the record and goes on: its defaults count as given.
+  /// The user has seen the record: its defaults count as confirmed.
   void accept_defaults(std::string_view record);
 
   [[nodiscard]] bool can_undo() const { return !undo_.empty(); }
@@ -172,19 +171,19 @@ class Document {
     }
   };
   [[nodiscard]] Candidate candidate() const { return {state_.deck, options(), path_}; }
-  /// Is it still open whether a run of this deck begins (facade/rehearsal.hpp)?
+  /// Is it still unknown whether a run of this deck can start (facade/rehearsal.hpp)?
   [[nodiscard]] bool wants_rehearsal() const;
-  /// What was found out about a deck, which may be another one by now.
+  /// Result of a check of a deck, which may have changed since.
   /// @param remarks as `adore check` lists them
   void set_rehearsal(const Candidate& of, std::vector<Issue> refusals,
                      std::vector<Finding> remarks = {});
-  /// The files beside the deck are others now, which decide about runs that go on from them.
+  /// Files of the folder have changed, which affects runs that continue from them.
   void forget_rehearsal();
 
  private:
   struct State {
     deck::Deck deck;
-    std::map<Cell, std::string> drafts;  ///< typed texts that are no values
+    std::map<Cell, std::string> drafts;  ///< typed texts that are not values
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
     std::map<std::string, std::string> options;                     ///< run options that are given
     std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; not yet answered

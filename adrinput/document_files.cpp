@@ -79,8 +79,8 @@ deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
   issue.severity = Severity::Note;
   issue.file = path.string();
   issue.line = first_line;
-  issue.message = "holds letters that are not UTF-8; they were read as Latin-1 (ISO 8859-1)";
-  issue.remedy = "saving writes them as UTF-8";
+  issue.message = "contains characters that are not UTF-8; they were read as Latin-1 (ISO 8859-1)";
+  issue.remedy = "saving converts them to UTF-8";
   read.issues.push_back(std::move(issue));
   return read;
 }
@@ -102,10 +102,9 @@ Issue doubtful_units(const std::string& record, deck::UnitSystem now) {
   issue.severity = Severity::Note;
   issue.record = record;
   issue.message = fmt::format(
-      "the remark behind its values speaks of {} units and is kept as it is; "
-      "the deck is in {} units now",
+      "the comment after its values mentions {} units and is kept; the deck is now in {} units",
       si ? "English" : "SI", si ? "SI" : "English");
-  issue.remedy = "change the remark in a text editor";
+  issue.remedy = "correct the comment in a text editor";
   return issue;
 }
 
@@ -150,7 +149,7 @@ void Document::open(const fs::path& name) {
   notify();
 }
 
-/// What the deck itself says as long as it is so needs no remark of the file beside it.
+/// A remark of the deck replaces the same remark of its file.
 void Document::keep_issues_of_file_only() {
   const std::vector<Issue> live = deck::check_deck(state_.deck);
   std::erase_if(file_issues_, [&](const Issue& issue) {
@@ -161,8 +160,8 @@ void Document::keep_issues_of_file_only() {
   });
 }
 
-/// Texts in the file that are no values stay in their fields; so do integers that do not exist,
-/// because a count of a million must not make a million records.
+/// Texts of the file that are not values stay in their fields; so do invalid integers, because a
+/// count of a million must not create a million records.
 void Document::keep_unread_values(const std::vector<Issue>& issues) {
   for (const Issue& issue : issues) {
     const std::optional<Cell> cell = cell_of(issue);
@@ -204,7 +203,7 @@ std::vector<Issue> Document::errors() {
 void Document::save(const fs::path& name) {
   const fs::path path = whole_path(name);
   std::vector<Issue> reasons = errors();
-  // The file's own text goes on, as far as it can; foreign letters as UTF-8.
+  // The text of the file is kept as far as possible; foreign characters as UTF-8.
   deck::KeptText kept{deck::write_deck(state_.deck), original_.empty(), {}};
   if (!original_.empty())
     kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), state_.deck);
@@ -217,9 +216,9 @@ void Document::save(const fs::path& name) {
       Issue issue;
       issue.record = back.deck.records == state_.deck.records ? "12" : "";
       issue.message = issue.record.empty()
-                          ? "a text in the deck would not read back as it stands here"
-                          : "lines of user routines would not read back as they stand here; the "
-                            "first of them looks like a record, or one is blank";
+                          ? "a text of the deck would be read back differently"
+                          : "lines of user routines would be read back differently; the first line "
+                            "looks like a record, or a line is blank";
       issue.remedy = "change that text";
       reasons.push_back(std::move(issue));
     }
@@ -234,7 +233,7 @@ void Document::save(const fs::path& name) {
   original_ = text;
   original_kept_ = text == deck::write_deck(state_.deck);
   foreign_ = broken_ = false;
-  file_issues_ = std::move(back.issues);  // a reader of the new file is told them, too
+  file_issues_ = std::move(back.issues);  // also needed by readers of the new file
   keep_issues_of_file_only();
   for (const std::string& record : kept.doubtful_units)
     file_issues_.push_back(doubtful_units(record, state_.deck.units()));

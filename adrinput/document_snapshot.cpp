@@ -47,7 +47,7 @@ deck::RecordData record_in(const Json& json) {
   deck::RecordData record;
   record.id = json.at("id").get<std::string>();
   if (deck::find_record(record.id) == nullptr)
-    throw InputError("it holds a record that this version does not know: " + record.id);
+    throw InputError("it contains a record that this version does not know: " + record.id);
   record.instance = json.at("instance").get<int>();
   record.line = json.at("line").get<int>();
   for (const Json& list : json.at("values")) {
@@ -201,7 +201,7 @@ std::string Document::restore(std::string_view bytes) {
     notify();
     return page;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(std::string("this is no deck that AdrInput stored: ") + error.what());
+    throw InputError(std::string("this is not a deck stored by AdrInput: ") + error.what());
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kTimeVariation = "3.4";
 
-/// What of a deck has no part in the scale of time: steps, names, and which bodies are stored.
+/// Variables without effect on the time scale: steps, names, and selection of stored bodies.
 bool is_beside_the_scale(std::string_view record, std::string_view variable) {
   return record == "1" || record == "2.1" || record == "2.3" || record == "3.1" ||
          (record == kTimeVariation && (variable == "kNumPltElem" || variable == "kPltElemInd"));
@@ -76,7 +76,7 @@ std::optional<deck::Deck> deck_without_scales(const Document& document) {
   if (document.typing() || document.scales()) return std::nullopt;
   for (const Problem& problem : document.problems()) {
     if (problem.issue.severity != Severity::Error) continue;
-    // A text that is no value leaves the deck with the value before it.
+    // For a text that is not a value the deck keeps the previous value.
     const bool kept = problem.cell && document.is_draft(*problem.cell) && problem.page == "2.1";
     const std::string_view named =
         std::string_view(problem.issue.variable).substr(0, problem.issue.variable.find('['));
@@ -118,13 +118,13 @@ Typed Document::parse(const Cell& cell, std::string_view text) const {
   const std::optional<facade::RunScales> now = scales();
   if (!now)
     return {{},
-            {"is a time whose scale is not known yet",
-             "it is taken when the equilibrium is found, for which other errors must be mended; or "
-             "give a multiple of the time scale"}};
+            {"is a time, but the time scale is not known yet",
+             "correct the other errors, so that the equilibrium gives the time scale, or enter a "
+             "multiple of the time scale"}};
   if (turns && now->turns_per_second == 0.0)
     return {{},
-            {"counts turns, but both races turn alike",
-             "give it in s, or as a multiple of the time scale"}};
+            {"is in revolutions, but both races turn at the same speed",
+             "enter it in s or as a multiple of the time scale"}};
   if (turns) seconds = angle / (2.0 * deck::unit::kPi) / now->turns_per_second;
   double value = 0.0;
   const deck::NumberProblem problem = deck::parse_quantity(

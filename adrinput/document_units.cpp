@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-/// What becomes of the numbers when kUnit changes.
+/// Conversion of values when kUnit changes.
 namespace adore::adrinput {
 
 /// Called after an edit: whether it was the one that changed the units, or changed them back.
@@ -11,7 +11,7 @@ void Document::note_units(deck::UnitSystem before) {
   const deck::UnitSystem now = state_.deck.units();
   if (now == before) return;
   const bool back = state_.numbers_in == now;
-  // What was typed in the other units in the meantime goes back with them.
+  // Values typed in the other units since then are converted back, too.
   if (back && !state_.typed_since.empty()) convert_all(before, now, Given::Alone);
   keep_numbers_given();
   if (!back) state_.numbers_in = before;

@@ -117,7 +117,7 @@ bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, con
   const QFontMetricsF metrics(painter.font());
   QSizeF size = metrics.size(Qt::TextSingleLine, text) + QSizeF(6, 2);
   size.setWidth(std::min(size.width(), area.width()));
-  // Beside the point in eight directions, then further out.
+  // Around the point in eight directions, then farther out.
   for (const double distance : {0.0, 16.0, 28.0, 44.0, 70.0, 100.0}) {
     if (distance < free) continue;
     for (int direction = 0; direction < (distance == 0.0 ? 1 : 8); ++direction) {

@@ -8,10 +8,10 @@
 
 #include <string>
 
-/// What the sources of the drawing share: sizes in pixels, and outlines in the picture.
+/// Shared by the sources of the drawing: sizes in pixels, and outlines in the picture.
 namespace adore::adrinput {
 
-inline constexpr double kAxisLeft = 60.0, kAxisBottom = 38.0;  ///< beside a chart
+inline constexpr double kAxisLeft = 60.0, kAxisBottom = 38.0;  ///< next to a chart
 inline constexpr int kText = 11;                               ///< letters
 
 inline QString text_of(const std::string& text) { return QString::fromStdString(text); }

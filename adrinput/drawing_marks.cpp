@@ -120,7 +120,7 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
   }
   painter.setPen(line);
   if (long_enough >= kShortest) {
-    // A diameter goes on beyond the axis, without a head there.
+    // The line of a diameter continues beyond the axis, without an arrowhead there.
     painter.drawLine(from + u * (d.half ? -size : 0.7 * size), to - u * 0.7 * size);
     if (!d.half) desktop::arrow_head(painter, from, -u, size, colour);
     desktop::arrow_head(painter, to, u, size, colour);

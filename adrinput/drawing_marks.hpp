@@ -9,7 +9,7 @@
 
 class QPainter;
 
-/// The signs of engineering drawings: arrows, dimension lines, hatching. `place` maps metres to
+/// The signs of engineering drawings: arrows, dimension lines, hatching. `place` maps meters to
 /// pixels.
 namespace adore::adrinput::marks {
 
@@ -22,12 +22,12 @@ void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, doubl
 
 void dimension(QPainter& painter, const drawing::Dimension& dimension, const QTransform& place,
                const QColor& colour, double width);
-/// Where the label of a dimension belongs.
+/// Position of the label of a dimension.
 [[nodiscard]] QPointF label_point(const drawing::Dimension& dimension, const QTransform& place);
-/// Is there room for a label of that width within the line itself?
+/// Does a label of that width fit into the line?
 [[nodiscard]] bool room_for(const drawing::Dimension& dimension, const QTransform& place,
                             double width);
-/// Where the label of an arrow belongs.
+/// Position of the label of an arrow.
 [[nodiscard]] QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place);
 /// Is it large enough on the screen to be named without being in focus?
 [[nodiscard]] bool worth_a_name(const drawing::Dimension& dimension, const QTransform& place);

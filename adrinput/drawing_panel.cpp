@@ -33,7 +33,7 @@ DrawingPanel::DrawingPanel(QWidget* parent) : QWidget(parent) {
   setObjectName("drawing-panel");
   views_ = new QComboBox(this);
   views_->setObjectName("drawing-views");
-  desktop::name_box(*views_, tr("View of the drawing"));
+  desktop::name_box(*views_, tr("Drawing view"));
   auto* name = new QLabel(tr("Vie&w"), this);
   name->setBuddy(views_);
   picture_ = new DrawingView(this);

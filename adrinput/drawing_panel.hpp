@@ -14,8 +14,8 @@ class QTimer;
 
 namespace adore::adrinput {
 
-/// The live drawing beside the form: follows the field in focus to the view that shows it, and
-/// keeps the last good drawing, pale and with the reason, while the deck cannot be drawn.
+/// The live drawing next to the form: follows the field in focus to the view that shows it, and
+/// keeps the last valid drawing, pale and with the reason, while the deck cannot be drawn.
 class DrawingPanel : public QWidget {
   Q_OBJECT
  public:

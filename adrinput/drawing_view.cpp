@@ -232,7 +232,7 @@ void DrawingView::paintEvent(QPaintEvent*) {
                      Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, remarks.trimmed());
   }
   if (stale_.isEmpty()) return;
-  const QString text = (old ? tr("The last drawing that was possible. ") : QString()) + stale_;
+  const QString text = (old ? tr("Last valid drawing. ") : QString()) + stale_;
   painter.setFont(desktop::ui_font(12));
   const QRectF room = QRectF(rect()).adjusted(24, 24, -24, -24);
   const QRectF box =
@@ -254,7 +254,7 @@ void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const 
       QFontMetricsF(painter.font()).elidedText(text_of(pane.title), Qt::ElideRight, title.width()));
   painter.setClipRect(frame.area);
   if (!pane.axes.empty()) paintAxes(painter, pane, frame);
-  // What is in focus lies on top of its kind, so that its outline is whole.
+  // The outline of the part in focus is drawn last among its kind.
   for (const drawing::Shape& shape : pane.shapes) paintShape(painter, shape, frame.place);
   for (const drawing::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);

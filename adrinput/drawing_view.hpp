@@ -13,7 +13,7 @@ class QPainter;
 
 namespace adore::adrinput {
 
-/// What the user works on: the drawing shows it in the accent colour, with its measure.
+/// Part in focus: drawn in the accent color, with its dimension.
 struct DrawingFocus {
   std::string record, variable;
   int instance = 1, index = 1;
@@ -36,7 +36,7 @@ class DrawingView : public QWidget {
   [[nodiscard]] const drawing::Drawing& drawing() const { return drawing_; }
   [[nodiscard]] const DrawingFocus& focusOn() const { return focus_; }
 
-  /// What the last painting wrote, and where; labels do not overlap.
+  /// Texts of the last painting, with their areas; labels do not overlap.
   struct Label {
     QRectF box;
     QString text;
@@ -63,7 +63,7 @@ class DrawingView : public QWidget {
  private:
   struct Frame {
     QRectF area;       ///< of the figure on the widget, title excluded
-    QTransform place;  ///< from metres to pixels
+    QTransform place;  ///< from meters to pixels
   };
   struct Zoom {
     double scale = 1.0;
@@ -79,8 +79,8 @@ class DrawingView : public QWidget {
                       const QTransform& place);
   void writeLabels(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
   [[nodiscard]] bool visible(const drawing::Dimension& dimension) const;
-  /// Writes near a point where nothing is written yet; false when there is no room.
-  /// `free`: how far from the point the label has to stay, [px].
+  /// Writes near a point where there is no text yet; false if there is no space.
+  /// `free`: distance of the label from the point, [px].
   bool writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& dimension,
                   const QTransform& place, const QString& text);
   bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,

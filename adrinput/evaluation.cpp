@@ -44,8 +44,8 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
                                     name);
   };
   return fmt::format(
-      "Inner race moves {} axially, {} along y and {} along z. Largest contact load {}, closest "
-      "approach {}. Stiffness {} axially, {} along z.",
+      "Inner race displacement {} axial, {} along y, {} along z. Largest contact load {}, largest "
+      "approach {}. Stiffness {} axial, {} along z.",
       text(found.displacement[0], unit::kLength), text(found.displacement[1], unit::kLength),
       text(found.displacement[2], unit::kLength), text(found.max_load, unit::kForce),
       text(found.max_deflection, unit::kLength), text(found.stiffness(0, 0), unit::kStiffness),
@@ -78,7 +78,7 @@ Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
 Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
                            const RunOptionValues& options) {
   deck::Deck still = deck;
-  still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
+  still.set("mode", "-1");  // only the equilibrium, for any mode of the deck
   still.complete();
   const facade::Prepared ready = prepared(still, path, options);
   listing::Report report(ready.bearing.run_id, deck.units());
@@ -120,7 +120,7 @@ QString EvaluationPanel::headline() const { return headline_; }
 /// The key results; of an older deck with the remark that they are.
 void EvaluationPanel::showNote() {
   QString note = headline_;
-  if (stale_) note = tr("Of the deck as it was before the last change. ") + note;
+  if (stale_) note = tr("Out of date: the deck has changed. ") + note;
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
 }
@@ -140,8 +140,7 @@ void EvaluationPanel::forget() {
 }
 
 void EvaluationPanel::show(const Evaluation& result, bool failed) {
-  headline_ =
-      failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
+  headline_ = failed ? tr("No result:") : QString::fromStdString(result.headline);
   tables_ = result.tables;
   findings_->setFindings(result.findings);
   view_->setPlainText(QString::fromStdString(result.text));

@@ -31,22 +31,22 @@ struct Evaluation {
   std::vector<Finding> findings = {};
 };
 
-/// What this deck would simulate and why; its quasi-static equilibrium as PRINT.txt has it. Both
-/// throw InputError or SolverError with the reason when there is none. `path` is for messages only.
+/// Plan of this deck; its quasi-static equilibrium as in PRINT.txt. Both throw InputError or
+/// SolverError with the reason. `path` is for messages only.
 [[nodiscard]] Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
                                  const RunOptionValues& options);
 [[nodiscard]] Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
                                          const RunOptionValues& options);
 
-/// Runs one of them in the background and shows its text, or the reason why there is none. A text
-/// that no longer belongs to the deck says so.
+/// Runs one of them in the background and shows its text, or the reason for its failure. A text of
+/// an older deck is marked as out of date.
 class EvaluationPanel : public QWidget {
   Q_OBJECT
  public:
   using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&,
                                   const RunOptionValues&);
   EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
-  /// What a screen reader calls its text.
+  /// Accessible name of its text.
   void setTextName(const QString& name);
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,

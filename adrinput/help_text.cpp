@@ -43,10 +43,9 @@ QString variable_help(const deck::Deck& deck, const deck::VariableSpec& variable
 
 QString options_help(const deck::Deck& deck, const deck::RecordSpec& record) {
   QString out =
-      "<h2>Run options</h2><p>What no record of the deck can say. Options that differ from their "
-      "default are kept in the file ADORE.json beside the deck, which every run of a deck in that "
-      "folder reads; it is written when the deck is saved. An empty field means the "
-      "default.</p>";
+      "<h2>Run options</h2><p>Settings that are not part of the deck. Values other than the "
+      "defaults are saved with the deck in the file ADORE.json of the same folder; every run of a "
+      "deck in that folder reads it. An empty field means the default.</p>";
   for (const deck::VariableSpec& variable : record.variables) out += variable_help(deck, variable);
   return out;
 }
@@ -85,77 +84,68 @@ QString record_help(const deck::Deck& deck, const deck::RecordSpec& record) {
   QString out = QString("<h2>Record %1: %2</h2>").arg(record_number(record), escaped(record.title));
   if (record.id == "12") {
     out +=
-        "<p>Lines after the last record belong to user routines, each of which reads its own. "
-        "They are kept as they are, one line each, and written back unchanged.</p>";
+        "<p>Lines after the last record are input of user routines. They are saved unchanged.</p>";
     return out;
   }
   if (record.condition == "true") {
-    out += "<p>Every deck has this record.</p>";
+    out += "<p>Required in every deck.</p>";
   } else {
-    out += QString("<p>A deck has this record when <code>%1</code>.</p>")
-               .arg(escaped(record.condition));
+    out += QString("<p>Required when <code>%1</code>.</p>").arg(escaped(record.condition));
   }
   if (!record.repeat.empty())
-    out += QString("<p>It occurs as often as <b>%1</b> says.</p>").arg(escaped(record.repeat));
+    out += QString("<p>Number of these records: <b>%1</b>.</p>").arg(escaped(record.repeat));
   for (const deck::VariableSpec& variable : record.variables) out += variable_help(deck, variable);
   return out;
 }
 
 QString format_help() {
-  return "<h2>How a deck is written</h2>"
-         "<p>A deck is a plain text file, usually DATA.txt, with one record after the other. Each "
-         "record starts with its label in single quotes, and its values follow with commas between "
-         "them. Names that begin with i to n are whole numbers without a decimal point, with a few "
-         "exceptions that the help names; all others are numbers with one.</p>"
-         "<p>Which records a deck has depends on its options. AdrInput shows just those, in their "
-         "order, and keeps what you typed on a page that goes away until it comes back.</p>"
-         "<p>All values are in SI units or all in English units, as kUnit on record 3.2 says. "
-         "Changing kUnit changes what the numbers mean; AdrInput then offers to convert them.</p>"
-         "<p>A deck is written only when it has no error, with a decimal point whatever your "
-         "language uses. You may type a decimal comma; 10,000 may be ten or ten thousand and is "
-         "asked back. A deck with errors can be parked as a draft "
-         "(File), which no run takes and which AdrInput opens again as it was.</p>"
-         "<p>Numbers may be typed with a unit and with arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 "
-         "GPa, "
-         "3*0.005 (in a vector, where a deck means three values by it, it is asked back), "
-         "1 in + 2 mm. Times and steps of a run take seconds and turns: 0.01 s, 3 rev. "
-         "The deck gets the number in its own unit when you leave the field. "
-         "The button behind a field chooses the unit that values of its kind are shown in; a "
-         "number "
-         "without a unit is in that one.</p>"
-         "<p>Remarks behind the values of a deck that you open stay in the deck that is saved. "
-         "Where that is impossible, and when the file had errors, the old file stays beside it "
-         "with .bak behind its name (.bak2 where there is one already).</p>";
+  return "<h2>Deck format</h2><p>A deck is a plain text file, usually DATA.txt, that consists of "
+         "records. Each record starts with its label in single quotes, followed by its values, "
+         "separated by commas. Variables with names from i to n are integers; all others are real "
+         "numbers with a decimal point. The help lists the few exceptions.</p><p>The options of a "
+         "deck determine which records it needs. AdrInput shows only these. It keeps the values of "
+         "hidden records until you need them again.</p><p>All values are in SI units or all in "
+         "English units (kUnit in record 3.2). When you change kUnit, AdrInput offers to convert "
+         "the values.</p><p>Only a deck without errors can be saved; it always uses a decimal "
+         "point. You may type a decimal comma, but 10,000 is rejected because it is ambiguous. A "
+         "deck with errors can be saved as a draft (File). Drafts cannot be run.</p><p>You may "
+         "type units and arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 GPa, 3*0.005, 1 in + 2 mm. (In a "
+         "vector 3*0.005 is rejected: in a deck it means three values.) Times and steps of a run "
+         "may be in seconds or revolutions: 0.01 s, 3 rev. The value is converted to the unit of "
+         "the deck when you leave the field. The button after a field selects the unit for values "
+         "of its kind; numbers without a unit are in that unit.</p><p>Comments after the values "
+         "are kept when the deck is saved. If that is not possible, or if the file had errors, the "
+         "old file is kept with the suffix .bak (or .bak2).</p>";
 }
 
 QString keyboard_help() {
   const std::pair<const char*, const char*> keys[] = {
       {"Tab, Shift+Tab", "next and previous field"},
-      {"Alt+Down", "list of the choices of a field, or of the units that it can be shown in"},
+      {"Alt+Down", "choices or units of a field"},
       {"Page Down or Alt+Right", "Next Rec"},
       {"Page Up or Alt+Left", "Go Back"},
-      {"Ctrl+F", "find a variable; Down and Enter choose one, Esc returns to the records"},
+      {"Ctrl+F", "find a variable (Down and Enter to select, Esc to cancel)"},
       {"F8, Shift+F8", "next and previous problem"},
       {"Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y", "undo, redo"},
       {"Ctrl+O, Ctrl+S, Ctrl+Shift+S", "open, save, save under another name"},
       {"F1", "help on this record"},
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
-      {"F7, Shift+F7", "save and run this deck; the same into a new folder"},
-      {"F9", "what accuracy costs for this deck"},
-      {"Ctrl+N", "a new deck from the catalogue of bearings"},
-      {"Ctrl+U", "values also in the other system of units"},
+      {"F7, Shift+F7", "save and run this deck; run it in a new folder"},
+      {"F9", "accuracy study of this deck"},
+      {"Ctrl+N", "new deck from the bearing catalog"},
+      {"Ctrl+U", "show both unit systems"},
       {"Ctrl+K", "compare with another deck"},
-      {"Ctrl+G, Ctrl+T", "show or hide the drawing, the charts of the solution"},
-      {"Ctrl+D", "dark or light"},
+      {"Ctrl+G, Ctrl+T", "show or hide the drawing; the solution charts"},
+      {"Ctrl+D", "dark or light theme"},
       {"Ctrl+Q", "quit"},
-      {"wheel over the form", "scrolls; it changes no field"},
-      {"wheel over the drawing", "zooms about the pointer"},
-      {"drag in the drawing", "moves it; a double click shows all again"},
-      {"click on a measure", "goes to its field"},
-      {"wheel over a chart", "zooms along the abscissa; with Ctrl along a panel's own axis"},
-      {"drag in a chart", "moves; with Shift zooms into a box; a double click shows everything"},
-      {"dropping a file", "opens the deck"}};
+      {"wheel over the form", "scroll (fields do not change)"},
+      {"wheel over the drawing", "zoom at the pointer"},
+      {"drag in the drawing", "move; double click: show all"},
+      {"click a dimension", "go to its field"},
+      {"wheel over a chart", "zoom the horizontal axis; Ctrl: the vertical axis of a panel"},
+      {"drag in a chart", "move; Shift: zoom to a box; double click: show all"},
+      {"drop a file", "open the deck"}};
   QString out = "<h2>Keys and mouse</h2><table cellpadding='3'>";
   for (const auto& [key, what] : keys)
     out += QString("<tr><td><b>%1</b>&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>").arg(key, what);

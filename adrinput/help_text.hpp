@@ -14,8 +14,8 @@ namespace adore::adrinput {
 /// Keys and habits of the window.
 [[nodiscard]] QString keyboard_help();
 
-/// "kBrg = 1 (ball bearing), nCseg = 1": the options behind a condition as they stand; empty for a
-/// record that every deck has.
+/// "kBrg = 1 (ball bearing), nCseg = 1": the current options of a condition; empty for a record
+/// that every deck has.
 [[nodiscard]] QString reason_for(const deck::Deck& deck, std::string_view condition);
 
 /// "Record 5A — Ball bearing geometry", or what the page of options is called.

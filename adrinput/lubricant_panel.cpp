@@ -25,7 +25,7 @@ constexpr int kPause = 300;                           // ms
 constexpr int kLeastWidth = 400, kLeastHeight = 360;  // of a chart with four lines of notes
 constexpr int kLeastDockWidth = 140, kLeastDockHeight = 120;
 constexpr int kDockTitle = 40;     // its height, at most
-constexpr int kRoomForDock = 640;  // of the window, for list and form beside it
+constexpr int kRoomForDock = 640;  // width of the window for list and form next to the dock
 
 desktop::ChartPage sentence(const std::string& text) {
   desktop::ChartPage page;
@@ -40,7 +40,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   pages_ = new QComboBox(this);
   pages_->setObjectName("lubricant-page");
-  desktop::name_box(*pages_, tr("Chart of the lubricant"));
+  desktop::name_box(*pages_, tr("Lubricant chart"));
   pages_->addItems(
       {tr("Traction over slip"), tr("Viscosity over pressure"), tr("Film and lambda")});
   chart_ = new desktop::ChartView(this);
@@ -48,7 +48,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   chart_->setMinimumSize(kLeastWidth, kLeastHeight);
   conditions_ = new QLabel(this);
   conditions_->setObjectName("lubricant-conditions");
-  conditions_->setAccessibleName(tr("Conditions of the chart"));
+  conditions_->setAccessibleName(tr("Chart conditions"));
   conditions_->setWordWrap(true);
   conditions_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // Docks ask no label how high it is at its width: three lines at the least width.
@@ -117,14 +117,13 @@ void LubricantPanel::showPage() {
     if (!contact)
       return chart_->showPage(
           sentence(deck_.integer("kTrac") == 0
-                       ? "kTrac = 0 on record 10.0: no lubricant. All contacts have the traction "
-                         "of their curves (records 10.1 to 10.5), which the drawing of those "
-                         "records shows"
-                       : "kTrac on record 10.0 names no lubricant of the table: a routine ADRX7 "
-                         "has its own traction"));
+                       ? "kTrac = 0 in record 10.0: no lubricant. All contacts use the traction "
+                         "curves of records 10.1 to 10.5; see the drawing of those records"
+                       : "kTrac in record 10.0 is not a lubricant of the table: the user routine "
+                         "ADRX7 defines the traction"));
     desktop::ChartPage page = desktop::lubricant_pages(*contact, desktop::LubricantTitle::Lubricant)
                                   .at(static_cast<std::size_t>(pages_->currentIndex()));
-    // There is little room: what is drawn stands in the list above, conditions below the chart.
+    // The space is limited: the list above names the charts, the conditions are below.
     conditions_->setText(QString::fromStdString(page.title + ": " + page.subtitle));
     page.title = page.title.substr(0, page.title.find(" ("));
     page.subtitle.clear();

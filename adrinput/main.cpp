@@ -20,7 +20,7 @@ namespace {
 
 int render(int& argc, char** argv, const std::filesystem::path& deck,
            const adrinput::RenderOptions& options) {
-  if (deck.empty()) throw InputError("--render needs a deck whose pages are to be drawn");
+  if (deck.empty()) throw InputError("--render needs a deck");
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
   const auto pages = adrinput::is_study(deck) ? adrinput::render_study(deck, options)
@@ -50,25 +50,23 @@ int show(int& argc, char** argv, const std::filesystem::path& deck) {
 
 int main(int argc, char** argv) {
   const auto program = command_line::make_program(
-      "AdrInput: prepares data decks, record by record, with checks as you type. Without a deck it "
-      "starts with the example ball bearing; without --render it opens a window.",
+      "AdrInput: editor for decks, with checks as you type. Without a deck it opens the example "
+      "ball bearing.",
       "adrinput");
   CLI::App& cli = *program;
   std::filesystem::path deck;
   adrinput::RenderOptions options;
   std::string size = "1280x800";
-  cli.add_option("DECK", deck,
-                 "deck file, a folder that holds DATA.txt, or a study file (.json, .toml)")
+  cli.add_option("DECK", deck, "deck file, folder with DATA.txt, or study file (.json, .toml)")
       ->type_name("DECK");
-  auto* folder =
-      cli.add_option("--render", options.folder,
-                     "write every page as PNG into this folder instead of opening a window")
-          ->type_name("DIR");
+  auto* folder = cli.add_option("--render", options.folder,
+                                "write all pages as PNG to this folder instead of opening a window")
+                     ->type_name("DIR");
   cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
-  cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
+  cli.add_flag("--dark", options.dark, "dark theme")->needs(folder);
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrinput", [&] {
     const auto pixels = desktop::parse_size(size);

@@ -22,7 +22,7 @@ NoticeBar::NoticeBar(const QString& name, QWidget* parent)
   hide();
 }
 
-/// Painted by hand: a style sheet here would fix the colours of the buttons.
+/// Painted by hand: a style sheet here would fix the colors of the buttons.
 void NoticeBar::paintEvent(QPaintEvent* /*event*/) {
   const desktop::Theme& theme = desktop::current_theme();
   QPainter painter(this);

@@ -61,7 +61,7 @@ const deck::RecordSpec& options_record() {
   static const deck::RecordSpec record = [] {
     deck::RecordSpec out;
     out.id = kOptionsPage;
-    out.title = "Run options, kept beside the deck";
+    out.title = "Run options (ADORE.json)";
     out.condition = "true";
     static std::vector<std::string> sentences;  // the specs refer to them
     std::size_t texts = 0;
@@ -136,17 +136,18 @@ void Document::find_option_problems() {
   issue.severity = Severity::Warning;
   issue.record = kOptionsPage;
   if (!option_file_.problem().empty()) {
-    issue.message = "the file beside the deck " + option_file_.problem();
+    issue.message = "the file next to the deck " + option_file_.problem();
     issue.remedy =
-        "mend it in an editor, for no run takes it; saving with an option changed here replaces it "
-        "and keeps it as ADORE.json.bak";
+        "correct it in an editor, or change an option here and save: this replaces the file and "
+        "keeps it as ADORE.json.bak";
     add_problem(issue);
   }
   for (const std::string& name : option_file_.strange()) {
     issue.message = fmt::format(
-        "the file beside the deck gives \"{}\", which is no run option or has no plain value",
+        "the file next to the deck contains \"{}\", which is not a run option or has an invalid "
+        "value",
         name);
-    issue.remedy = "it is kept there, but a run refuses it; mend the file in an editor";
+    issue.remedy = "a run rejects it; correct the file in an editor";
     add_problem(issue);
   }
 }

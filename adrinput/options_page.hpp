@@ -18,7 +18,7 @@ inline constexpr std::string_view kOptionsPage = "ADORE.json";
 /// A record of the schema, or the page of options; nullptr when there is no such page.
 [[nodiscard]] const deck::RecordSpec* page_record(std::string_view id);
 
-/// What the field of an option shows: what is given, or the default.
+/// Content of the field of an option: its value, or the default.
 [[nodiscard]] std::string option_text(const std::map<std::string, std::string>& given,
                                       const Cell& cell);
 

@@ -14,7 +14,7 @@ class QColor;
 class QGridLayout;
 class QLabel;
 
-/// What the form of a record is made of.
+/// Parts of the form of a record.
 namespace adore::adrinput {
 
 [[nodiscard]] inline QString text_of(std::string_view text) {
@@ -37,7 +37,7 @@ inline constexpr int kBetween = 14;  ///< name and value
   return record.starts_with("5G.1D.");
 }
 
-/// A field as wide as its values want it, less where there is no room.
+/// A field as wide as its values need, less if there is no space.
 class ValueLine : public QLineEdit {
  public:
   ValueLine(bool text, QWidget* parent);
@@ -47,7 +47,7 @@ class ValueLine : public QLineEdit {
   int usual_;
 };
 
-/// As wide as its longest text, less where there is no room; the open list is never narrower.
+/// As wide as its longest text, less if there is no space; the open list is never narrower.
 class ChoiceBox : public QComboBox {
  public:
   explicit ChoiceBox(QWidget* parent);

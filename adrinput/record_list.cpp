@@ -31,8 +31,8 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Draws a sign and all lines of a text: the style's own drawing writes dots for the last line of
-/// some texts although there is room.
+/// Draws a sign and all lines of a text: the style would shorten the last line of some texts with
+/// dots although there is space.
 class WrappedText : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -88,7 +88,7 @@ QListWidget* make_list(const QString& name, QWidget* parent) {
   return list;
 }
 
-/// Told apart by their shape, so that nobody needs to see the colours.
+/// Distinguished by shape, for color-blind users.
 QPixmap state_sign(RecordState state, const QColor& colour) {
   QPixmap pixmap(32, 32);
   pixmap.setDevicePixelRatio(2.0);
@@ -137,7 +137,7 @@ QString state_text(RecordState state) {
     case RecordState::Complete:
       return "complete";
     case RecordState::Untouched:
-      return "holds values that nobody gave yet";
+      return "has default values";
     case RecordState::Doubtful:
       return "has a warning";
     case RecordState::Wrong:
@@ -200,51 +200,51 @@ RecordList::RecordList(Document& document, QWidget* parent)
   sync();
 }
 
-/// Would a run begin? No record says that of itself.
+/// State of the deck: can a run start?
 void RecordList::syncState() {
   const auto errors = static_cast<int>(
       std::count_if(document_.problems().begin(), document_.problems().end(),
                     [](const Problem& p) { return p.issue.severity == Severity::Error; }));
   RecordState sign = RecordState::Complete;
-  QString text = tr("Ready to run"), more = tr("A run of this deck begins.");
+  QString text = tr("Ready to run"), more = tr("A run of this deck can start.");
   switch (document_.deck_state()) {
     case DeckState::Wrong:
       sign = RecordState::Wrong;
       text = errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors);
-      more = tr("The deck has errors; click for the first one (or F8)");
+      more = tr("The deck has errors. Click for the first one (F8).");
       break;
     case DeckState::Refused:
       sign = RecordState::Doubtful;
       text = tr("Run refused");
-      more = tr("`adore run` ends before its first step; click to see why");
+      more = tr("The run cannot start. Click for the reason.");
       break;
     case DeckState::Unchecked:
       sign = RecordState::Untouched;
       text = tr("Checking …");
-      more = tr("Finding out whether a run of this deck begins");
+      more = tr("Checking that the run can start");
       break;
     case DeckState::Ready:
       if (const std::string none = facade::why_no_step(document_.deck()); !none.empty()) {
         sign = RecordState::Doubtful;
         text = tr("Ready: no motion");
-        more = tr("A run computes the quasi-static solution and makes no step: %1.")
+        more = tr("A run computes only the quasi-static solution: %1.")
                    .arg(QString::fromStdString(none));
       } else if (document_.deck().integer("mode") < 0) {
         text = tr("Ready: quasi-static");
-        more = tr("A run computes the quasi-static solution only: mode is %1.")
+        more = tr("A run computes only the quasi-static solution: mode = %1.")
                    .arg(document_.deck().integer("mode"));
       }
       if (const int warnings = document_.warnings(); warnings > 0) {
         sign = RecordState::Doubtful;
         text += warnings == 1 ? tr(", 1 warning") : tr(", %1 warnings").arg(warnings);
-        more += tr(" The problems list its warnings; click for the first one.");
+        more += tr(" Click for the first warning.");
       }
       break;
   }
   state_->setIcon(state_icon(sign));
   state_->setText(text);
   state_->setToolTip(more);
-  state_->setAccessibleName(tr("State of the deck: %1").arg(text));
+  state_->setAccessibleName(tr("Deck state: %1").arg(text));
 }
 
 void RecordList::sync() {
@@ -297,14 +297,14 @@ void RecordList::search(const QString& query) {
   }
   describeFound();
   if (found_->count() == 0) {
-    auto* item = new QListWidgetItem(tr("No variable says that."), found_);
+    auto* item = new QListWidgetItem(tr("No variable found."), found_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     found_->setCurrentRow(0);
   }
 }
 
-/// What was found, and pale where the deck does not have it now.
+/// Search results, pale if the deck does not have them now.
 void RecordList::describeFound() {
   for (int row = 0; row < found_->count(); ++row) {
     QListWidgetItem* item = found_->item(row);
@@ -317,7 +317,7 @@ void RecordList::describeFound() {
     const bool here = document_.instances(cell.record) > 0;
     QString text = QString("%1 · record %2\n%3")
                        .arg(text_of(variable.name), record_number(record), text_of(variable.help));
-    if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
+    if (!here) text += tr("\nNot in this deck: requires %1").arg(text_of(record.condition));
     text = breakable(text);
     if (item->text() != text) item->setText(text);
     item->setForeground(here ? QBrush() : QBrush(desktop::current_theme().muted));
@@ -334,7 +334,7 @@ bool RecordList::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && object == query_ && query_->text().isEmpty()) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-      event->ignore();  // an empty search has nothing of its own to undo: the deck has
+      event->ignore();  // an empty search has no text to undo: the shortcut is for the deck
       return true;
     }
   }

@@ -46,7 +46,7 @@ class RecordList : public QWidget {
   QToolButton* state_;  ///< of the deck as a whole
 };
 
-/// Sign and colour of a state: a check mark, a ring, a triangle or a cross.
+/// Sign and color of a state: a check mark, a ring, a triangle or a cross.
 [[nodiscard]] QIcon state_icon(RecordState state);
 [[nodiscard]] QString state_text(RecordState state);
 

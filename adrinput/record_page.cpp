@@ -69,10 +69,10 @@ Cell RecordPage::cellOf(std::size_t variable) const {
   return cell;
 }
 
-/// The name beside the value or, where the page is narrow, above it.
+/// The name next to the value or, on a narrow page, above it.
 void RecordPage::place(Row& row) {
   const int column = narrow_ ? 0 : 1, span = narrow_ ? 2 : 1;
-  // Where one table holds all variables, a grid below it tells of each.
+  // If a table contains all variables, a grid below it describes each.
   const std::vector<QLabel*> below =
       row.value != nullptr ? std::vector<QLabel*>{row.other, row.problem, row.help, row.unused}
                            : std::vector<QLabel*>{row.help, row.unit, row.problem};
@@ -97,7 +97,7 @@ void RecordPage::place(Row& row) {
 
 /// Sideways scrolling is worse than a longer page.
 void RecordPage::fitTo(int width) {
-  constexpr int kLetters = 42;  // that a value wants beside its name
+  constexpr int kLetters = 42;  // width of a value next to its name
   int names = 0, least = 0;
   for (const Row& row : rows_) {
     if (row.grid == nullptr) continue;
@@ -121,12 +121,12 @@ void RecordPage::fitTo(int width) {
 void RecordPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   for (Row& row : rows_)
-    if (row.combo != nullptr) showAside(row);  // a list that became narrow says what it hides
+    if (row.combo != nullptr) showAside(row);  // a narrower list shows its hidden text in a tooltip
 }
 
 bool RecordPage::event(QEvent* event) {
   if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
-    parentWidget()->installEventFilter(this);  // what can be seen of the page
+    parentWidget()->installEventFilter(this);  // visible area of the page
     fitTo(parentWidget()->width());
   }
   return QWidget::event(event);

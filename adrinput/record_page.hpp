@@ -35,7 +35,7 @@ class RecordPage : public QWidget {
   /// Puts the keyboard focus on a value. False when this page has no field for it.
   bool focusCell(const Cell& cell);
   void focusFirst();
-  /// Shows beside each value what it is in the other system of units.
+  /// Shows each value in the other unit system, too.
   void setOtherUnits(bool shown);
   /// The field of a variable: QLineEdit or QComboBox, or the table that holds it.
   [[nodiscard]] QWidget* fieldOf(std::size_t variable) const;
@@ -60,7 +60,7 @@ class RecordPage : public QWidget {
     QGridLayout* grid = nullptr;
     int at = 0;                    ///< the first of its rows in the grid
     QVBoxLayout* value = nullptr;  ///< field and what belongs to it
-    QHBoxLayout* side = nullptr;   ///< field, unit and, where there is room, its limits
+    QHBoxLayout* side = nullptr;   ///< field, unit and, if there is space, its limits
     QLabel* help = nullptr;
     QLineEdit* line = nullptr;
     QComboBox* combo = nullptr;
@@ -99,9 +99,9 @@ class RecordPage : public QWidget {
   const deck::RecordSpec& spec_;
   std::vector<Row> rows_;
   QLabel* reason_ = nullptr;
-  QPushButton* other_units_ = nullptr;  ///< beside kUnit
+  QPushButton* other_units_ = nullptr;  ///< next to kUnit
   bool shows_other_units_ = false;
-  bool narrow_ = false;  ///< names stand above their values, not beside them
+  bool narrow_ = false;  ///< names are above their values, not next to them
   QPlainTextEdit* lines_ = nullptr;
 };
 

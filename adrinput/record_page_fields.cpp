@@ -104,7 +104,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
     side->addWidget(row.choice = makeUnitChoice(variable));
   if (record_ == kOptionsPage && variable.name == "effectsOff")
     side->addWidget(row.names = makeEffectNames(cellOf(v)));
-  // Limits stand beside a field; below a table, which may be as wide as the page.
+  // Limits are next to a field; below a table, which may be as wide as the page.
   auto* whole = new QVBoxLayout;
   whole->setSpacing(2);
   whole->addLayout(side);
@@ -141,8 +141,8 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
   button->setText(tr("Choose"));
   button->setFocusPolicy(Qt::NoFocus);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(tr("Effects of this deck that a run can leave out (Alt+Down in the field)"));
-  button->setAccessibleName(tr("Effects that a run leaves out"));
+  button->setToolTip(tr("Effects that can be switched off (Alt+Down in the field)"));
+  button->setAccessibleName(tr("Disabled effects"));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, cell] {
     menu->clear();
@@ -155,7 +155,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
       if (!names.contains(QString::fromStdString(name))) names << QString::fromStdString(name);
     names.sort();
     if (names.isEmpty())
-      menu->addAction(tr("This deck has no motion, or errors: nothing to leave out"))
+      menu->addAction(tr("No effect to switch off: the deck has errors or no motion"))
           ->setEnabled(false);
     for (const QString& name : names) {
       QAction* action = menu->addAction(tr("without %1").arg(name));
@@ -184,9 +184,7 @@ QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
   button->setFocusPolicy(Qt::NoFocus);
   button->setAutoRaise(true);
   button->setPopupMode(QToolButton::InstantPopup);
-  button->setToolTip(
-      tr("Unit in which values of this kind are shown; the deck keeps its own "
-         "(Alt+Down in the field)"));
+  button->setToolTip(tr("Display unit; the deck keeps its unit (Alt+Down in the field)"));
   button->setAccessibleName(tr("Unit of %1").arg(text_of(variable.name)));
   auto* menu = new QMenu(button);
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &variable] {
@@ -200,7 +198,7 @@ QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
         emit unitChosen();
       });
     };
-    add(tr("%1, as in the deck").arg(text_of(deck::unit_name(document_.deck(), variable))), {});
+    add(tr("%1, as in deck").arg(text_of(deck::unit_name(document_.deck(), variable))), {});
     for (const std::string_view unit : deck::usual_units(variable.unit))
       if (unit != deck::unit_name(document_.deck(), variable)) add(text_of(unit), text_of(unit));
   });
@@ -209,9 +207,9 @@ QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
 }
 
 QPushButton* RecordPage::makeUnitsButton() {
-  auto* button = new QPushButton(tr("Show other units too"), this);
+  auto* button = new QPushButton(tr("Show both unit systems"), this);
   button->setObjectName("other-units");
-  button->setToolTip(tr("Beside each value what it is in the other system of units (Ctrl+U)"));
+  button->setToolTip(tr("Show each value in both unit systems (Ctrl+U)"));
   button->setCheckable(true);
   button->setAutoDefault(true);
   connect(button, &QPushButton::clicked, this, &RecordPage::otherUnitsWanted);

@@ -11,7 +11,7 @@
 #include <QPlainTextEdit>
 #include <QToolButton>
 
-/// What a record's page shows of the document.
+/// Updates the page of a record from the document.
 namespace adore::adrinput {
 
 void RecordPage::showProblems(Row& row) {
@@ -56,7 +56,7 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
     } else {
       // A code of the file that does not exist is shown as what it is.
       if (index < 0 && !value.isEmpty()) {
-        row.combo->addItem(value + " — no such code", value);
+        row.combo->addItem(value + " — invalid code", value);
         index = row.combo->count() - 1;
       }
       row.combo->setCurrentIndex(index);
@@ -93,8 +93,7 @@ void RecordPage::syncRow(Row& row, bool all) {
   showProblems(row);
 }
 
-/// What a text being typed will be, the value in the other system of units, and whether anything
-/// uses it.
+/// The value of a text being typed, the value in the other unit system, and whether it is used.
 void RecordPage::showAside(Row& row) {
   const Cell cell = cellOf(row.variable);
   if (row.other != nullptr) {
@@ -114,7 +113,7 @@ void RecordPage::showAside(Row& row) {
   const std::string because = document_.unused_because(cell);
   const bool unused = !because.empty();
   const desktop::Theme& theme = desktop::current_theme();
-  row.unused->setText(unused ? tr("Not used now: %1.").arg(QString::fromStdString(because))
+  row.unused->setText(unused ? tr("Not used: %1.").arg(QString::fromStdString(because))
                              : QString());
   row.unused->setVisible(unused);
   row.name->setStyleSheet(unused ? QString("color: %1").arg(theme.muted.name()) : QString());
@@ -134,7 +133,7 @@ void RecordPage::showAside(Row& row) {
 void RecordPage::sync(bool all) {
   const int count = document_.instances(record_);
   QString reason = reason_for(document_.deck(), spec_.condition);
-  if (!reason.isEmpty()) reason = "Asked for by " + reason + ".";
+  if (!reason.isEmpty()) reason = "Required by " + reason + ".";
   reason_->setText(reason);
   reason_->setVisible(!reason.isEmpty());
   if (lines_ != nullptr) {

@@ -49,11 +49,11 @@ void RecordPage::addListedDiameters(QVBoxLayout* layout) {
   table->setAccessibleName(tr("Diameter deviations of rolling elements 1 to 40"));
   table->installEventFilter(this);
   connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
-  layout->addWidget(make_text(tr("Diameter of each rolling element minus the nominal diameter, all "
-                                 "40 of the four records. A row or column copied from a "
-                                 "spreadsheet and pasted here fills the elements from the current "
-                                 "one on; elements that this bearing does not have are pale."),
-                              theme.muted, this));
+  layout->addWidget(
+      make_text(tr("Diameter of each rolling element minus the nominal diameter (40 values in four "
+                   "records). Rows or columns pasted from a spreadsheet fill the elements from the "
+                   "current one on. Elements that the bearing does not have are gray."),
+                theme.muted, this));
   auto* label = new QLabel(tr("Label of this record"), this);
   auto* line = makeLine(cellOf(0));
   line->setObjectName("recID");
@@ -101,8 +101,8 @@ void RecordPage::addUserLines(QVBoxLayout* layout) {
   });
   finish(lines_);
   layout->addWidget(
-      make_text("Lines that user routines read, as they stand at the end of the deck. "
-                "Blank lines are not kept. Leave this empty when there is no routine.",
+      make_text("Lines at the end of the deck that user routines read. Blank lines are removed. "
+                "Leave empty without user routines.",
                 desktop::current_theme().muted, this));
   layout->addWidget(lines_);
 }

@@ -31,7 +31,7 @@ void settle() {
   for (int i = 0; i < 3; ++i) QApplication::processEvents();
 }
 
-/// Pictures show what the checks say, not that they go on.
+/// Pictures show results of the checks, not running checks.
 void wait_for_checks(DeckWindow& window) {
   constexpr qint64 kLongest = 30'000;  // [ms]
   QElapsedTimer waited;
@@ -60,7 +60,7 @@ void scroll_through(QScrollBar& bar, int overlap, const Show& show) {
 std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& options) {
   const fs::path file = facade::deck_path(deck);
   refuse_pipe(file);
-  (void)deck::read_deck(file);  // throws for what is no text, before a window asks
+  (void)deck::read_deck(file);  // throws for files that are not text, before a window asks
   desktop::make_folder(options.folder);
   desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
   DeckWindow window;

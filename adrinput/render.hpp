@@ -11,16 +11,14 @@ struct RenderOptions {
   bool dark = false;
 };
 
-/// Draws the window with every page of a deck as PNG, named NN-record.png; of a form that is longer
-/// than the window also what lies further down, and of tables wider than the window what lies
-/// further right, as NN-record-2.png and so on: every field is whole in some picture. Needs an
-/// application object (desktop/bootstrap.hpp). @throws InputError for a deck or folder that cannot
-/// be used.
+/// Draws the window with all pages of a deck as PNG, named NN-record.png; for a form longer than
+/// the window also the lower parts, and for tables wider than the window the right parts, as
+/// NN-record-2.png and so on: every field is complete in one picture. Needs an application object
+/// (desktop/bootstrap.hpp). @throws InputError for an unusable deck or folder.
 std::vector<std::filesystem::path> render_pages(const std::filesystem::path& deck,
                                                 const RenderOptions& options);
 
-/// The same of a study file: its form, piece by piece, its text, and beside them what the check
-/// says.
+/// The same for a study file: its form in pieces, its text, and the result of the check.
 std::vector<std::filesystem::path> render_study(const std::filesystem::path& file,
                                                 const RenderOptions& options);
 

@@ -14,8 +14,8 @@ void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
                     std::function<void()> replace) {
   auto* box = new QMessageBox(
       QMessageBox::Warning, "AdrInput",
-      QObject::tr("Another program changed %1 since it was opened here. Saving replaces what it "
-                  "wrote.")
+      QObject::tr(
+          "Another program changed %1 after it was opened here. Saving overwrites these changes.")
           .arg(QString::fromStdString(short_name(whole_path(file)))),
       QMessageBox::Save | QMessageBox::Cancel, parent);
   box->setObjectName("changed");

@@ -7,8 +7,8 @@ class QWidget;
 
 namespace adore::adrinput {
 
-/// "Another program changed the file since it was opened here": `replace` when the user wants to
-/// save all the same. The box is a child named "changed".
+/// Asks before overwriting a file that another program changed: calls `replace` if the user agrees.
+/// The box is a child named "changed".
 void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
                     std::function<void()> replace);
 

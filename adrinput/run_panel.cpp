@@ -69,20 +69,20 @@ QString headline_of(const facade::RunOutcome& outcome) {
   const std::string message = in_window_words(outcome.message);
   switch (outcome.status) {
     case facade::RunStatus::Done:
-      // A message says that there was nothing left to do.
+      // A message reports that the run was already complete.
       return from(
           "Done: " + (message.empty() ? done : message + ".") +
           (outcome.missed_end > 0.0
-               ? fmt::format(" maxStps ended it before fTime, {:.6g} s.", outcome.missed_end)
+               ? fmt::format(" maxStps ended the run before fTime, {:.6g} s.", outcome.missed_end)
                : ""));
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);
     case facade::RunStatus::Untrusted:
-      return from("Done, but not to be trusted: " + message + ". " + done);
+      return from("Done, but the results are not reliable: " + message + ". " + done);
     case facade::RunStatus::Failed:
       break;
   }
-  return from("The run gave up: " + message + " The files are valid up to then. " + done);
+  return from("The run failed: " + message + " The files are valid up to then. " + done);
 }
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
@@ -119,18 +119,18 @@ RunPanel::RunPanel(QWidget* parent)
   more_ = new QToolButton(this);
   more_->setObjectName("more-runs");
   more_->setText(tr("More"));
-  more_->setToolTip(tr("Run into a new folder, go on with a run, or run a sweep"));
-  more_->setAccessibleName(tr("More ways to run"));
+  more_->setToolTip(tr("Run in a new folder, continue a run, or run a sweep"));
+  more_->setAccessibleName(tr("More run commands"));
   more_->setPopupMode(QToolButton::InstantPopup);
   auto* ways = new QMenu(more_);
-  ways->addAction(tr("Run into a &new folder"), this, &RunPanel::newFolderWanted);
+  ways->addAction(tr("Run in a &new folder"), this, &RunPanel::newFolderWanted);
   QAction* go_on = ways->addAction(tr("&Continue the run"), this, &RunPanel::continueWanted);
   ways->setToolTipsVisible(true);
   connect(ways, &QMenu::aboutToShow, this, [this, go_on] { nameContinuation(*go_on); });
   ways->addAction(tr("&Sweep a variable …"), this, &RunPanel::sweepWanted);
   more_->setMenu(ways);
   first->addWidget(more_);
-  cancel_ = button(first, tr("&Cancel"), "cancel", tr("End the run after the present step"),
+  cancel_ = button(first, tr("&Cancel"), "cancel", tr("Stop the run after the current step"),
                    &RunPanel::cancel);
   bar_ = new QProgressBar(this);
   bar_->setObjectName("progress");
@@ -147,7 +147,7 @@ RunPanel::RunPanel(QWidget* parent)
   const auto box = [&](const QString& text, const char* name) {
     auto* check = new QCheckBox(text, this);
     check->setObjectName(name);
-    check->setToolTip(tr("Without taking the keyboard; the button brings it to the front"));
+    check->setToolTip(tr("Opens in the background without taking focus"));
     check->setChecked(settings().value(QString("open/%1").arg(name), true).toBool());
     connect(check, &QCheckBox::toggled, this,
             [name](bool on) { settings().setValue(QString("open/%1").arg(name), on); });
@@ -157,13 +157,13 @@ RunPanel::RunPanel(QWidget* parent)
   plots_at_end_ = box(tr("plots"), "plots-at-end");
   animation_at_end_ = box(tr("animation"), "animation-at-end");
   note_ = new QLabel(
-      tr("Runs the deck as `adore run` does, with the results beside it. The deck is saved first."),
+      tr("Saves the deck and runs it like `adore run`. The results are stored in its folder."),
       this);
   note_->setObjectName("run-note");
   note_->setWordWrap(true);
   findings_ = new desktop::FindingsBar(this);
   connect(findings_, &desktop::FindingsBar::chosen, this, &RunPanel::findingChosen);
-  view_ = desktop::make_listing_view(tr("What the run tells"), this);
+  view_ = desktop::make_listing_view(tr("Run messages"), this);
   view_->setObjectName("run-text");
   view_->hide();
   layout->addLayout(first);
@@ -187,7 +187,7 @@ void RunPanel::enableButtons() {
   enableViewers();
 }
 
-/// A viewer of plots follows a run that goes on.
+/// A plot viewer follows an active run.
 void RunPanel::enableViewers() {
   const RunResults found = results();
   plots_->setEnabled(!found.plots.isEmpty());
@@ -202,7 +202,7 @@ RunResults RunPanel::results() const {
   return results_in(resultFolder(), computed_);
 }
 
-/// The folder of results and, for the day when it is removed or made, the one that it stands in.
+/// The folder of results and its parent folder, in case it is removed or created.
 void RunPanel::watchResults() {
   namespace fs = std::filesystem;
   QStringList wanted;
@@ -239,7 +239,7 @@ void RunPanel::show(const facade::Progress& progress) {
   }
   stored_ = stored_ || progress.step > 0;
   enableViewers();
-  // Beside the bar stands what will end the run.
+  // Next to the bar: the limit that ends the run.
   const std::string left = duration_text(progress.remaining);
   headline_ =
       from(progress.last_step > 0
@@ -265,14 +265,13 @@ void RunPanel::show(const RunEnd& end) {
     showSweep(*end.sweep);
   } else {
     const QString reason = from(in_window_words(end.reason));
-    // Progress is told now and then only: a short run may have stored steps before.
+    // Progress is reported at intervals: a short run may have stored steps before.
     const RunResults since = results_in(resultFolder(), computed_, began_);
     stored_ = stored_ || (!end.results_exist && since.moved);
-    headline_ = stored_ ? tr("The run ended at %1 %, for this reason: %2")
-                              .arg(100 * bar_->value() / kBarSteps)
-                              .arg(reason)
-                        : tr("The deck was not run, for this reason: %1").arg(reason);
-    if (stored_ && since.moved) headline_ += tr(" What was stored up to then can be opened.");
+    headline_ =
+        stored_ ? tr("The run stopped at %1 %: %2").arg(100 * bar_->value() / kBarSteps).arg(reason)
+                : tr("The deck was not run: %1").arg(reason);
+    if (stored_ && since.moved) headline_ += tr(" The results stored before can be opened.");
   }
   view_->setVisible(!view_->toPlainText().isEmpty());
   showNote();
@@ -287,18 +286,19 @@ void RunPanel::show(const RunEnd& end) {
     if (plots) showPlots(true);
     if (animation) showAnimation(true);
     if (plots || animation)
-      view_->appendPlainText(tr("Open behind this window: %1. The buttons bring them to the front.")
-                                 .arg(plots && animation ? tr("plots and animation")
-                                      : plots            ? tr("plots")
-                                                         : tr("animation")));
+      view_->appendPlainText(
+          tr("Opened in the background: %1. The buttons bring them to the front.")
+              .arg(plots && animation ? tr("plots and animation")
+                   : plots            ? tr("plots")
+                                      : tr("animation")));
   }
   emit finished();
 }
 
 void RunPanel::showNote() {
   note_->setText(!stale_    ? headline_
-                 : another_ ? tr("Of another deck, %1. ").arg(from(file_.string())) + headline_
-                            : tr("Of the deck as it was before the last change. ") + headline_);
+                 : another_ ? tr("From another deck, %1. ").arg(from(file_.string())) + headline_
+                            : tr("Out of date: the deck has changed. ") + headline_);
 }
 
 void RunPanel::setAnother(const std::filesystem::path& now) {
@@ -383,7 +383,7 @@ void RunPanel::showListing() {
   auto* layout = new QVBoxLayout(window);
   layout->addWidget(listing, 1);
   layout->addWidget(buttons);
-  window->show();  // beside the form: the user goes on there
+  window->show();  // next to the form, which keeps the focus
 }
 
 }  // namespace adore::adrinput

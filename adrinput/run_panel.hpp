@@ -40,31 +40,30 @@ class RunPanel : public QWidget {
   /// Starts a viewer; desktop::start_program unless a test looks on.
   Launch launch;
 
-  /// Runs the deck file, whose content is `deck`, with the ADORE.json beside it, which holds
-  /// `options`. Results go there too, in place of those that this panel computed of the same deck;
-  /// others are replaced only after a question (a box named "replace-results", decision 748).
+  /// Runs the deck file, whose content is `deck`, with the ADORE.json of its folder, which contains
+  /// `options`. Results are stored there and replace those that this panel computed for the same
+  /// deck; others are replaced only after a question (a box named "replace-results", decision 748).
   void start(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
-  /// The same into a folder of its own below the deck's, "run-001" and on.
+  /// The same in a new folder of the deck's folder, "run-001" and so on.
   void startInNewFolder(const std::filesystem::path& file, const deck::Deck& deck,
                         const RunOptionValues& options);
-  /// Goes on up to its end with the run whose MASTER and FINAL stand in `folder`; empty: beside the
-  /// deck.
+  /// Continues the run with MASTER and FINAL in `folder` to its end; empty: folder of the deck.
   void continueRun(const std::filesystem::path& file, const deck::Deck& deck,
                    const RunOptionValues& options, const std::filesystem::path& folder = {});
-  /// Goes on with the run or sweep that this panel made last; where others were broken off, too, or
-  /// it made none and several were, asks which (a dialog named "continue-which").
+  /// Continues the last run or sweep of this panel; if there are other interrupted ones, asks which
+  /// (a dialog named "continue-which").
   void continueAny(const std::filesystem::path& file, const deck::Deck& deck,
                    const RunOptionValues& options);
-  /// Says in an action what continueAny() would go on with for the deck in the form.
+  /// Sets the text of an action to the run that continueAny() would continue.
   void nameContinuation(QAction& action) const;
   /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
   void sweep(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options, const QString& range);
-  /// The deck of the file `now` was opened: results of another one say so.
+  /// The file `now` was opened: results of another deck are marked.
   void setAnother(const std::filesystem::path& now);
-  /// The deck is this one now: results of an older one say so. What is on the disk beside it can
-  /// be opened, whoever computed it.
+  /// The current deck: results of an older one are marked as out of date. Existing files of its
+  /// folder can be opened, regardless of their origin.
   void setDeck(const std::filesystem::path& file, const deck::Deck& deck,
                const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
@@ -77,7 +76,7 @@ class RunPanel : public QWidget {
   void showListing();
 
  signals:
-  /// The Run button was pressed, or an entry of the menu beside it.
+  /// The Run button or an entry of the menu next to it was used.
   void wanted();
   void newFolderWanted();
   void continueWanted();
@@ -98,10 +97,10 @@ class RunPanel : public QWidget {
   void launchRequest(facade::RunRequest request);
   [[nodiscard]] std::filesystem::path resultFolder() const;
   void askToReplace();
-  /// A run or a sweep that can go on.
+  /// A run or a sweep that can be continued.
   struct Way {
     std::filesystem::path folder;
-    QString state;  ///< what is said of it where there is a choice
+    QString state;  ///< its text if there is a choice
     bool sweep = false;
   };
   [[nodiscard]] std::vector<Way> waysToGoOn(const std::filesystem::path& file,
@@ -113,7 +112,7 @@ class RunPanel : public QWidget {
   void noteMade(bool whole);
   [[nodiscard]] bool madeHere() const;
   [[nodiscard]] bool mayReplace() const;
-  /// The report that stands beside the deck, as far as it can be told from another one.
+  /// The report in the folder of the deck, as far as it can be distinguished from another one.
   [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
   void enableButtons();
   void enableViewers();
@@ -122,7 +121,7 @@ class RunPanel : public QWidget {
   void showPlots(bool behind);
   void showAnimation(bool behind);
   void view(const QString& program, QStringList files, bool behind);
-  /// Of the run that is told here; where there was none, of the deck in the form.
+  /// Of the run shown here; without one, of the deck in the form.
   [[nodiscard]] RunResults results() const;
 
   QPushButton *start_, *cancel_, *plots_, *animation_, *listing_;
@@ -136,7 +135,7 @@ class RunPanel : public QWidget {
   QTimer* look_;  ///< a pause for a program to finish writing
   QString headline_;
   std::filesystem::path file_;        ///< the deck that runs
-  std::filesystem::path out_;         ///< where its results go; empty: beside it
+  std::filesystem::path out_;         ///< folder of the results; empty: folder of the deck
   std::filesystem::path shown_file_;  ///< the deck in the form; empty: it has no name yet
   deck::Deck shown_;
   std::filesystem::file_time_type began_;
@@ -152,7 +151,7 @@ class RunPanel : public QWidget {
   deck::Deck computed_;
   RunOptionValues computed_options_;
   bool stale_ = false, another_ = false;
-  bool tells_sweep_ = false;  ///< what is told of is one
+  bool tells_sweep_ = false;  ///< true if results of a sweep are shown
   bool stored_ = false;       ///< the run has done a step
   SolverRun run_;             ///< last: ends before the widgets that it reports to
 };

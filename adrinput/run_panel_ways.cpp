@@ -48,7 +48,7 @@ facade::RunRequest sweep_request(const fs::path& file, const fs::path& folder,
 }
 
 QString place_of(const fs::path& folder, const fs::path& file) {
-  return folder == file.parent_path() ? RunPanel::tr("beside the deck")
+  return folder == file.parent_path() ? RunPanel::tr("next to the deck")
                                       : RunPanel::tr("in %1").arg(from(folder.filename()));
 }
 
@@ -98,8 +98,8 @@ void RunPanel::sweep(const fs::path& file, const deck::Deck& deck, const RunOpti
   launchRequest(sweep_request(file_, out_, range.toStdString()));
 }
 
-/// What one run of it has is kept: of a deck or program that is another one by now, all of them
-/// would be computed anew in its place.
+/// Existing results of its runs are kept: for another deck or program all of them would be computed
+/// again.
 void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
                              const RunOptionValues& options, const fs::path& file) {
   const auto mark = facade::read_sweep_mark(folder);
@@ -107,10 +107,8 @@ void RunPanel::continueSweep(const fs::path& folder, const deck::Deck& deck,
   facade::RunRequest request = sweep_request(file, folder, mark->range);
   if (mark->request != facade::sweep_digest(request))
     return desktop::show_message(
-        this, tr("The sweep %1 is of the deck as it was before the last change, or was made "
-                 "with other values, run options or another release: its finished runs would be "
-                 "computed again. Take the change back (Ctrl+Z) to continue it, or start a new "
-                 "sweep.")
+        this, tr("The sweep %1 cannot be continued: the deck, the values, the run options or the "
+                 "program version have changed. Undo the change (Ctrl+Z), or start a new sweep.")
                   .arg(place_of(folder, file)));
   begin(file, deck, options);
   if (folder != file.parent_path()) out_ = folder;
@@ -132,7 +130,7 @@ std::vector<RunPanel::Way> RunPanel::waysToGoOn(const fs::path& file,
   };
   const std::vector<UnfinishedSweep> sweeps = unfinished_sweeps(file);
   if (told && !tells_sweep_ && fs::exists(last / "RUN.json", ignored))
-    add(last, "the run that was told of last", false);
+    add(last, "last run of this window", false);
   for (const UnfinishedSweep& one : sweeps)
     if (told && tells_sweep_ && one.folder == last) add(last, one.state, true);
   for (const UnfinishedSweep& one : sweeps) add(one.folder, one.state, true);
@@ -155,14 +153,14 @@ void RunPanel::continueAny(const fs::path& file, const deck::Deck& deck,
   QStringList names;
   for (const Way& way : ways)
     names << tr("%1: %2").arg(
-        way.folder == file.parent_path() ? tr("beside the deck") : from(way.folder.filename()),
+        way.folder == file.parent_path() ? tr("next to the deck") : from(way.folder.filename()),
         way.state);
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("continue-which");
   desktop::delete_when_done(*dialog);
   dialog->setWindowTitle(tr("Continue a run"));
-  dialog->setLabelText(
-      tr("Several runs of %1 can go on. Which?").arg(QString::fromStdString(short_name(file))));
+  dialog->setLabelText(tr("Several runs of %1 can be continued. Which one?")
+                           .arg(QString::fromStdString(short_name(file))));
   dialog->setComboBoxItems(names);
   connect(dialog, &QInputDialog::textValueSelected, this,
           [this, ways, names, file, deck, options](const QString& name) {
@@ -178,7 +176,7 @@ void RunPanel::nameContinuation(QAction& action) const {
   const fs::path beside = shown_file_.parent_path();
   if (ways.size() > 1) {
     action.setText(tr("&Continue a run …"));
-    action.setToolTip(tr("Several can go on; asks which"));
+    action.setToolTip(tr("Several runs can be continued"));
   } else if (ways.size() == 1) {
     const QString place = place_of(ways.front().folder, shown_file_);
     action.setText(ways.front().sweep ? tr("&Continue the sweep %1").arg(place)
@@ -190,7 +188,7 @@ void RunPanel::nameContinuation(QAction& action) const {
     action.setToolTip(from(beside));
   } else {
     action.setText(tr("&Continue the run"));
-    action.setToolTip(tr("There is none to go on from yet"));
+    action.setToolTip(tr("There is no run to continue"));
   }
 }
 
@@ -211,11 +209,10 @@ void RunPanel::launchRequest(facade::RunRequest request) {
   view_->clear();
   bar_->setValue(0);
   tells_sweep_ = facade::is_sweep(request);
-  headline_ = tells_sweep_     ? tr("The runs of the sweep begin …")
-              : !request.go_on ? tr("Finding the equilibrium that the run starts from …")
-              : out_.empty()
-                  ? tr("Reading the state that the run goes on from …")
-                  : tr("Reading the state in %1 to go on from …").arg(from(out_.filename()));
+  headline_ = tells_sweep_     ? tr("Starting the sweep …")
+              : !request.go_on ? tr("Computing the initial equilibrium …")
+              : out_.empty()   ? tr("Reading the stored state …")
+                             : tr("Reading the stored state in %1 …").arg(from(out_.filename()));
   showNote();
   run_.start(std::move(request));
   enableButtons();
@@ -249,19 +246,17 @@ bool RunPanel::mayReplace() const {
 void RunPanel::askToReplace() {
   const bool mine = madeHere();
   const bool cancelled = mine && !made_.at(resultFolder()).whole;
-  const QString what = cancelled ? tr("results of a run that was cancelled")
-                       : mine
-                           ? tr("the results that this window computed before the deck was changed")
-                           : tr("results of an earlier run");
+  const QString what = cancelled ? tr("results of a cancelled run")
+                       : mine    ? tr("results of this window, computed before the deck changed")
+                                 : tr("results of an earlier run");
   auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
-                              tr("The folder of the deck holds %1. Replace them?").arg(what) +
-                                  "\n\n" + QString::fromStdString(short_name(resultFolder())),
+                              tr("The folder contains %1. Replace them?").arg(what) + "\n\n" +
+                                  QString::fromStdString(short_name(resultFolder())),
                               QMessageBox::Cancel, this);
   box->setObjectName("replace-results");
   desktop::delete_when_done(*box);
   box->setDefaultButton(QMessageBox::Cancel);
-  auto* always =
-      new QCheckBox(tr("Replace what this window computed without asking &while it is open"), box);
+  auto* always = new QCheckBox(tr("Do not ask again &while this window is open"), box);
   always->setObjectName("replace-unasked");
   box->setCheckBox(always);
   const auto answer = [&](const QString& text, const char* name, QMessageBox::ButtonRole role) {
@@ -273,7 +268,7 @@ void RunPanel::askToReplace() {
   if (can_go_on(resultFolder(), computed_))
     go_on = answer(tr("C&ontinue the run"), "continue-instead", QMessageBox::ActionRole);
   QPushButton* beside =
-      answer(tr("Run into a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
+      answer(tr("Run in a &new folder"), "new-folder-instead", QMessageBox::ActionRole);
   QPushButton* replace = answer(tr("&Replace them"), "replace-them", QMessageBox::DestructiveRole);
   connect(box, &QMessageBox::buttonClicked, this,
           [this, go_on, beside, replace, always](QAbstractButton* button) {
@@ -295,16 +290,15 @@ void RunPanel::showSweep(const facade::SweepOutcome& sweep) {
   QString text = tr("Table: %1\n").arg(from(sweep.table));
   if (!cancelled) {
     bar_->setValue(bar_->maximum());
-    headline_ = sweep.failed == 0
-                    ? tr("The sweep is done.")
-                    : tr("The sweep is over; %1 no result: the table says why. Run > Continue the "
-                         "sweep %2 makes them again.")
-                          .arg(QString::fromStdString(
-                              counted(sweep.failed, "of its runs has", "of its runs have")))
-                          .arg(place_of(resultFolder(), file_));
+    headline_ = sweep.failed == 0 ? tr("The sweep is done.")
+                                  : tr("The sweep is complete, but %1 no result (see the table). "
+                                       "Run > Continue the sweep %2 repeats them.")
+                                        .arg(QString::fromStdString(counted(
+                                            sweep.failed, "of its runs has", "of its runs have")))
+                                        .arg(place_of(resultFolder(), file_));
   } else {
-    headline_ = tr("The sweep was cancelled; the table holds what is done. Run > Continue the "
-                   "sweep %1 goes on with it, later, too.")
+    headline_ = tr("The sweep was cancelled. The table contains the finished runs. Resume with Run "
+                   "> Continue the sweep %1.")
                     .arg(place_of(resultFolder(), file_));
   }
   for (const Issue& issue : sweep.warnings)

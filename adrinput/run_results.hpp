@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-/// What a run left, as it is on the disk now.
+/// Files of a run on the disk.
 namespace adore::adrinput {
 
 struct RunResults {
@@ -17,8 +17,8 @@ struct RunResults {
   bool moved = false;  ///< `plots` are of a motion
 };
 
-/// Files in a folder under the names that the deck gives them; with `since`, those written from
-/// then on. Nothing of what a program has not written yet, or somebody has removed.
+/// Files in a folder under the names in the deck; with `since`, those written after that time.
+/// Missing files are skipped.
 [[nodiscard]] RunResults results_in(
     const std::filesystem::path& folder, const deck::Deck& deck,
     const std::optional<std::filesystem::file_time_type>& since = std::nullopt);

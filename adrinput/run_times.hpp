@@ -8,7 +8,8 @@
 /// equilibrium has given the scale of time.
 namespace adore::adrinput {
 
-/// Is there a time in seconds or turns that is no value, because nobody knew its scale?
+/// Is there a time in seconds or revolutions that cannot be converted yet, because its scale is
+/// unknown?
 [[nodiscard]] bool has_waiting_times(const Document& document);
 
 /// Takes those whose scale is known by now. Was there one?

@@ -16,9 +16,9 @@ struct Found {
   int score = 0;
 };
 
-/// Best first, at most `most`. Every word of the query that says something must occur; words like
-/// "where" and "is" say nothing. Of those that are as good, the ones that `is_here` says are in the
-/// deck come first: pitchDia is in three records, of which a deck has one.
+/// Best first, at most `most`. Every meaningful word of the query must occur; words like "where"
+/// and "is" are ignored. Among equally good ones those of the deck (`is_here`) come first: pitchDia
+/// is in three records, of which a deck has one.
 [[nodiscard]] std::vector<Found> search_variables(
     std::string_view query, const std::function<bool(const Cell&)>& is_here = {},
     std::size_t most = 60);

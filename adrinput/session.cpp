@@ -41,7 +41,7 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Where it cannot be made, store() says so.
+/// If it cannot be created, store() reports it.
 void make_own_folder(const fs::path& folder) {
   try {
     (void)make_folders(folder);
@@ -88,7 +88,7 @@ Session::Session(DeckWindow& window, const QString& folder)
 Session::~Session() {
   rememberPlace();
   if (window_.document().modified() && window_.isVisible()) {
-    store();  // nobody was asked whether to save
+    store();  // the user was not asked whether to save
   } else if (lock_) {
     remove_both(file_);
   }
@@ -100,15 +100,14 @@ void Session::store() {
     return;
   }
   try {
-    if (!lock_) throw InputError(fmt::format("no file can be made in {}", folder_.string()));
+    if (!lock_) throw InputError(fmt::format("cannot create a file in {}", folder_.string()));
     (void)make_folders(folder_);
     write_file_atomically(file_, window_.document().snapshot(window_.currentRecord()));
     failed_ = false;
   } catch (const std::exception& reason) {
     if (!failed_)
       window_.statusBar()->showMessage(
-          tr("Unsaved changes cannot be stored for the case of a crash: %1")
-              .arg(QString::fromUtf8(reason.what())));
+          tr("Crash recovery is not available: %1").arg(QString::fromUtf8(reason.what())));
     failed_ = true;
   }
 }
@@ -137,7 +136,7 @@ void Session::reopen() {
   const std::string page = settings().value("session/page").toString().toStdString();
   if (deck.isEmpty()) return;
   if (!QFileInfo::exists(deck)) {
-    window_.statusBar()->showMessage(tr("The deck of last time, %1, is not there.").arg(deck));
+    window_.statusBar()->showMessage(tr("The last deck, %1, does not exist.").arg(deck));
     return;
   }
   if (!window_.openFile(deck.toStdString())) return;
@@ -170,7 +169,7 @@ void Session::lookForOrphans() {
 void Session::offerUnsaved() {
   lookForOrphans();
   if (!offerNext())
-    desktop::show_message(&window_, tr("No deck was left unsaved by an earlier session."));
+    desktop::show_message(&window_, tr("There are no unsaved decks from earlier sessions."));
 }
 
 bool Session::offerNext() {
@@ -192,18 +191,18 @@ bool Session::offerNext() {
   try {
     Document left;
     left.restore(bytes_of(file));
-    const QString name = left.path().empty() ? tr("a deck without a name")
+    const QString name = left.path().empty() ? tr("an unnamed deck")
                                              : QString::fromStdString(short_name(left.path()));
     bar.setToolTip(QString::fromStdString(left.path().string()));
-    bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
-                .arg(name, when),
-            {{"restore", tr("Res&tore it"), [this] { restore(); }},
-             {"later", tr("Later"), later},
-             {"discard", tr("Discard it"), discard}});
+    bar.ask(
+        tr("AdrInput ended before %1 was saved. Changes until %2 can be restored.").arg(name, when),
+        {{"restore", tr("Res&tore"), [this] { restore(); }},
+         {"later", tr("Later"), later},
+         {"discard", tr("Discard"), discard}});
   } catch (const std::exception& reason) {
-    bar.ask(tr("An unsaved deck of %1 cannot be restored: %2. It stays in %3.")
+    bar.ask(tr("An unsaved deck of %1 cannot be restored: %2. It is kept in %3.")
                 .arg(when, QString::fromUtf8(reason.what()), QString::fromStdString(file.string())),
-            {{"later", tr("Keep it"), later}, {"discard", tr("Discard it"), discard}});
+            {{"later", tr("Keep"), later}, {"discard", tr("Discard"), discard}});
   }
   return true;
 }

@@ -15,8 +15,8 @@ namespace adore::adrinput {
 
 class DeckWindow;
 
-/// What outlives a window: the deck being typed, stored a moment after each change for the case
-/// that the program does not end orderly, and where the user stood when it did.
+/// State that survives a crash: the deck being typed, stored shortly after each change, and the
+/// page of the user.
 class Session : public QObject {
   Q_OBJECT
  public:
@@ -30,11 +30,11 @@ class Session : public QObject {
   /// Size and place of the window; the deck and page of last time unless the user named a deck; and
   /// the question what to do with decks that a program left behind when it was cut off.
   void begin(bool deck_named);
-  /// Asks about the first deck that was left behind; says so when there is none.
+  /// Asks about the first unsaved deck of earlier sessions; reports if there is none.
   void offerUnsaved();
   /// Stores what is not saved, now.
   void store();
-  /// Where this window's deck is stored while it is not saved.
+  /// File of the unsaved deck of this window.
   [[nodiscard]] std::filesystem::path file() const { return file_; }
 
  private:
@@ -52,7 +52,7 @@ class Session : public QObject {
   DeckWindow& window_;
   std::filesystem::path folder_, file_;
   std::optional<InstanceLock> lock_;  ///< nothing: nothing can be stored
-  std::vector<Orphan> orphans_;       ///< not yet answered, the first one is asked about
+  std::vector<Orphan> orphans_;       ///< unanswered questions; the first one is shown
   QTimer* timer_;
   bool failed_ = false;
 };

@@ -93,7 +93,7 @@ void SolutionCharts::forget() {
 
 void SolutionCharts::setStale(bool stale) {
   if (choice_->count() == 0) return;
-  note_->setText(tr("Of the deck as it was before the last change."));
+  note_->setText(tr("Out of date: the deck has changed."));
   note_->setVisible(stale);
 }
 

@@ -14,8 +14,8 @@ class ChartView;
 
 namespace adore::adrinput {
 
-/// Charts of a quasi-static solution beside the form: load around the bearing, contact ellipses in
-/// the grooves, and what else AdrPlot shows of it.
+/// Charts of a quasi-static solution next to the form: load distribution, contact ellipses in the
+/// grooves, and other pages of AdrPlot.
 class SolutionCharts : public QWidget {
   Q_OBJECT
  public:

@@ -18,19 +18,19 @@ class StartCheck : public QObject {
  public:
   explicit StartCheck(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Called in the thread of this object with the deck that was asked about last.
+  /// Called in the thread of this object with the deck of the last request.
   std::function<void(const Document::Candidate&, facade::Rehearsal)> found;
 
   /// An earlier question that is open is given up.
   void ask(Document::Candidate candidate);
-  /// What is being found out no longer counts: files have changed since it was asked.
+  /// The running check is obsolete: files have changed since the request.
   void forget();
   [[nodiscard]] bool busy() const { return background_.busy(); }
 
  private:
   void start(Document::Candidate candidate);
 
-  std::optional<Document::Candidate> asked_;  ///< what is being found out; none: nobody waits
+  std::optional<Document::Candidate> asked_;  ///< current request; none: idle
   std::optional<Document::Candidate> next_;
   Background background_;
 };

@@ -47,7 +47,7 @@ void StudyDocument::start_new(const fs::path& file, const std::string& kind, con
     std::error_code error;
     const fs::path beside = fs::proximate(deck, fs::absolute(file).parent_path(), error);
     values["deck"] = (error || beside.empty() ? deck : beside).string();
-    // One that cannot be read is told by the check.
+    // Files that cannot be read are reported by the check.
     if (const fs::path whole = fs::absolute(deck, error); fs::is_regular_file(whole, error))
       values = fitted_to(std::move(values), deck::read_deck(whole).deck);
   }
@@ -69,7 +69,7 @@ void StudyDocument::read_values() {
     if (read.json.is_object()) values_ = std::move(read.json);
     loose_comments_ = read.loose_comments;
   } catch (const InputError&) {
-    // check() says why.
+    // check() gives the reason.
   }
 }
 
@@ -177,7 +177,7 @@ void StudyDocument::remove_row(std::string_view table, std::size_t row) {
   StudyJson values = *values_;
   StudyJson& list = values[std::string(table)];
   list.erase(list.begin() + static_cast<long>(row));
-  // An empty list of these says no more than none.
+  // An empty list of these is equivalent to none.
   if (list.empty() && (table == "correlation" || table == "variables"))
     values.erase(std::string(table));
   write_values(std::move(values), "");
@@ -240,7 +240,7 @@ StudyDocument::Finding StudyDocument::check() const {
     out.runs = 0;
     out.problem = error.what();
     out.key = studies::key_of_sentence(out.problem, path_.string());
-    // The window's title says which file it is.
+    // The title of the window names the file.
     const std::string folder = path_.has_parent_path() ? path_.parent_path().string() + "/" : "";
     if (!folder.empty() && out.problem.starts_with(folder)) out.problem.erase(0, folder.size());
   }

@@ -23,7 +23,7 @@ class StudyDocument {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const std::string& text() const { return state_; }
-  /// Nothing while the text is no JSON or TOML: the form has nothing to show.
+  /// Null while the text is not JSON or TOML: the form is then empty.
   [[nodiscard]] const std::optional<StudyJson>& values() const { return values_; }
   /// The last change wrote a TOML file anew (studies/study_splice.hpp), and comments behind values
   /// or inside lists went.
@@ -51,7 +51,7 @@ class StudyDocument {
   /// @throws InputError when it cannot be written
   void save(const std::filesystem::path& file);
 
-  /// What `adore study plan` would say, in the same words but for the folder; empty: nothing.
+  /// Problems of `adore study plan`, in the same words except for the folder; empty: none.
   struct Finding {
     std::string problem;  ///< empty: the study can start
     std::string key;      ///< "variables[2].normal": what it is about; may be empty
@@ -59,10 +59,10 @@ class StudyDocument {
   };
   [[nodiscard]] Finding check() const;
 
-  /// Keeps what is not saved beside the file until it is saved or given up.
+  /// Stores unsaved changes next to the file until they are saved or discarded.
   void store_unsaved() const;
   void forget_unsaved() const;
-  /// What an earlier program left there; nothing when it is what the file holds.
+  /// Changes of an earlier session; empty if they equal the file.
   [[nodiscard]] std::optional<std::string> unsaved_text() const;
   [[nodiscard]] std::filesystem::path unsaved_path() const;
 

@@ -52,7 +52,7 @@ double load(const deck::Deck& deck, const std::string& name) {
   return deck.has(name) ? deck.real(name) : 0.0;
 }
 
-/// Numbers that are not about what the deck has are scaled to it.
+/// Quantities that the deck does not have are adapted to it.
 void about_own(StudyJson& row, const deck::Deck& deck) {
   const std::string name = variable_of_row(row);
   const double own = name.empty() || !deck.has(name) ? 0.0 : deck.real(name);
@@ -126,7 +126,7 @@ void in_units_of(StudyJson& row, const deck::Deck& deck) {
   if (row.contains("step")) convert(row["step"]);
 }
 
-/// A cage without guide lands has the play of its pockets.
+/// For a cage without guide lands the pocket clearance is used.
 void add_pocket_play(StudyJson& rows, const deck::Deck& deck) {
   constexpr const char* kPlay = "bPocCls1";
   const double own = deck.has(kPlay) ? deck.real(kPlay) : 0.0;

@@ -8,8 +8,9 @@
 #include <string_view>
 #include <vector>
 
-/// What the form of a study shows: fields and tables over the keys of the file, and how a value is
-/// typed. Nothing here judges a value: text that is no number goes to the checker as it is. No Qt.
+/// Content of the form of a study: fields and tables over the keys of the file, and conversion of
+/// typed values. Values are not checked here: texts that are not numbers are passed to the checker.
+/// No Qt.
 namespace adore::adrinput {
 
 using StudyJson = nlohmann::ordered_json;
@@ -42,7 +43,7 @@ struct StudyField {
 [[nodiscard]] const std::vector<StudyField>& study_fields();
 [[nodiscard]] const StudyField* find_study_field(std::string_view key);
 
-/// What a cell proposes while it is typed.
+/// Proposals of a cell while it is edited.
 enum class Proposals : unsigned char { None, Variables, Results };
 
 struct StudyColumn {
@@ -60,7 +61,7 @@ struct StudyTableSpec {
 
 /// As a field shows it; empty for what is not there.
 [[nodiscard]] std::string shown_value(const StudyJson& value);
-/// What was typed, as a value of the file; null for nothing.
+/// Typed text as a value of the file; null for empty text.
 [[nodiscard]] StudyJson typed_value(StudyCell cell, const std::string& text);
 
 /// A row of a table (a JSON value of its list) as cells, one for each column.

@@ -96,7 +96,7 @@ void StudyForm::addTable(QBoxLayout* column, const StudyTableSpec& spec) {
   auto* row = new QHBoxLayout;
   auto* remove = new QPushButton(tr("Remove row"), box);
   remove->setObjectName("remove-" + from(spec.key));
-  remove->setToolTip(tr("Remove the row of the present cell (Ctrl+Delete)"));
+  remove->setToolTip(tr("Remove the current row (Ctrl+Delete)"));
   remove->setAutoDefault(true);
   remove->setFocusPolicy(Qt::TabFocus);  // the cell stays the present one
   connect(remove, &QPushButton::clicked, table, &StudyTable::removeCurrentRow);
@@ -113,14 +113,15 @@ void StudyForm::addTable(QBoxLayout* column, const StudyTableSpec& spec) {
 void StudyForm::syncField(const Field& field) {
   const QString text = QString::fromStdString(document_.field(*field.spec));
   if (auto* line = qobject_cast<QLineEdit*>(field.input)) {
-    // "5, " on the way to "5, 50" is not taken away; what is typed means what the file has.
+    // "5, " while typing "5, 50" is not removed; the typed text has the meaning of the value in the
+    // file.
     const bool typing = line->hasFocus() &&
                         shown_value(typed_value(field.spec->cell, line->text().toStdString())) ==
                             text.toStdString();
     if (line->text() != text && !typing) line->setText(text);
   } else if (auto* list = qobject_cast<QComboBox*>(field.input)) {
     int at = list->findText(text);
-    if (at < 0) {  // what the file has, right or wrong
+    if (at < 0) {  // content of the file, valid or not
       list->addItem(text);
       at = list->count() - 1;
     }

@@ -54,18 +54,16 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   };
   auto* grid = new QGridLayout;
   plan_ = button(tr("&Plan"), "study-plan",
-                 tr("Save, make up to three of the runs, and say how many there are, how long they "
-                    "take and how much disk (F5)"));
-  start_ = button(tr("&Run"), "study-run",
-                  tr("Save and make all runs that have no result yet (F7); what an earlier start "
-                     "finished is not made again"));
-  cancel_ = button(tr("&Cancel"), "study-cancel",
-                   tr("End the runs under way; finished ones are recorded, Run goes on with the "
-                      "others"));
+                 tr("Save, make up to three pilot runs, and estimate number of runs, computing "
+                    "time and disk space (F5)"));
+  start_ = button(tr("&Run"), "study-run", tr("Save and run all cases without a result (F7)"));
+  cancel_ =
+      button(tr("&Cancel"), "study-cancel",
+             tr("Stop the active runs. Finished runs are kept; Run continues with the others."));
   results_ = button(tr("Res&ults"), "study-results", tr("Open the pictures in AdrPlot"));
-  retry_ = button(tr("Retr&y failed"), "study-retry", tr("Make those again that failed"));
-  over_budget_ = button(tr("Start &all the same"), "study-over-budget",
-                        tr("Although the plan exceeds the study's budget"));
+  retry_ = button(tr("Retr&y failed"), "study-retry", tr("Repeat failed runs"));
+  over_budget_ =
+      button(tr("Run &anyway"), "study-over-budget", tr("Run even if the plan exceeds the budget"));
   connect(plan_, &QPushButton::clicked, this, &StudyPanel::planWanted);
   connect(start_, &QPushButton::clicked, this, &StudyPanel::runWanted);
   connect(cancel_, &QPushButton::clicked, this, &StudyPanel::cancel);
@@ -85,16 +83,16 @@ StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
   engine_->setObjectName("study-engine");
   desktop::name_box(*engine_, tr("Engine"));
   engine_->addItems({"local", "slurm"});
-  engine_->setToolTip(tr("Who computes: processes here, or a cluster under Slurm"));
+  engine_->setToolTip(tr("Compute with local processes or on a Slurm cluster"));
   engine_label->setBuddy(engine_);
   new WheelGuard(engine_);
-  auto* workers_label = new QLabel(tr("at a ti&me"), this);
+  auto* workers_label = new QLabel(tr("&max. runs"), this);
   workers_ = new QSpinBox(this);
   workers_->setObjectName("study-workers");
-  workers_->setAccessibleName(tr("Runs at a time"));
+  workers_->setAccessibleName(tr("Parallel runs"));
   workers_->setRange(0, 1024);
   workers_->setSpecialValueText(tr("auto"));
-  workers_->setToolTip(tr("Runs at a time; auto: as many as cores and memory allow"));
+  workers_->setToolTip(tr("Parallel runs; auto: limited by cores and memory"));
   workers_label->setBuddy(workers_);
   new WheelGuard(workers_);
   row->addWidget(engine_label);
@@ -138,7 +136,7 @@ void StudyPanel::checkNow() {
   state_->setPalette(colours);
   state_->setText(
       finding_.problem.empty()
-          ? tr("%1%2. The study has no mistake that shows before it starts.")
+          ? tr("%1%2. The study has no errors.")
                 .arg(document_.kind() == studies::Kind::WorstCase ? tr("At most ") : QString())
                 .arg(from(counted(finding_.runs, "run")))
           : from(in_window_words(finding_.problem)));
@@ -180,7 +178,7 @@ void StudyPanel::startPlan() {
   over_budget_text_.clear();
   view_->clear();
   bar_->setRange(0, 0);
-  note_->setText(tr("Making up to three of the runs to measure what they cost …"));
+  note_->setText(tr("Making up to three pilot runs …"));
   run_.plan(request());
   enableButtons();
 }
@@ -192,7 +190,7 @@ void StudyPanel::startRun(bool retry_failed, bool over_budget) {
   over_budget_text_.clear();
   view_->clear();
   bar_->setRange(0, 0);  // until the pilot runs are made
-  note_->setText(tr("Starting: up to three runs come first, to measure what one costs …"));
+  note_->setText(tr("Starting with up to three pilot runs …"));
   StudyRun::Request asked = request();
   asked.retry_failed = retry_failed;
   asked.over_budget = over_budget;
@@ -223,16 +221,16 @@ void StudyPanel::show(const StudyEnd& end) {
   if (!end.reason.empty()) {
     note_->setText(from(in_window_words(end.reason)));
   } else if (end.interrupted) {
-    note_->setText(tr("Cancelled; runs that were finished are recorded."));
+    note_->setText(tr("Cancelled. Finished runs are kept."));
   } else if (end.plan) {
     over_budget = !end.plan->over_budget.empty();
-    note_->setText(over_budget ? tr("The plan exceeds what the study may take.")
-                               : tr("The pilot runs are recorded: Run does not make them again."));
+    note_->setText(over_budget ? tr("The plan exceeds the budget of the study.")
+                               : tr("The pilot runs are kept and not repeated."));
   } else if (end.outcome) {
     note_->setText(from(studies::outcome_text(*end.outcome)) +
-                   (end.outcome->complete ? QString()
-                                          : tr("\nCancelled; finished runs are recorded. Resume "
-                                               "makes the others.")));
+                   (end.outcome->complete
+                        ? QString()
+                        : tr("\nCancelled. Finished runs are kept; Resume runs the others.")));
     if (end.outcome->runs > 0)
       bar_->setValue(static_cast<int>(kBarSteps * end.outcome->done / end.outcome->runs));
   }
@@ -252,7 +250,7 @@ void StudyPanel::showStatus() {
   failed_ = 0;
   bar_->setValue(0);
   view_->clear();
-  note_->setText(tr("Plan measures what the study takes; Run makes it. Results go into %1.")
+  note_->setText(tr("Plan estimates the cost; Run starts the study. Results: %1.")
                      .arg(from(std::filesystem::path(document_.path())
                                    .replace_extension(".study")
                                    .filename()
@@ -266,9 +264,9 @@ void StudyPanel::showStatus() {
     bar_->setValue(status.runs > 0 ? static_cast<int>(kBarSteps * status.done / status.runs) : 0);
     note_->setText(from(fmt::format("{} of {} runs done, {} of them failed; {}", status.done,
                                     status.runs, status.failed,
-                                    status.at_work ? "another program is at work on it"
+                                    status.at_work ? "another program is running it"
                                     : complete_    ? "complete"
-                                                   : "Resume goes on with the others")));
+                                                   : "Resume runs the others")));
     std::string failures;
     for (const std::string& text : status.diagnoses) failures += in_window_words(text) + "\n";
     view_->setPlainText(from(failures));

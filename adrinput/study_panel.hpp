@@ -18,8 +18,8 @@ class QTimer;
 
 namespace adore::adrinput {
 
-/// Beside the form: what is wrong with the study, or how many runs it has; the plan; the run with
-/// its progress; the report.
+/// Next to the form: errors of the study, or its number of runs; the plan; progress of the run; the
+/// report.
 class StudyPanel : public QWidget {
   Q_OBJECT
  public:

@@ -18,13 +18,13 @@ struct StudyEnd {
   std::string text;  ///< of the plan, or the report
   std::optional<studies::CampaignOutcome> outcome;
   std::string reason;        ///< why there is nothing; empty: there is
-  bool over_budget = false;  ///< the reason: it may be started all the same
+  bool over_budget = false;  ///< reason of a rejection that the user may override
   bool interrupted = false;
 };
 
-/// `adore study plan` and `run` in the background: the same functions, the same folder, so that
-/// either goes on with what the other began. Reports arrive in the thread of this object, whose end
-/// stops what is under way and waits for it; finished runs are recorded.
+/// `adore study plan` and `run` in the background: the same functions and folder, so that each
+/// continues the other. Reports arrive in the thread of this object, whose end stops active runs
+/// and waits for them; finished runs are recorded.
 class StudyRun : public QObject {
   Q_OBJECT
  public:

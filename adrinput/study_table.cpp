@@ -78,7 +78,7 @@ class CellEditor : public QStyledItemDelegate {
     if (auto* box = qobject_cast<QComboBox*>(editor)) {
       box->setCurrentIndex(std::max(0, box->findText(text)));
     } else if (auto* line = qobject_cast<QLineEdit*>(editor); line->text() != text) {
-      // What is being typed is not written over by its own echo; a step back is no echo.
+      // The text being typed is not overwritten by its own update; undo is not such an update.
       if (!committing_) line->setText(text);
     }
   }

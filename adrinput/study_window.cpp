@@ -38,8 +38,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const QString kApp = "adrinput-studies";  // recent files of their own
-constexpr int kStorePause = 500;          // [ms] from a change until it is kept beside the file
+const QString kApp = "adrinput-studies";  // separate list of recent files
+constexpr int kStorePause = 500;          // [ms] from a change to its backup next to the file
 
 QString from(const std::string& text) { return QString::fromStdString(text); }
 
@@ -105,16 +105,15 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
     try {
       document_.store_unsaved();
     } catch (const std::exception& error) {
-      statusBar()->showMessage(
-          tr("What is typed cannot be kept for the case of a crash: %1").arg(error.what()));
+      statusBar()->showMessage(tr("Crash recovery is not available: %1").arg(error.what()));
     }
   });
   document_.changed = [this] {
     sync();
     if (document_.comments_went())
       statusBar()->showMessage(
-          tr("Comments behind values and inside lists went with this change of a list of tables; "
-             "Undo brings them back, and changes on the page File keep them."));
+          tr("This change removed comments after values and in lists. Undo restores them. Edit on "
+             "the page File to keep comments."));
     panel_->changed();
     if (!store_->isActive()) store_->start();
   };
@@ -128,11 +127,11 @@ StudyWindow::~StudyWindow() {
 
 void StudyWindow::addKinds(QMenu& menu, const std::function<void(const QString&)>& chosen) {
   constexpr std::array<const char*, studies::kKinds> kWhat{
-      "grids, lists and samples: what happens",
-      "Monte Carlo: what scatter of the parts does",
-      "where the cage rests, whirls or moves irregularly",
-      "derivatives of every quantity over every variable",
-      "the worst that ranges allow",
+      "grids, lists and samples",
+      "Monte Carlo: effect of part tolerances",
+      "regions where the cage rests, whirls or moves irregularly",
+      "derivatives of all quantities by all variables",
+      "worst case within given ranges",
       "named changes of the deck, one at a time"};
   for (int k = 0; k < studies::kKinds; ++k) {
     const QString kind = from(studies::kind_name(static_cast<studies::Kind>(k)));
@@ -223,9 +222,9 @@ void StudyWindow::offerUnsaved() {
   notice_->hide();
   const std::optional<std::string> left = document_.unsaved_text();
   if (!left) return;
-  notice_->ask(tr("AdrInput was cut off before this study was saved; what was typed is kept."),
-               {{"restore", tr("Res&tore it"), [this, left] { document_.set_text(*left); }},
-                {"discard", tr("&Discard it"), [this] { document_.forget_unsaved(); }}});
+  notice_->ask(tr("AdrInput ended before this study was saved. The changes can be restored."),
+               {{"restore", tr("Res&tore"), [this, left] { document_.set_text(*left); }},
+                {"discard", tr("&Discard"), [this] { document_.forget_unsaved(); }}});
 }
 
 void StudyWindow::newStudy(const fs::path& file, const QString& kind, const fs::path& deck) {
@@ -317,7 +316,7 @@ void StudyWindow::withSavedStudy(std::function<void()> then) {
   if (!panel_->finding().problem.empty())
     return desktop::show_message(
         this,
-        tr("The study has a mistake (F8 goes to it):\n\n%1").arg(from(panel_->finding().problem)),
+        tr("The study has an error (F8 goes to it):\n\n%1").arg(from(panel_->finding().problem)),
         true);
   if (document_.modified()) return saveTo(document_.path(), std::move(then));
   then();
@@ -342,16 +341,16 @@ void StudyWindow::switchTheme() {
 void StudyWindow::leave(std::function<void()> then) {
   if (panel_->busy()) {
     auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                                tr("The study is at work. Leaving it ends the runs under way; "
-                                   "finished ones are recorded, and Run goes on with the rest."),
+                                tr("The study is running. Closing it stops the active runs. "
+                                   "Finished runs are kept; Run continues with the others."),
                                 QMessageBox::Cancel, this);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setObjectName("running");
     desktop::delete_when_done(*box);
-    QPushButton* quit = box->addButton(tr("End the runs"), QMessageBox::DestructiveRole);
+    QPushButton* quit = box->addButton(tr("Stop the runs"), QMessageBox::DestructiveRole);
     connect(box, &QMessageBox::buttonClicked, this, [this, quit, then](QAbstractButton* button) {
       if (button != quit) return;
-      // What comes next waits for the workers.
+      // The next action waits for the workers.
       connect(
           panel_, &StudyPanel::finished, this, [this, then] { leave(then); },
           Qt::SingleShotConnection);
@@ -361,7 +360,7 @@ void StudyWindow::leave(std::function<void()> then) {
   }
   if (!document_.modified() || document_.path().empty()) return then();
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("The study has changes that are not saved. Save them?"),
+                              tr("The study has unsaved changes. Save them?"),
                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName("unsaved");
   desktop::delete_when_done(*box);

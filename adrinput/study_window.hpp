@@ -34,7 +34,7 @@ class StudyWindow : public QMainWindow {
   [[nodiscard]] NoticeBar& notice() { return *notice_; }
   /// False, after a message with the reason, when it cannot be read.
   bool openFile(const std::filesystem::path& path);
-  /// The example of a kind for a deck; where it goes is said when it is saved first.
+  /// The example of a kind for a deck; the first save asks for its name.
   void newStudy(const std::filesystem::path& file, const QString& kind,
                 const std::filesystem::path& deck);
   void showText(bool text);
@@ -59,7 +59,7 @@ class StudyWindow : public QMainWindow {
   void showFinding();
   bool writeTo(const std::filesystem::path& path);
   void saveTo(const std::filesystem::path& path, std::function<void()> then);
-  /// Goes on with a study that is saved and has no mistakes.
+  /// Continues with a study that is saved and has no errors.
   void withSavedStudy(std::function<void()> then);
   void leave(std::function<void()> then);
   void offerUnsaved();

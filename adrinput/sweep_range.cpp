@@ -34,7 +34,7 @@ Parts parts_of(const std::string& text) {
   return {match.captured(1).trimmed().toStdString(), match.captured(2).trimmed().toStdString()};
 }
 
-/// A value that has no unit of its own in that of its neighbour.
+/// A value without a unit is in the unit of its neighbor.
 std::string with_unit(const std::string& value, const std::string& unit) {
   if (unit.empty() || !parts_of(value).unit.empty()) return value;
   const bool sum =
@@ -73,29 +73,26 @@ std::string value_in(const Document& document, const Cell& cell, const std::stri
 SweepRange read_sweep(const Document& document, std::string_view text) {
   const std::string whole = trimmed(text), name = name_in(text);
   const std::string form =
-      "write variable=first:last:runs, such as appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5";
+      "write variable=first:last:runs, e.g. appLoadZ=500:1500:5 or appLoadZ=0.5 kN:1.5 kN:5";
   const std::string range = trimmed(text.substr(std::min(text.find('='), text.size() - 1) + 1));
   const std::size_t a = range.find(':'), b = range.rfind(':');
   if (std::count(text.begin(), text.end(), '=') != 1 || a == b ||
       std::count(range.begin(), range.end(), ':') != 2)
-    throw InputError(fmt::format("\"{}\" is no sweep: {}", whole, form));
+    throw InputError(fmt::format("\"{}\" is not a sweep: {}", whole, form));
   const std::optional<Cell> cell = cell_named(document, name);
   if (!cell)
-    throw InputError(
-        fmt::format("{}: this deck has no variable \"{}\"; the search beside the form "
-                    "finds their names",
-                    whole, name));
+    throw InputError(fmt::format("{}: this deck has no variable \"{}\"; find its name with Ctrl+F",
+                                 whole, name));
   if (variable_of(*cell)->type == deck::VarType::String)
-    throw InputError(fmt::format("{}: {} is a text, and a sweep goes over numbers", whole, name));
+    throw InputError(fmt::format("{}: {} is a text; a sweep needs numbers", whole, name));
 
   std::string first = trimmed(range.substr(0, a)), last = trimmed(range.substr(a + 1, b - a - 1));
   const Parts runs = parts_of(trimmed(range.substr(b + 1)));
   long long count = 0;
   if (deck::parse_integer(runs.number, count) || count < 2 || count > kMostRuns)
-    throw InputError(
-        fmt::format("{}: the number of runs, behind the second colon, is \"{}\"; give "
-                    "an integer from 2 to {}",
-                    whole, runs.number, kMostRuns));
+    throw InputError(fmt::format(
+        "{}: the number of runs (after the second colon) is \"{}\"; enter an integer from 2 to {}",
+        whole, runs.number, kMostRuns));
   std::string unit = runs.unit;
   if (unit.empty()) unit = parts_of(last).unit;
   if (unit.empty()) unit = parts_of(first).unit;

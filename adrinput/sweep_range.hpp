@@ -13,13 +13,13 @@ struct SweepRange {
   std::string told;  ///< what it means: "appLoadZ from 500 N to 1500 N, 5 runs"
 };
 
-/// "appLoadZ=0.5 kN:1.5 kN:3", "appLoadZ=0.5:1.5 kN:3", "appLoadZ=0.5:1.5:3 kN". Values are what
-/// they are in the field of the variable (as_meant()); a unit that stands once is that of both.
-/// @throws InputError with what is wrong and what would be right
+/// "appLoadZ=0.5 kN:1.5 kN:3", "appLoadZ=0.5:1.5 kN:3", "appLoadZ=0.5:1.5:3 kN". Values mean the
+/// same as in the field of the variable (as_meant()); a single unit applies to both.
+/// @throws InputError with the error and its remedy
 [[nodiscard]] SweepRange read_sweep(const Document& document, std::string_view text);
 
-/// The unit that a number without one has there: "N", or "mm" where millimetres are shown. Empty
-/// for a pure number, and for what is no variable of the deck.
+/// Unit of a number without one: "N", or "mm" if millimeters are shown. Empty for a pure number,
+/// and for names that are not variables of the deck.
 [[nodiscard]] std::string sweep_unit(const Document& document, std::string_view text);
 
 }  // namespace adore::adrinput

@@ -13,7 +13,7 @@ void TimeScale::ask(const deck::Deck& deck, const RunOptionValues& options) {
         try {
           *scales = facade::run_scales(deck, options);
         } catch (const std::exception&) {
-          scales->reset();  // the checks say what is wrong with the deck
+          scales->reset();  // the checks report the errors of the deck
         }
       },
       [this, deck, scales] {

@@ -17,8 +17,7 @@ class TimeScale : public QObject {
  public:
   explicit TimeScale(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Called in the thread of this object with the deck that was asked about; without scales when
-  /// it has none.
+  /// Called in the thread of this object with the requested deck; without scales if it has none.
   std::function<void(const deck::Deck&, std::optional<facade::RunScales>)> found;
 
   /// Does nothing while an earlier question is open.

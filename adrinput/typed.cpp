@@ -37,7 +37,7 @@ deck::NumberProblem thousands_or_decimals(std::string_view typed) {
   static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,eEdD])");
   std::cmatch found;
   if (!std::regex_search(typed.begin(), typed.end(), found, kGroup)) return {};
-  return {"can be read with a decimal comma or with thousands",
+  return {"is ambiguous: decimal comma or thousands separator",
           fmt::format("write {0}{1} or {0}.{1}", found.str(2), found.str(3))};
 }
 
@@ -45,7 +45,8 @@ Typed parse_string(std::string_view text) {
   const bool control = std::any_of(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
   });
-  if (control) return {{}, {"holds a line break or another control character", "use one line"}};
+  if (control)
+    return {{}, {"contains a line break or another control character", "enter one line"}};
   return {std::string(text), {}};
 }
 
@@ -77,7 +78,7 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   const bool integer = variable.type == deck::VarType::Integer;
   if (deck::NumberProblem problem = thousands_or_decimals(text)) return {{}, problem};
   if (number.empty())
-    return {{}, {"is missing", integer ? "give an integer" : "give a number such as 0.05"}};
+    return {{}, {"is missing", integer ? "enter an integer" : "enter a number such as 0.05"}};
   if (!integer) {
     double value = 0.0;
     deck::NumberProblem problem = deck::parse_real(number, value);
@@ -86,9 +87,10 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   long long value = 0;
   if (deck::NumberProblem problem = deck::parse_integer(number, value)) return {{}, problem};
   if (!deck::is_valid_code(variable, value))
-    return {{}, {"is a code that does not exist", ending_of(variable)}};
+    return {{}, {"is an invalid code", ending_of(variable)}};
   if (!deck::in_range(variable.range, static_cast<double>(value)))
-    return {{}, {"is out of range", "give a value of " + deck::describe_range(variable.range, {})}};
+    return {{},
+            {"is out of range", "enter a value of " + deck::describe_range(variable.range, {})}};
   return {value, {}};
 }
 
@@ -104,13 +106,13 @@ Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
   if (plain) {
     const std::size_t sign = number.find_first_of("+-", 1);
     return {{},
-            {"can be read as a power of ten or as a sum",
+            {"is ambiguous: power of ten or sum",
              fmt::format("write {}e{} or {} {} {}", number.substr(0, sign), number.substr(sign),
                          number.substr(0, sign), number[sign], number.substr(sign + 1))}};
   }
   if (ends_in_exponent(number))
     return {{},
-            {"ends within its exponent",
+            {"has an incomplete exponent",
              fmt::format("write {}e-6 or {}", number.substr(0, number.find_last_of("eEdD")),
                          number.substr(0, number.find_last_of("eEdD")))}};
   const bool pure = unit_of(deck, variable).empty();  // by the deck's codes, or always
@@ -126,7 +128,7 @@ deck::NumberProblem product_or_values(std::string_view typed, std::size_t values
   if (!std::regex_match(number, found, kRepeat)) return {};
   const auto count = static_cast<std::size_t>(std::stoi(found.str(1)));
   if (count < 2 || count > values) return {};
-  return {fmt::format("can be read as a product or, as in a deck, as {} values", count),
+  return {fmt::format("is ambiguous: a product or, as in a deck, {} values", count),
           fmt::format("write {0}*{1} for the product, or {0} in each of the {1} fields",
                       found.str(2), found.str(1))};
 }
@@ -160,7 +162,7 @@ std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable
     if (variable.max_length > 0) out = fmt::format("at most {} characters", variable.max_length);
   } else {
     deck::Range range = deck::range_in_deck_units(deck, variable);
-    constexpr double kAnyInteger = 2147483647.0, kAnyReal = 1e6;  // nobody needs to read those
+    constexpr double kAnyInteger = 2147483647.0, kAnyReal = 1e6;  // never displayed
     const double far = variable.type == deck::VarType::Integer ? kAnyInteger : kAnyReal;
     if (range.min <= -far) range.min = -std::numeric_limits<double>::infinity();
     if (range.max >= far) range.max = std::numeric_limits<double>::infinity();

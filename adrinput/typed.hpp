@@ -20,8 +20,8 @@ struct Typed {
 /// range is a value, which the deck's checks judge.
 [[nodiscard]] Typed parse_typed(const deck::VariableSpec& variable, std::string_view text);
 
-/// The same for a field of a deck, which also takes quantities with units and their arithmetic
-/// (deck/quantity.hpp): "12.7 mm", "3*0.005". "5-3", which Fortran reads as 5e-3, is refused.
+/// The same for a field of a deck, which also accepts quantities with units and arithmetic
+/// (deck/quantity.hpp): "12.7 mm", "3*0.005". "5-3", which Fortran reads as 5e-3, is rejected.
 [[nodiscard]] Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
                                 std::string_view text);
 

@@ -51,7 +51,7 @@ std::vector<fs::path> folders_of(const fs::path& deck_file, const char* start) {
   return out;
 }
 
-constexpr const char* kCutOff = "cut off, or still going on elsewhere";
+constexpr const char* kCutOff = "interrupted, or still running elsewhere";
 
 }  // namespace
 
@@ -70,7 +70,7 @@ std::vector<UnfinishedRun> unfinished_runs(const fs::path& deck_file, const deck
     if (!of.empty() && of != deck_file.filename().string()) continue;
     out.push_back({folder, status == "interrupted" ? "cancelled"
                            : status == "running"   ? kCutOff
-                           : status.empty()        ? "without a report of its end"
+                           : status.empty()        ? "without a final report"
                                                    : status});
   }
   return out;

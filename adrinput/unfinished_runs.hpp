@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Runs and sweeps of a deck that were cut off or cancelled and can go on.
+/// Interrupted or cancelled runs and sweeps of a deck that can be continued.
 namespace adore::adrinput {
 
 struct UnfinishedRun {
@@ -14,14 +14,13 @@ struct UnfinishedRun {
   std::string state;  ///< "cancelled", "cut off", ...
 };
 
-/// The run beside the deck and those in "run-001" and on that have stored a state to go on from and
-/// did not come to their end; in the order of their names. Another deck's in the same folder is
-/// none of them.
+/// Incomplete runs with a stored state, in the folder of the deck and in "run-001" and so on, in
+/// the order of their names. Those of another deck in the same folder are not included.
 [[nodiscard]] std::vector<UnfinishedRun> unfinished_runs(const std::filesystem::path& deck_file,
                                                          const deck::Deck& deck);
 
-/// The sweep beside the deck and those in "sweep-001" and on, whoever made them, that did not come
-/// to their end, or have runs without a result; in the order of their names.
+/// Sweeps in the folder of the deck and in "sweep-001" and so on, of any origin, that are
+/// incomplete or have runs without a result, in the order of their names.
 struct UnfinishedSweep {
   std::filesystem::path folder;
   std::string state;  ///< "sweep of appLoadZ=500:1500:5, cancelled"
@@ -29,7 +28,7 @@ struct UnfinishedSweep {
 [[nodiscard]] std::vector<UnfinishedSweep> unfinished_sweeps(
     const std::filesystem::path& deck_file);
 
-/// Does the folder hold a state that a run of the deck goes on from?
+/// Does the folder contain a state from which a run of the deck can continue?
 [[nodiscard]] bool can_go_on(const std::filesystem::path& folder, const deck::Deck& deck);
 
 }  // namespace adore::adrinput

@@ -140,7 +140,7 @@ QString no_run_time(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   if (variable == nullptr || variable->name != "fTime") return {};
   const std::string why = facade::why_no_step(document.deck());
-  return why.empty() ? QString() : QString::fromStdString(why + ": no step is made");
+  return why.empty() ? QString() : QString::fromStdString(why + ": no motion");
 }
 
 QString typed_value(const Document& document, const Cell& cell) {

@@ -24,15 +24,15 @@ void choose_unit(std::string_view si, const QString& unit);
 /// The unit that values of a variable are shown in, chosen or the deck's own; "" for pure numbers.
 [[nodiscard]] QString shown_unit(const Document& document, const deck::VariableSpec& variable);
 
-/// What a field shows: "12.7 mm" where millimetres are chosen, else the deck's number, or the text
-/// that is none.
+/// Content of a field: "12.7 mm" if millimeters are selected, else the number of the deck, or the
+/// text that is not a number.
 [[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
 
 /// "appLoadX = 3 kN" where a unit of view is chosen for the variable; else empty.
 [[nodiscard]] QString named_value(const Document& document, const Cell& cell);
 
-/// What a text means that is typed where shown_value() shows it: a number without a unit is in the
-/// unit that the field is shown in, "3" is "3 kN".
+/// Meaning of a text typed in the field of shown_value(): a number without a unit is in the unit of
+/// the field, "3" is "3 kN".
 [[nodiscard]] std::string as_meant(const Document& document, const Cell& cell,
                                    const std::string& typed);
 
@@ -42,8 +42,8 @@ void choose_unit(std::string_view si, const QString& unit);
 /// Of the end of a run that no step comes near, why: "maxStps is 0: no step is made".
 [[nodiscard]] QString no_run_time(const Document& document, const Cell& cell);
 
-/// Of a text that is being typed and is no number in the deck's own unit: what it will be in the
-/// deck, "0.0127 m". Empty while it cannot be understood.
+/// For a typed text that is not a number in the unit of the deck: its value in the deck, "0.0127
+/// m". Empty while it is incomplete.
 [[nodiscard]] QString typed_value(const Document& document, const Cell& cell);
 
 }  // namespace adore::adrinput

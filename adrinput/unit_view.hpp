@@ -4,12 +4,12 @@
 
 #include <QString>
 
-/// "Show me in the other system": values beside their fields in the units that the deck does not
-/// use.
+/// Display in the other unit system: values next to their fields in the units that the deck does
+/// not use.
 namespace adore::adrinput {
 
-/// "2.3622 in" for a field that shows 0.06 m, to six digits; empty for what has no other unit and
-/// for a text that is no number.
+/// "2.3622 in" for a field that shows 0.06 m, to six digits; empty for values without another unit
+/// and for texts that are not numbers.
 [[nodiscard]] QString in_other_units(const Document& document, const Cell& cell);
 
 /// "English units" in a deck in SI units, and the other way round.

@@ -11,8 +11,8 @@ namespace adore::adrinput {
 
 using Launch = std::function<void(const QString& program, const QStringList& arguments)>;
 
-/// Shows files in the one window of a viewer that the project in a folder has, or starts it. Names
-/// that begin with "--" are options. What fails is said over `parent`.
+/// Shows files in the only window of a viewer for the project in a folder, or starts it. Names that
+/// begin with "--" are options. Errors are shown over `parent`.
 void show_in_viewer(QWidget* parent, const Launch& launch, const QString& program,
                     const QString& project, const QStringList& files);
 

@@ -13,7 +13,7 @@ WheelGuard::WheelGuard(QWidget* field) : QObject(field) {
 bool WheelGuard::eventFilter(QObject* object, QEvent* event) {
   const auto* field = qobject_cast<QWidget*>(object);
   if (event->type() != QEvent::Wheel || field == nullptr || field->hasFocus()) return false;
-  event->ignore();  // for what stands around it, which scrolls
+  event->ignore();  // for the surrounding area, which scrolls
   return true;
 }
 

@@ -4,7 +4,7 @@
 
 namespace adore::adrinput {
 
-/// A sentence of the program with what the window offers in place of options of the command line.
+/// Translates a message: commands of the window instead of options of the command line.
 [[nodiscard]] std::string in_window_words(std::string sentence);
 
 }  // namespace adore::adrinput

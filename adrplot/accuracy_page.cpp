@@ -54,7 +54,7 @@ class Chance {
       limits_[q] = std::max(limits_[q], times_ * number(noise, kQuantities[q]));
   }
   [[nodiscard]] double largest() const { return *std::max_element(limits_.begin(), limits_.end()); }
-  [[nodiscard]] double times() const { return times_; }  ///< of what chance changes
+  [[nodiscard]] double times() const { return times_; }  ///< part of the statistical scatter
   [[nodiscard]] bool left_behind(const nlohmann::json& errors) const {
     for (std::size_t q = 0; q < limits_.size(); ++q)
       if (number(errors, kQuantities[q]) > limits_[q]) return true;
@@ -92,25 +92,25 @@ std::vector<Point> points_of(const nlohmann::json& rows, const Chance& chance) {
   return out;
 }
 
-/// Below the floor of chance: pale, with a sentence on what lies in it.
+/// Shaded band below the noise level, with a note.
 void add_floor(desktop::ChartPage& page, const std::vector<Point>& points, const Chance& chance) {
   if (!(chance.largest() > 0.0) || points.empty()) return;
   const double floor = 100.0 * chance.largest();
   desktop::ChartCurve curve;
-  curve.name = "not told apart";
+  curve.name = "noise level";
   curve.y.assign(page.x.size(), floor);
   curve.low.assign(page.x.size(), 0.0);
   curve.high = curve.y;
   curve.dashed = true;
   page.panels.front().curves.push_back(std::move(curve));
   page.note += fmt::format(
-      " Below {} % (pale) settings cannot be told apart: there errors are within {:g} times what "
-      "chance alone changes.",
+      " Below {} % (shaded) settings cannot be distinguished: errors are within {:g} times the "
+      "statistical scatter.",
       desktop::pretty_number(floor, 2), chance.times());
   const auto others = std::count_if(points.begin(), points.end(),
                                     [](const Point& point) { return point.stands_out; });
   if (others > 0)
-    page.note += fmt::format(" Of {} in it an error of another quantity is more than chance.",
+    page.note += fmt::format(" For {} in it the error of another quantity exceeds the scatter.",
                              counted(others, "point"));
 }
 
@@ -120,9 +120,9 @@ void add_marks(desktop::ChartPage& page, const std::vector<Point>& points,
   for (const Point& point : points) {
     const bool best = !recommended.empty() && point.name == recommended;
     if (best || point.own)
-      page.marks.push_back({point.seconds, best && point.own ? "recommended: the deck's own"
+      page.marks.push_back({point.seconds, best && point.own ? "recommended: this deck"
                                            : best            ? "recommended"
-                                                             : "the deck's own"});
+                                                             : "this deck"});
   }
 }
 
@@ -146,11 +146,11 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
   const std::vector<Point> points = points_of(rows, chance);
   desktop::ChartPage page;
   page.title = title;
-  page.note = "A point for each run that came to its end; low and left is good.";
+  page.note = "One point per completed run. Best: bottom left.";
   if (const std::string tolerances = tolerances_of(rows); !tolerances.empty())
     page.note += fmt::format(
-        " A method's points are its tolerances ({}), mostly from left to right; which is which "
-        "the table of the study says.",
+        " The points of a method are its tolerances ({}), mostly from left to right. See the study "
+        "table for the tolerances.",
         tolerances);
   page.x_title = "Computing time";
   page.x_unit = "s";
@@ -173,7 +173,7 @@ desktop::ChartPage page_of(const nlohmann::json& rows, const std::string& title,
     }
     curve->y[i + 1] = 100.0 * points[i].error;
   }
-  if (points.empty()) panel.message = "No run of the study came to its end with an error above 0.";
+  if (points.empty()) panel.message = "No completed run of the study has an error above 0.";
   page.panels.push_back(std::move(panel));
   add_floor(page, points, chance);
   add_marks(page, points, recommended);
@@ -189,8 +189,8 @@ bool is_accuracy(const std::filesystem::path& path) {
 std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path) {
   const auto study = parse_json(read_text_file(path), path.string());
   if (!study.is_object() || !study.contains("screening"))
-    throw InputError(fmt::format(
-        "{} is no table of `adore accuracy`; give the ACCURACY.json that it wrote", path.string()));
+    throw InputError(fmt::format("{} is not a table of `adore accuracy`; give its ACCURACY.json",
+                                 path.string()));
   const auto text = [&](const char* key, const char* otherwise) {
     const std::string found = word(study, key);
     return found.empty() ? std::string(otherwise) : found;
@@ -207,7 +207,7 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
       finals.is_array() && best >= 0.0 && best < static_cast<double>(finals.size())
           ? word(finals[static_cast<std::size_t>(best)], "name")
           : std::string();
-  const std::string title = text("title", "What accuracy costs"),
+  const std::string title = text("title", "Error against computing time"),
                     error = text("error_title", "Error");
   std::vector<desktop::ChartPage> out;
   if (finals.is_array() && !finals.empty())
@@ -216,8 +216,8 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
   const auto turns = study.find("short_turns");
   const std::string first =
       turns != study.end() && turns->is_number()
-          ? fmt::format("First round, {}: what accuracy costs", turns_text(turns->get<double>()))
-          : "First round: what accuracy costs";
+          ? fmt::format("First round, {}: error against time", turns_text(turns->get<double>()))
+          : "First round: error against time";
   out.push_back(
       page_of(study["screening"], out.empty() ? title : first, error, brief, recommended));
   for (desktop::ChartPage& page : out) page.subtitle = run_folder(path).filename().string();

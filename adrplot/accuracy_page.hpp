@@ -8,7 +8,7 @@
 namespace adore::adrplot {
 
 /// The pages of ACCURACY.json, which `adore accuracy` writes: error over computing time, a point
-/// for each run that came to its end, a colour for each integrator. Low and left is good.
+/// for each run that came to its end, a color for each integrator. Low and left is good.
 /// @throws InputError for another file
 [[nodiscard]] std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path);
 

@@ -45,13 +45,12 @@ void fill(QTreeWidgetItem* root, const PlotDocument& file, int index, const Page
 CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
                          const CurveChoice& before, QWidget* parent)
     : QDialog(parent), files_(files) {
-  setWindowTitle(tr("Curves for one chart"));
+  setWindowTitle(tr("Combine curves"));
   desktop::delete_when_done(*this);
   resize(620, 520);
   auto* column = new QVBoxLayout(this);
   column->addWidget(new QLabel(
-      tr("Tick the curves. Those of one unit share a panel; files may be of different runs."),
-      this));
+      tr("Select curves, also of different runs. Curves with the same unit share a panel."), this));
   tree_ = new QTreeWidget(this);
   tree_->setAccessibleName(tr("Curves"));
   tree_->setObjectName("curves");
@@ -60,12 +59,12 @@ CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const Pa
   column->addWidget(tree_, 1);
   how_ = new QComboBox(this);
   how_->setObjectName("how");
-  how_->addItems({tr("Draw them together"), tr("Draw the differences from one of them:")});
-  desktop::name_box(*how_, tr("What is drawn"));
+  how_->addItems({tr("Draw together"), tr("Draw differences from:")});
+  desktop::name_box(*how_, tr("Chart content"));
   column->addWidget(how_);
   reference_ = new QComboBox(this);
   reference_->setObjectName("reference");
-  desktop::name_box(*reference_, tr("Curve that the others are less"));
+  desktop::name_box(*reference_, tr("Reference curve"));
   reference_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   column->addWidget(reference_);
   connect(how_, &QComboBox::currentIndexChanged, this, &CurveDialog::offerReferences);

@@ -10,8 +10,7 @@ class QTreeWidgetItem;
 
 namespace adore::adrplot {
 
-/// What was chosen in the dialog, for the next time that it is opened: curves in the order of their
-/// ticks.
+/// Selection in the dialog, kept for the next time: curves in the order in which they were checked.
 struct CurveChoice {
   struct Curve {
     std::filesystem::path file;
@@ -31,7 +30,7 @@ class CurveDialog : public QDialog {
   /// `files` live as long as the dialog. Curves of `before` are ticked where their file is open.
   CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
               const CurveChoice& before = {}, QWidget* parent = nullptr);
-  /// As they stand in the tree; of differences the reference first.
+  /// In the order of the tree; for differences the reference first.
   [[nodiscard]] std::vector<CurvePick> picks() const;
   [[nodiscard]] Combine how() const;
   [[nodiscard]] CurveChoice choice() const;

@@ -19,9 +19,9 @@ std::vector<fs::path> files_of(const fs::path& path) {
   for (const char* name : {"ACCURACY.json", "RUN.json", "SWEEP.csv"})
     if (fs::is_regular_file(path / name, ignored)) out.push_back(path / name);
   if (out.empty())
-    throw InputError(fmt::format(
-        "{} holds no plot file: neither SOL1 to SOL7 nor RUN.json, SWEEP.csv or ACCURACY.json",
-        path.string()));
+    throw InputError(
+        fmt::format("{} contains no plot file (SOL1 to SOL7, RUN.json, SWEEP.csv or ACCURACY.json)",
+                    path.string()));
   return out;
 }
 

@@ -3,11 +3,12 @@
 #include <filesystem>
 #include <vector>
 
-/// What AdrPlot opens of a folder.
+/// Files of a folder that AdrPlot opens.
 namespace adore::adrplot {
 
-/// Of a run's folder SOL1 to SOL7, else RUN.json, SWEEP.csv and ACCURACY.json; a study's folder and
-/// everything that is no folder is itself. Throws InputError where a folder holds none of them.
+/// For the folder of a run: SOL1 to SOL7, else RUN.json, SWEEP.csv and ACCURACY.json; for the
+/// folder of a study and for a file: the path itself. Throws InputError for a folder without such
+/// files.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const std::filesystem::path& path);
 
 }  // namespace adore::adrplot

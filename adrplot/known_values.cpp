@@ -127,18 +127,18 @@ KnownValues KnownColumns::values(const std::string& id) const {
       }
     return dropped;
   };
-  // What a part of the file shows is not true of all the run.
+  // A part of the file does not represent the whole run.
   const std::string here = file_.part ? "at these steps" : "in this run";
   const auto is_zero = [](double v) { return v == 0.0; };
   const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
   if (is("contact.film.")) {
     if (zero(out.values))
       nothing(file_.part ? "No film was computed at these steps."
-                         : "No film was computed: the traction law of this run has none.");
+                         : "No film was computed: the traction law has none.");
   } else if (is("contact.temperature_rise.")) {
-    if (zero(out.values)) nothing("No temperature rise in the contacts was computed " + here + ".");
+    if (zero(out.values)) nothing("Contact temperature rise was not computed " + here + ".");
   } else if (id == "power.churning_fraction") {
-    if (zero(out.values)) nothing("No churning was computed " + here + ".");
+    if (zero(out.values)) nothing("Churning was not computed " + here + ".");
   } else if (is("contact.angle.") || is("contact.spin_to_roll.") || is("contact.slip.")) {
     bool open = false;
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
@@ -148,15 +148,14 @@ KnownValues KnownColumns::values(const std::string& id) const {
                                   [](double v) { return std::isfinite(v); });
     if (open && some) out.why_gaps = "no contact";
     if (open && !some)
-      nothing(file_.part ? "There is no contact at any of these steps."
-                         : "There is no contact at any step.");
+      nothing(file_.part ? "No contact at these steps." : "No contact in this run.");
     // A roller that keeps straight between its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),
                     [](double v) { return std::isfinite(v); }) &&
         std::all_of(out.values.begin(), out.values.end(),
                     [](double v) { return !(std::abs(v) > kNoSpin); }))
-      nothing(fmt::format("There is no spin in this contact{}: what is stored is rounding.",
+      nothing(fmt::format("No spin in this contact{}: the stored values are rounding errors.",
                           file_.part ? " " + here : ""));
   } else if (is("cage.land1_") || is("cage.land2_")) {
     const std::string land = id.substr(0, std::string("cage.land1").size());
@@ -170,7 +169,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
         out.values[i] = kNone;
     }
   } else if (is("pocket.position.")) {
-    // Where a roller that lies along a wall is nearest to it is a matter of rounding.
+    // For a roller parallel to a wall the nearest point is determined by rounding.
     if (drop(stored("pocket.force" + behind(id, "pocket.position")), is_zero))
       out.why_gaps = "no contact";
     constexpr double kMiddle = 1e-9;  // along a roller: rounding
@@ -178,8 +177,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
       if (std::abs(v) < kMiddle) v = 0.0;
     if (std::none_of(out.values.begin(), out.values.end(),
                      [](double v) { return std::isfinite(v); }))
-      nothing(file_.part ? "At none of these steps the roller touched the pocket there."
-                         : "The roller never touched the pocket there.");
+      nothing(file_.part ? "The roller did not touch this pocket wall at these steps."
+                         : "The roller did not touch this pocket wall.");
   } else if (is("flange.")) {
     const std::string where = id.substr(id.find('.', std::string("flange.").size()));
     if (always_zero("flange.gap" + where))
@@ -193,23 +192,22 @@ KnownValues KnownColumns::values(const std::string& id) const {
     drop(stored(id), [](double v) { return v == 0.0 || v >= kInfiniteLife; });
     if (infinite && std::none_of(out.values.begin(), out.values.end(),
                                  [](double v) { return std::isfinite(v); }))
-      nothing(file_.part ? "The life is infinite at each of these steps."
-                         : "The life is infinite at every step.");
+      nothing(file_.part ? "The life is infinite at these steps." : "The life is infinite.");
   } else if (is_heat(id) || is(kCoolant)) {
     const bool none = always_zero(kTotalHeat);
     if (!none && is(kCoolant) && always_zero(kCoolantHeat))
-      nothing("No coolant flows " + here + ": all heat leaves through the races.");
+      nothing("No coolant flow " + here + ": all heat flows through the races.");
     else if (is_heat(id)) {  // an average over a thermal step that has ended
       const std::vector<double> total = stored(kTotalHeat);
       for (std::size_t i = 0; i < out.values.size() && total[i] == 0.0; ++i) out.values[i] = kNone;
-      if (none) nothing("No thermal step ended " + here + ".");
+      if (none) nothing("No thermal step was completed " + here + ".");
     }
   } else if (is_rate(id)) {
     const auto places = places_of(id);
     if (zero(out.values) && std::any_of(places.begin(), places.end(), [&](const auto& place) {
           return has(place) && varies(stored(place));
         }))
-      nothing("Not computed " + here + ": a balance gives the place, and no rate of it.");
+      nothing("Not computed " + here + ": the position results from a force balance.");
   } else if (std::find(kOrientation.begin(), kOrientation.end(), id) != kOrientation.end()) {
     if (std::all_of(kOrientation.begin(), kOrientation.end(),
                     [&](const auto& angle) { return always_zero(angle); }) &&
@@ -219,7 +217,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
     bool none = true;
     for (const results::SolColumn& column : columns_)
       none = none && (!is_wear(column.id) || always_zero(column.id));
-    if (none) nothing("No wear was computed " + here + ", or the wear coefficients are 0.");
+    if (none) nothing("Wear was not computed " + here + ", or the wear coefficients are 0.");
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;
   }

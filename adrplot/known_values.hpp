@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// The numbers of one file by the ids of their columns, without those that mean "nobody computed
-/// this": the classic files have no other way to say it than a zero.
+/// Values of one file by column id, without values that mean "not computed": classic files store 0
+/// for those.
 namespace adore::adrplot {
 
 /// Is any of them a number?
@@ -21,8 +21,8 @@ namespace adore::adrplot {
 struct KnownValues {
   std::vector<double> values;  ///< one per step, in the file's unit; NaN: none
   std::string unit;
-  std::string why_none;       ///< a sentence when the column holds no number that means anything
-  std::string why_gaps = {};  ///< why some steps have none beside others that do
+  std::string why_none;       ///< a message if the column contains no meaningful values
+  std::string why_gaps = {};  ///< reason for missing values at some steps
 };
 
 /// Rules, each only where the stored numbers leave no other meaning:

@@ -27,9 +27,8 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
            adrplot::RenderOptions options) {
   if (files.empty())
     throw InputError(
-        "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv), or a "
-        "study's "
-        "folder, to draw");
+        "--render needs a result file (SOL1 to SOL7, RUN.json or SWEEP.csv) or the folder of a "
+        "study");
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   options.tell = [](const std::string& sentence) {
@@ -83,7 +82,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   }
   if (options.page > window.pageCount() && window.pageCount() > 0)
     desktop::show_message(&window,
-                          QString("There is no page %1; the file shown has %2.")
+                          QString("Page %1 does not exist; the file has %2.")
                               .arg(options.page)
                               .arg(window.pageCount()),
                           true);
@@ -98,59 +97,53 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
 
 int main(int argc, char** argv) {
   const auto program = command_line::make_program(
-      "AdrPlot: plots of the result files SOL1 to SOL7, of the quasi-static solution in RUN.json, "
-      "and "
-      "of SWEEP.csv. Without --render it opens a window.",
+      "AdrPlot: plots of result files (SOL1 to SOL7, RUN.json, SWEEP.csv) and studies, in a window "
+      "or as PNG files.",
       "adrplot");
   CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev", domain = "history", curve, project;
   cli.add_option("FILE", files,
-                 "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; a study's "
-                 "RUNS.csv or STUDY.h5; folders of runs and of studies")
+                 "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; RUNS.csv or "
+                 "STUDY.h5 of a study; folders of runs and studies")
       ->type_name("PATH");
   CLI::Option* one_window =
-      cli.add_option("--project", project, "folder whose files come into this one window")
+      cli.add_option("--project", project, "reuse one window for all files of this folder")
           ->type_name("DIR")
           ->check(CLI::ExistingDirectory)
           ->needs(cli.get_option("FILE"));
-  auto* folder =
-      cli.add_option("--render", options.folder,
-                     "write the pages as PNG into this folder instead of opening a window")
-          ->type_name("DIR");
+  auto* folder = cli.add_option("--render", options.folder,
+                                "write the pages as PNG to this folder instead of opening a window")
+                     ->type_name("DIR");
   command_line::at_least(
-      cli.add_option("--page", options.page, "only this page; in a window, the one shown first"),
-      1);
+      cli.add_option("--page", options.page, "page number (in a window: first page shown)"), 1);
   command_line::at_least(
       cli.add_option("--from", options.range.from, "first stored step, counted from 1"), 1);
-  command_line::at_least(cli.add_option("--to", options.range.to,
-                                        "last stored step (the end of the file unless given)"),
-                         1);
   command_line::at_least(
-      cli.add_option("--every", options.range.every, "interval of the stored steps"), 1);
+      cli.add_option("--to", options.range.to, "last stored step (end of the file unless given)"),
+      1);
+  command_line::at_least(cli.add_option("--every", options.range.every, "every n-th stored step"),
+                         1);
   cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
   bool follow = false;
-  cli.add_flag("--follow", follow, "read the files again while a run goes on")->excludes(folder);
+  cli.add_flag("--follow", follow, "reload the files while a run is active")->excludes(folder);
   bool behind = false;
-  cli.add_flag("--behind", behind, "open behind the window in use, which keeps the keyboard")
-      ->excludes(folder);
-  cli.add_flag("--dark", options.dark, "dark colours");
-  command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")
+  cli.add_flag("--behind", behind, "open in the background without taking focus")->excludes(folder);
+  cli.add_flag("--dark", options.dark, "dark theme");
+  command_line::one_of(cli.add_option("--abscissa", abscissa, "horizontal axis")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
-  command_line::one_of(cli.add_option("--domain", domain,
-                                      "what is drawn of the curves: history, spectrum, waterfall")
-                           ->capture_default_str()
-                           ->type_name("WHAT"),
-                       {"history", "spectrum", "waterfall"});
+  command_line::one_of(
+      cli.add_option("--domain", domain, "chart type")->capture_default_str()->type_name("WHAT"),
+      {"history", "spectrum", "waterfall"});
   cli.add_option("--curve", curve,
-                 "what a waterfall is of: a curve by its name or a part of that, or its number on "
-                 "the page (the first one unless given)")
+                 "curve of the waterfall: its name, part of its name, or its number on the page "
+                 "(first unless given)")
       ->type_name("CURVE");
   // A window that is there takes files alone.
   for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",

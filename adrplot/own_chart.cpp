@@ -19,7 +19,7 @@
 namespace adore::adrplot {
 namespace {
 
-/// What tells a curve from all others: its quantity, its body and its run.
+/// Identifies a curve: quantity, body and run.
 using Names = std::array<std::string, 3>;
 
 struct Taken {
@@ -101,7 +101,7 @@ std::vector<std::string> sentences_of(const std::string& note) {
   return out;
 }
 
-/// What the pages say that curves were taken from: of all of them at once, else by their names.
+/// Notes of the pages of the curves: once if they apply to all curves, else by curve name.
 class SourceNotes {
  public:
   void add(const std::string& source, const std::string& sentence) {
@@ -136,7 +136,7 @@ class SourceNotes {
   std::vector<std::pair<std::string, std::vector<std::string>>> said_;
 };
 
-/// What the page of a curve says that is true of the curve over this domain, too.
+/// Notes of the page of a curve that also apply to the curve over this domain.
 std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartPage& history,
                                     const PageOptions& options) {
   std::vector<std::string> out;
@@ -145,16 +145,16 @@ std::vector<std::string> remarks_on(const CurvePick& pick, const desktop::ChartP
   const std::string note = over_time ? history.note : pick.file->build(pick.page, options).note;
   for (const std::string& sentence : sentences_of(note)) {
     const auto is = [&](std::string_view begin) { return sentence.starts_with(begin); };
-    // Of frequencies the page speaks of spectra of its own.
-    const bool of_file = is("Aliased: ") || is("These are ") || is("Of the file ") ||
-                         is("Of these steps ") || is("The values have ") || is("RESULTS.h5 ");
+    // A spectrum page has notes on its own frequencies.
+    const bool of_file = is("Aliased: ") || is("These are ") || is("In this file ") ||
+                         is("In these steps ") || is("The values have ") || is("RESULTS.h5 ");
     if (over_time || of_file) out.push_back(sentence);
   }
   return out;
 }
 
-/// Extremes since the value before at other places: those of the stored step that the place lies
-/// in.
+/// Extremes since the previous value at other points: those of the stored step that contains the
+/// point.
 std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<double>& extremes,
                                 const std::vector<double>& where) {
   std::vector<double> out;
@@ -168,7 +168,8 @@ std::vector<double> extremes_at(const std::vector<double>& x, const std::vector<
   return out;
 }
 
-/// What is chosen, each curve over its own abscissa; title and unit of that go into the page.
+/// The selected curves, each over its own horizontal axis, whose title and unit are stored in the
+/// page.
 std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& options,
                         Domain domain, desktop::ChartPage& page, SourceNotes& notes) {
   std::vector<Taken> taken;
@@ -177,15 +178,14 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
     const desktop::ChartPage source = pick.file->build(pick.page, options);
     if (source.equal_axes || pick.panel >= source.panels.size() ||
         pick.curve >= source.panels[pick.panel].curves.size())
-      throw InputError(fmt::format("{}, page {}: this curve has no abscissa of its own",
+      throw InputError(fmt::format("{}, page {}: this curve has no horizontal axis",
                                    pick.file->path.string(), pick.page));
     if (taken.empty()) {
       page.x_title = source.x_title;
       page.x_unit = source.x_unit;
     } else if (source.x_unit != page.x_unit || source.x_title != page.x_title) {
       throw InputError(fmt::format(
-          "{} is drawn over {} and {} over {}; choose curves of one abscissa, or another one for "
-          "both",
+          "{} is drawn over {} and {} over {}; choose curves with the same horizontal axis",
           taken.front().name, page.x_title, source.panels[pick.panel].title, source.x_title));
     }
     const desktop::ChartPanel& panel = source.panels[pick.panel];
@@ -240,9 +240,8 @@ std::pair<double, double> steps_of(const std::vector<double>& x) {
   return out;
 }
 
-/// Places for the spectrum of a difference: those of both where they are the same, else equal steps
-/// as long as the longest of either. Between its stored values a run knows nothing: straight lines
-/// read off more often would have frequencies of their own.
+/// Points for the spectrum of a difference: those of both runs if equal, else equal steps as long
+/// as the longest step of either. Finer linear interpolation would add artificial frequencies.
 std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop::ChartPage& page) {
   const std::vector<double> both = all_places({a, b});
   if (a.x == b.x || a.x.empty() || b.x.empty()) return both;
@@ -255,8 +254,8 @@ std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop:
   for (std::size_t i = 0; i <= count; ++i)
     out.push_back(std::min(to, from + step * static_cast<double>(i)));
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
-  add_note(page, fmt::format("Resampled: the runs' own steps are {} to {} and {} to {}; both are "
-                             "read off straight lines every {}, so that lines end at {}.",
+  add_note(page, fmt::format("Resampled: the steps are {} to {} and {} to {}; both were "
+                             "interpolated linearly every {}, so the spectrum ends at {}.",
                              seconds(of_a.first), seconds(of_a.second), seconds(of_b.first),
                              seconds(of_b.second), seconds(step),
                              desktop::pretty_quantity(0.5 / step, "Hz", 3)));
@@ -272,7 +271,7 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
   for (std::size_t i = 1; i < taken.size(); ++i) {
     Taken one = taken[i];
     if (one.unit != first.unit)
-      throw InputError(fmt::format("{} is in {}, {} in {}: there is no difference of them",
+      throw InputError(fmt::format("{} is in {}, {} in {}: no difference of different units",
                                    one.name, one.unit.empty() ? "no unit" : one.unit, first.name,
                                    first.unit.empty() ? "no unit" : first.unit));
     one.x =
@@ -289,7 +288,7 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
     one.name = joined(one.names, {true, true, true});
     one.brief = "Difference: " + joined(one.names, apart);
     if (!one.low.empty() || !first.low.empty())
-      add_note(page, "Extremes between the stored steps are not known of a difference.");
+      add_note(page, "Differences have no min–max bands.");
     one.low.clear(), one.high.clear();
     one.wraps = false;
     out.push_back(std::move(one));
@@ -390,14 +389,14 @@ std::vector<double> read_off(const std::vector<double>& x, const std::vector<dou
 
 desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                   const PageOptions& options) {
-  if (picks.empty()) throw InputError("choose at least one curve for the chart");
+  if (picks.empty()) throw InputError("choose at least one curve");
   const bool less = how == Combine::Difference;
-  if (less && picks.size() < 2) throw InputError("a difference needs two curves at least");
+  if (less && picks.size() < 2) throw InputError("a difference needs at least two curves");
   PageOptions history = options;
   history.domain = Domain::History;
   if (options.domain != Domain::History) history.abscissa = Abscissa::Time;
   desktop::ChartPage page;
-  page.title = less ? "Differences" : "Chosen curves";
+  page.title = less ? "Differences" : "Selected curves";
   SourceNotes notes;
   std::vector<Taken> curves = take(picks, history, options.domain, page, notes);
   // Spectra are of time: sweeps, tables and curves over frequency have none.
@@ -410,8 +409,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
         (curves.size() == 2 ? curves.back().name + ", less " : "Less ") + curves.front().name + ".";
     curves = differences(curves, domain != Domain::History, page);
   }
-  if (domain != options.domain)
-    add_note(page, "Spectra are of curves over time; these are over another abscissa.");
+  if (domain != options.domain) add_note(page, "Spectra need curves over time.");
   if (domain == Domain::Waterfall) {
     // One of them: pieces of two would stand in each other.
     std::vector<std::string> names;
@@ -421,7 +419,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     trim(one);
     page.x = one.x;
     page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
-    // Of two runs the difference has no speed of its own.
+    // The difference of two runs has no speed.
     RunMotion motion;
     const PlotDocument& file = *picks[less ? chosen + 1 : chosen].file;
     if (file.motion && (!less || of_one_run(picks))) motion = file.motion();

@@ -26,7 +26,8 @@ enum class Combine : unsigned char { Overlay, Difference };
 [[nodiscard]] desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                                 const PageOptions& options);
 
-/// Values of y(x) at other places by straight lines; NaN outside of x and beside missing values.
+/// Values of y(x) at other points by linear interpolation; NaN outside of x and next to missing
+/// values.
 [[nodiscard]] std::vector<double> read_off(const std::vector<double>& x,
                                            const std::vector<double>& y,
                                            const std::vector<double>& where);

@@ -33,9 +33,9 @@ std::vector<double> times(const SolFile& file) {
   return numbers;
 }
 
-/// Panels of a page with its curves over the stored steps. A curve without any value leaves its
-/// reason in the panel, or in the page's note beside curves that have some.
-/// @return why curves have gaps, a sentence each
+/// Panels of a page with its curves over the stored steps. For a curve without values the reason is
+/// stored in the panel, or in the note if other curves have values.
+/// @return reasons for gaps, one sentence each
 std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page,
                                     const RunFacts& facts) {
   const KnownColumns columns(file);
@@ -56,7 +56,7 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
         else if (spec.curves.size() > 1)
           why = capital(curve.name) + ": " + small(why);
         reason = before + (before.empty() ? "" : " ") + why;
-        // What is not there has no place in the legend beside what is.
+        // Missing bodies are not listed in the legend.
         if (no_flange(curve.column, facts) &&
             std::any_of(spec.curves.begin(), spec.curves.end(), [&](const CurveSpec& other) {
               return any_value(columns.values(other.column).values);
@@ -95,8 +95,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
   std::vector<std::string> out;
   for (const auto& [what, of] : curves) {
     const bool several = (what.first + of).find(" and ") != std::string::npos;
-    out.push_back(capital(fmt::format("{}{} {} off where there is {}.", what.first, of,
-                                      several ? "break" : "breaks", what.second)));
+    out.push_back(capital(fmt::format("{}{} {} missing where there is {}.", what.first, of,
+                                      several ? "are" : "is", what.second)));
   }
   return out;
 }
@@ -153,7 +153,7 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
   tell_of_ratios(chart, file, page, context);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (const CurveSpec& spec : page.panels[p].curves) {
-      // A flange that is not there has no curve beside those that are.
+      // A missing flange has no curve.
       std::vector<ChartCurve>& drawn = chart.panels[p].curves;
       const auto curve = std::find_if(drawn.begin(), drawn.end(),
                                       [&](const ChartCurve& c) { return c.name == spec.name; });
@@ -164,14 +164,13 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
       if (!any_value(curve->y) && !any_but_zero(band->second)) continue;
       curve->low = band->second.low;
       curve->high = band->second.high;
-      chart.band_note = file.every > 1 ? "Pale areas reach from the lowest to the highest value "
-                                         "between the drawn steps."
-                                       : "Pale areas reach from the lowest to the highest value "
-                                         "between the stored steps.";
+      chart.band_note = file.every > 1
+                            ? "Min–max bands: range of the values between the drawn steps."
+                            : "Min–max bands: range of the values between the stored steps.";
     }
   const std::string aliased = aliasing(file, context);
   if (!aliased.empty())
-    add_note(chart, aliased + "; faster motion between them is not seen in the lines.");
+    add_note(chart, aliased + "; the lines do not show faster motion.");
   else
     tell_of_peaks(chart, file, page, context);
 }
@@ -182,7 +181,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
   const bool over_clearance = file.kind == results::SolKind::Cage;
   chart.equal_axes = true;
-  ChartPage history;  // what its points are told by, as on other pages
+  ChartPage history;  // values shown for its points, as on other pages
   set_abscissa(history, file, abscissa);
   chart.along = std::move(history.x);
   chart.along_title = history.x_title;
@@ -200,14 +199,14 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   }
   chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
-  panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
+  panel.curves.push_back({"mass center", columns.values(up.curves.front().column).values,
                           columns.values(across.curves.front().column).values});
-  // Less than an atom's size, or a billionth of a clearance, is no path.
+  // A motion smaller than an atom or a billionth of a clearance is not a path.
   const ChartCurve& path = panel.curves.front();
   const double least = panel.unit.empty() ? 1e-9 : desktop::least_span_of(panel.unit);
   const double width = spread(path.x), height = spread(path.y);
   if (width >= 0.0 && height >= 0.0 && std::max(width, height) < least)
-    add_note(chart, "The mass centre does not move in this plane: start and end are one place.");
+    add_note(chart, "The mass center does not move in this plane.");
   chart.panels.push_back(std::move(panel));
 }
 
@@ -223,17 +222,17 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
         return std::any_of(panel.curves.begin(), panel.curves.end(),
                            [](const ChartCurve& curve) { return !curve.y.empty(); });
       });
-  if (!drawn) return;  // what is said of lines is false without any
+  if (!drawn) return;  // notes on lines are false without lines
   const std::vector<double> turns = accumulated_turns(file);
   if (!chart.marks.empty() && turns_back(file)) {
     chart.marks.clear();
-    add_note(chart, "The shaft turns to and fro: no speed counts marks.");
+    add_note(chart, "The shaft oscillates: no frequency marks.");
   }
   if (!chart.marks.empty() && turns.back() > turns.front() && !keeps_speed(times(file), turns)) {
     const auto [low, high] = speed_range(times(file), turns);
-    add_note(chart, fmt::format("The shaft's speed varies from {} to {}: marks are of the mean "
-                                "over the run.",
-                                rpm_text(low), rpm_text(high)));
+    add_note(chart,
+             fmt::format("The shaft speed varies from {} to {}: marks are for the mean speed.",
+                         rpm_text(low), rpm_text(high)));
   }
   tell_lines(chart, {chart.x.front()}, options);
   first_view_of_spectra(chart, options.scale);
@@ -278,7 +277,7 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
                                file.header.run_id.empty() ? "(no run name)" : file.header.run_id,
                                chart.about, file.path.filename().string(), number, pages.size());
   if (file.steps.empty()) {
-    chart.note = "The file holds no complete step" +
+    chart.note = "The file contains no complete step" +
                  (file.note.empty() ? std::string(".") : ": " + file.note + ".");
     return chart;
   }

@@ -18,7 +18,7 @@ struct OrbitPair {
   int across = 1, up = 2;
 };
 
-/// What a history page shows of its curves.
+/// Content of a history page.
 enum class Domain : unsigned char { History, Spectrum, Waterfall };
 
 struct PageOptions {
@@ -36,7 +36,7 @@ struct CurveBand {
   std::vector<double> low, high;
 };
 
-/// What is known of a run beyond the file that is drawn.
+/// Known data of a run that are not in the plotted file.
 struct PageContext {
   std::vector<MarkTurns> marks = {};            ///< shaft, FTF, BPFO ...
   double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
@@ -54,8 +54,8 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
 /// How the run of a file turned; marks of its rotation alone where the context has none.
 [[nodiscard]] RunMotion motion_of(const results::SolFile& file, const PageContext& context);
 
-/// The chart of one page, its numbers taken from the file. @throws InputError for a page number
-/// outside 1 .. pages.size(). Numbers that mean "not computed" are no values (known_values.hpp).
+/// The chart of one page, with values from the file. @throws InputError for a page number outside 1
+/// .. pages.size(). Values that mean "not computed" are dropped (known_values.hpp).
 desktop::ChartPage build_page(const results::SolFile& file, const std::vector<PageSpec>& pages,
                               int number, const PageOptions& options = {},
                               const PageContext& context = {});

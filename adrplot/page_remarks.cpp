@@ -41,7 +41,7 @@ double alias_interval(const SolFile& file, double frequency) {
 bool vibrates(const std::string& column) {
   const auto has = [&column](const char* part) { return column.find(part) != std::string::npos; };
   if (has("temperature") || has("life") || has("wear_rate")) return false;
-  if (has("rotation")) return false;  // a ramp of turns, beside which no vibration is seen
+  if (has("rotation")) return false;  // a ramp of revolutions hides vibrations
   return column == "power.loss" ||
          (!column.starts_with("power.") && !column.starts_with("thermal."));
 }
@@ -51,7 +51,7 @@ bool is_nothing(double value, const std::string& unit) {
   return std::abs(value) <= 1e-3 * desktop::least_span_of(unit);
 }
 
-/// Flat lines at 0 say in words that they are what the run has.
+/// Flat lines at 0 get a note that the values are correct.
 void tell_zeros(ChartPage& chart) {
   bool any = false;
   for (const ChartPanel& panel : chart.panels)
@@ -62,12 +62,12 @@ void tell_zeros(ChartPage& chart) {
         any = true;
       }
   if (!any) return;
-  const bool motion = chart.title.starts_with("Mass centre ");
-  add_note(chart, motion ? "The mass centre does not move: every value of this page is 0."
-                         : "Every value of this page is 0.");
+  const bool motion = chart.title.starts_with("Mass center ");
+  add_note(chart, motion ? "The mass center does not move: all values of this page are 0."
+                         : "All values of this page are 0.");
 }
 
-/// Is there a value between two places without any, beside others that form lines?
+/// Is there a value between two missing ones, in addition to values that form lines?
 bool has_dots(const ChartPage& chart) {
   for (const ChartPanel& panel : chart.panels)
     for (const ChartCurve& curve : panel.curves) {
@@ -85,8 +85,8 @@ bool has_dots(const ChartPage& chart) {
   return false;
 }
 
-/// A life that is predicted at the first and the last step only (kLifeFreq = 0) is held in between:
-/// what is drawn are the values where it was predicted, of a continued run one at each end.
+/// With kLifeFreq = 0 life is predicted only at the first and last step and constant in between:
+/// only the predicted values are drawn, one at each end of a continued run.
 void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, const RunFacts& facts) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t p = 0; p < page.panels.size(); ++p) {
@@ -104,20 +104,18 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
       else
         held = *value;
     if (!once) {
-      add_note(chart,
-               "Fatigue life is predicted at the first and the last step of a run only (kLifeFreq "
-               "= 0).");
+      add_note(chart, "Fatigue life is computed only at the first and last step (kLifeFreq = 0).");
       continue;
     }
     const std::string life = desktop::pretty_quantity(*first, chart.panels[p].unit, 5);
     add_note(chart,
              facts.life_every
-                 ? fmt::format("Fatigue life is the one value {}, predicted {} (kLifeFreq = 0): it "
-                               "does not follow the loads of later steps.",
+                 ? fmt::format("Fatigue life {} was computed only {} (kLifeFreq = 0); loads of "
+                               "later steps are not included.",
                                life, start ? "at step 0" : "before the first step shown")
-                 : fmt::format("Fatigue life is the one value {} in all of {}: predicted once, it "
-                               "does not follow the loads of later steps.",
-                               life, file.part ? "these steps" : "this file"));
+                 : fmt::format(
+                       "Fatigue life {} is constant in {}; loads of later steps are not included.",
+                       life, file.part ? "these steps" : "this file"));
   }
 }
 
@@ -138,14 +136,13 @@ void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& pa
     names = bulk ? "These temperatures" : "Race contact temperatures without a rise";
   }
   if (names.empty()) return;
-  add_note(
-      chart,
-      names + (facts.temperatures_computed ? " are given by the deck (kTherm = 0), not computed."
-               : file.part                 ? " do not change at these steps."
-                           : " never change in this file: given ones, not computed in this run."));
+  add_note(chart,
+           names + (facts.temperatures_computed ? " are input values of the deck (kTherm = 0)."
+                    : file.part                 ? " are constant at these steps."
+                                : " are constant input values, not computed in this run."));
 }
 
-/// An average over no time is no value (known_values.hpp): what was left out is said.
+/// There is no average at time 0 (known_values.hpp): a note explains the missing value.
 void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   const bool averages =
       std::any_of(page.panels.begin(), page.panels.end(), [](const PanelSpec& panel) {
@@ -153,11 +150,10 @@ void tell_averages(ChartPage& chart, const SolFile& file, const PageSpec& page) 
       });
   if (averages && !(file.steps.front().time > 0.0))
     add_note(chart,
-             fmt::format("Step {} has no values: at its time there is nothing to average over.",
-                         file.steps.front().step));
+             fmt::format("Step {} has no averages: its time is 0.", file.steps.front().step));
 }
 
-/// Angles of lands and round pockets go on where nothing touches.
+/// Angles of lands and round pockets have values without contact, too.
 void tell_nearest(ChartPage& chart, const PageSpec& page) {
   for (std::size_t p = 1; p < page.panels.size(); ++p) {
     const std::string& column = page.panels[p].curves.front().column;
@@ -169,11 +165,11 @@ void tell_nearest(ChartPage& chart, const PageSpec& page) {
         for (std::size_t i = 0; i < std::min(angle.y.size(), force.y.size()); ++i)
           if (std::isfinite(angle.y[i]) && force.y[i] == 0.0)
             return add_note(chart,
-                            "Where nothing touches, the contact angle is that of the least gap.");
+                            "Without contact, the contact angle is that of the smallest gap.");
   }
 }
 
-/// What the forces and moments of a race are.
+/// Explains the forces and moments of a race.
 void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
                   const RunFacts& facts) {
   const std::string& column = page.panels.front().curves.front().column;
@@ -182,10 +178,9 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
   if (file.kind == results::SolKind::Race)
     add_note(chart, held_note(KnownColumns(file), moments));
   else if (facts.races_held.value_or(false))
-    add_note(
-        chart,
-        "The races keep their places and speeds: these are the moments that hold them to them, "
-        "not loads of the deck.");
+    add_note(chart,
+             "Position and speed of the races are prescribed: these are reactions, not loads of "
+             "the deck.");
 }
 
 /// Speeds of outer and inner race [rpm], from what the marks count; none where one of them varies.
@@ -225,9 +220,9 @@ std::string aliasing(const SolFile& file, const PageContext& context) {
   if (!(interval > 0.0)) return {};
   const auto every = static_cast<double>(file.every);
   return fmt::format(
-      "Aliased: the fastest contact vibrates at {}, and {} at {}",
+      "Aliased: fastest contact vibration {}, but {} at {}",
       desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
-      file.every > 1 ? fmt::format("one is drawn of every {} stored", counted(file.every, "step"))
+      file.every > 1 ? fmt::format("one of every {} stored is drawn", counted(file.every, "step"))
                      : "steps are stored",
       desktop::pretty_quantity(every / interval, "Hz", 3));
 }
@@ -238,16 +233,16 @@ void tell_of_ratios(ChartPage& chart, const SolFile& file, const PageSpec& page,
     const std::string& column = panel.curves.front().column;
     if (column != "cage.whirl_ratio" && column != "cage.speed_ratio") continue;
     if (turns_back(file)) {
-      add_note(chart, panel.title + ": over a race's speed, which passes 0 where it turns back.");
+      add_note(chart, panel.title + ": ratio to a race speed that passes through 0.");
       continue;
     }
     const auto speeds = race_speeds(file, context);
     if (!speeds) {
-      add_note(chart, panel.title + ": over the speed of the faster race.");
+      add_note(chart, panel.title + ": ratio to the speed of the faster race.");
       continue;
     }
     const bool outer = std::abs((*speeds)[0]) > std::abs((*speeds)[1]);
-    add_note(chart, fmt::format("{}: over the faster race, {} at {} rpm.", panel.title,
+    add_note(chart, fmt::format("{}: ratio to the speed of the {} race, {} rpm.", panel.title,
                                 outer ? "outer" : "inner",
                                 desktop::pretty_number((*speeds)[outer ? 0 : 1], 4)));
   }
@@ -269,9 +264,9 @@ void lead_with_aliasing(ChartPage& chart, const SolFile& file, const PageContext
   const std::string aliased = aliasing(file, context);
   if (aliased.empty() || chart.panels.empty()) return;
   chart.note =
-      aliased + ": what is faster is folded into the lines below " +
+      aliased + ": higher frequencies appear as lines below " +
       desktop::pretty_quantity(0.5 / alias_interval(file, context.fastest_frequency), "Hz", 3) +
-      ", which cannot be told from it." + (chart.note.empty() ? "" : " ") + chart.note;
+      "." + (chart.note.empty() ? "" : " ") + chart.note;
 }
 
 void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
@@ -282,7 +277,7 @@ void tell_of_values(ChartPage& chart, const SolFile& file, const PageSpec& page,
   tell_holding(chart, file, page, facts);
   tell_averages(chart, file, page);
   tell_nearest(chart, page);
-  if (has_dots(chart)) add_note(chart, "A dot is a single stored value with none beside it.");
+  if (has_dots(chart)) add_note(chart, "Dots are single stored values.");
 }
 
 }  // namespace adore::adrplot

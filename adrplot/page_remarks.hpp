@@ -2,7 +2,7 @@
 
 #include "adrplot/page_builder.hpp"
 
-/// What a page says of its values.
+/// Notes on the values of a page.
 namespace adore::adrplot {
 
 /// "Aliased: ..." of a run that is stored too seldom for its fastest contact, else empty.
@@ -17,7 +17,7 @@ void tell_of_ratios(desktop::ChartPage& chart, const results::SolFile& file, con
 void tell_of_peaks(desktop::ChartPage& chart, const results::SolFile& file, const PageSpec& page,
                    const PageContext& context);
 
-/// Of frequencies that stands above all: what is too fast is folded into the lines that are drawn.
+/// This note comes first: frequencies above the limit appear as lines below it.
 void lead_with_aliasing(desktop::ChartPage& chart, const results::SolFile& file,
                         const PageContext& context);
 

@@ -20,7 +20,7 @@
 namespace adore::adrplot {
 namespace {
 
-/// What of a page has no extremes between its values.
+/// Panels of a page without extremes between their values.
 struct Unknown {
   bool all = true;     ///< nothing has any
   std::string titles;  ///< of panels, "\"Gap\" and \"Contact angle\""
@@ -49,8 +49,8 @@ Unknown unknown_between(const desktop::ChartPage& page) {
   return out;
 }
 
-/// A file that leaves out steps of the run keeps no extremes of them but those drawn as bands:
-/// what is to be said of a page with other curves.
+/// A file that omits steps of the run contains no extremes of these steps except those drawn as
+/// bands: note for a page with other curves.
 std::string between_steps(const desktop::ChartPage& page, const results::SolFile& file) {
   if (file.steps.size() < 2) return {};
   std::vector<long> apart;
@@ -61,61 +61,56 @@ std::string between_steps(const desktop::ChartPage& page, const results::SolFile
   if (every < 2) return {};
   const Unknown unknown = unknown_between(page);
   if (unknown.all)
-    return fmt::format(
-        "Of every {} steps of the run one is stored: peaks between stored steps are not in the "
-        "file.",
-        every);
+    return fmt::format("One of every {} steps is stored: peaks between stored steps are missing.",
+                       every);
   if (unknown.titles.empty()) return {};
   return fmt::format(
-      "Of every {} steps of the run one is stored: peaks of {} between stored steps are not in the "
-      "file.",
-      every, unknown.titles);
+      "One of every {} steps is stored: peaks of {} between stored steps are missing.", every,
+      unknown.titles);
 }
 
 /// Of a range that passes over stored steps.
 std::string left_out(const desktop::ChartPage& page, std::size_t steps, long every) {
   const Unknown unknown = unknown_between(page);
-  return fmt::format("These are {} of the file's steps, one of every {}{}.", steps, every,
-                     unknown.all ? ": shorter peaks are left out"
+  return fmt::format("These are {} of the steps in the file, one of every {}{}.", steps, every,
+                     unknown.all ? ": shorter peaks are missing"
                      : unknown.titles.empty()
                          ? ""
-                         : ": shorter peaks of " + unknown.titles + " are left out");
+                         : ": shorter peaks of " + unknown.titles + " are missing");
 }
 
-/// What is drawn from RESULTS.h5: of which steps.
+/// Steps that are drawn from RESULTS.h5.
 struct DigitWords {
   std::string subtitle, note;
 };
 DigitWords digit_words(const results::SolFile& file, const results::FullPrecision& digits) {
   const std::string name = file.path.filename().string();
   const std::size_t own = file.steps.size() - digits.added;
-  DigitWords out{"all digits from RESULTS.h5", {}};
+  DigitWords out{"full precision (RESULTS.h5)", {}};
   if (digits.added > 0) {
     const long first = file.steps[own].step, last = file.steps.back().step;
     out.note = (first == last
                     ? fmt::format("Step {} is", first)
                     : fmt::format("The last {} steps, {} to {}, are", digits.added, first, last)) +
-               fmt::format(" from RESULTS.h5 alone: {} ends at step {}.", name,
+               fmt::format(" only in RESULTS.h5: {} ends at step {}.", name,
                            std::max(file.last_step, file.steps[own - 1].step));
   }
   if (digits.more)
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format("RESULTS.h5 has more steps behind step {}, for which there is no room.",
+                fmt::format("RESULTS.h5 has more steps after step {} that do not fit in memory.",
                             file.steps.back().step);
   if (digits.exact == own) return out;
   if (digits.from_start) {
     const long last = file.steps[digits.exact - 1].step;
-    out.subtitle = fmt::format("all digits from RESULTS.h5 to step {}", last);
+    out.subtitle = fmt::format("full precision (RESULTS.h5) to step {}", last);
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format("RESULTS.h5 ends at step {}: later values have the eight digits of {}.",
+                fmt::format("RESULTS.h5 ends at step {}: later values have eight digits ({}).",
                             digits.end, name);
   } else {
-    out.subtitle = fmt::format("all digits from RESULTS.h5 of {} of {} steps", digits.exact, own);
+    out.subtitle = fmt::format("full precision (RESULTS.h5) for {} of {} steps", digits.exact, own);
     out.note += (out.note.empty() ? "" : " ") +
-                fmt::format(
-                    "RESULTS.h5 does not hold {} of the {} steps: those have the eight "
-                    "digits of {}.",
-                    own - digits.exact, own, name);
+                fmt::format("RESULTS.h5 lacks {} of the {} steps: those have eight digits ({}).",
+                            own - digits.exact, own, name);
   }
   return out;
 }
@@ -139,8 +134,8 @@ PlotDocument document_of(const std::filesystem::path& path, std::string subject,
   return out;
 }
 
-/// The pages of a step file. Where all of its numbers would take too much room, those of the pages
-/// from the asked one on are read, as many as there is room for.
+/// The pages of a step file. If the values of all pages need too much memory, only those of the
+/// current and following pages are read, as many as fit.
 class StepPages {
  public:
   StepPages(std::filesystem::path path, const results::SolRange& range, std::size_t most_values,
@@ -181,13 +176,12 @@ class StepPages {
       note(lost);
     if (range_.every > 1) note(left_out(page, file_.steps.size() - digits_.added, range_.every));
     if (!file_.gaps.empty())
-      note((file_.part ? "Of these steps " : "Of the file ") + file_.gaps + ".");
+      note((file_.part ? "In these steps " : "In this file ") + file_.gaps + ".");
     if (file_.more)
       note(fmt::format("These are the stored steps {} to {}; more follow in the file.", range_.from,
                        range_.to));
     else if (range_.from > 1)
-      note(fmt::format("These are the stored steps from number {} on; those before are left out.",
-                       range_.from));
+      note(fmt::format("These are the stored steps from number {} on.", range_.from));
     std::error_code ignored;
     if (digits_.why_not.empty()) {
       if (const std::string whose = whose_pocket(number); !whose.empty()) note(whose);
@@ -214,7 +208,7 @@ class StepPages {
       if (ids.contains(columns[c].id)) out.insert(c);
     return out;
   }
-  /// Whose pocket a page of a segment is of, which RESULTS.h5 tells.
+  /// Number of the pocket of a segment's page, from RESULTS.h5.
   [[nodiscard]] std::string whose_pocket(int number) const {
     if (file_.kind != results::SolKind::Cage || file_.header.segments < 2) return {};
     const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
@@ -227,7 +221,7 @@ class StepPages {
     }
     return {};
   }
-  /// Those of its curves, and what the page tells is from.
+  /// Columns of its curves and of its notes.
   [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
     const PageSpec& page = pages_[static_cast<std::size_t>(number - 1)];
     std::set<std::string> ids;

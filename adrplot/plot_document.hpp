@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// One opened file as numbered pages, whatever kind of file it is.
+/// One opened file of any type as numbered pages.
 namespace adore::adrplot {
 
 struct PlotDocument {
@@ -36,18 +36,18 @@ struct PlotDocument {
 /// file is read again for others.
 inline constexpr std::size_t kMostValues = 9'000'000;
 
-/// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
-/// of a quasi-static run, a SWEEP.csv, or a study (study_document.hpp), told apart by their names'
-/// endings (.json, .csv) and else by content. `watch` is asked whenever steps are read, also later
+/// SOL1-SOL7 (with full precision if RESULTS.h5 of the same run is in the folder), RUN.json of a
+/// quasi-static run, SWEEP.csv, or a study (study_document.hpp). The type follows from the file
+/// name (.json, .csv), else from the content. `watch` is called whenever steps are read, also later
 /// for other pages; a page whose reading was stopped is read again when it is built again.
-/// @throws InputError for a file that is none of these; results::ReadStopped
+/// @throws InputError for other files; results::ReadStopped
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
                                          const results::SolRange& range = {},
                                          std::size_t most_values = kMostValues,
                                          const results::ReadWatch& watch = {});
 [[nodiscard]] PlotDocument make_document(results::SolFile file);
 
-/// Is the file read step by step, so that a range of steps can be asked for?
+/// Is the file read step by step, so that a range of steps can be selected?
 [[nodiscard]] bool has_steps(const std::filesystem::path& path);
 
 }  // namespace adore::adrplot

@@ -66,7 +66,7 @@ PageSpec coordinates(std::string title, PageKind kind, const std::string& prefix
           ""};
 }
 
-/// What the file holds, by id.
+/// Columns of the file, by id.
 class Columns {
  public:
   explicit Columns(const SolHeader& header) {
@@ -100,8 +100,7 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
           note));
   };
   if (!thermal) {
-    add_bulk(
-        "Coolant, bore and housing temperatures and the heat flows are not stored in this file.");
+    add_bulk("This file has no coolant, bore and housing temperatures and no heat flows.");
     return pages;
   }
   pages.push_back(history(
@@ -114,7 +113,7 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
                  false},
        single("Housing outside diameter", "thermal.housing")}));
   pages.push_back(history(
-      "Average heat distribution in a thermal step",
+      "Average heat flows in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),
        PanelSpec{"To the races",
                  {{"outer race", "thermal.outer_heat"}, {"inner race", "thermal.inner_heat"}},
@@ -130,7 +129,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
 
   std::vector<PageSpec> pages{motion("Accelerations", "element", "acceleration"),
                               motion("Velocity", "element", "velocity"),
-                              motion("Position of the mass centre", "element", "position"),
+                              motion("Position of the mass center", "element", "position"),
                               orientation("element"),
                               angular_velocity("Magnitude", "element", "angular_velocity"),
                               history("Race interactions 1: load and angle",
@@ -146,8 +145,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   slip.panels.push_back(both_races("Lubricant film", "contact.film"));
   if (!ball) {
     slip.note += slip.note.empty() ? "" : " ";
-    slip.note +=
-        "The slip velocity is the largest of the slices; it steps where another one takes over.";
+    slip.note += "Slip velocity: largest of all slices (steps when the slice changes).";
   }
   pages.push_back(std::move(slip));
 
@@ -220,13 +218,12 @@ void add_pocket_pages(std::vector<PageSpec>& pages, const SolHeader& header) {
           contact.curves.insert(contact.curves.end(), one.curves.begin(), one.curves.end());
       }
       const bool paired = header.bearing_type != kBall && surfaces % 2 == 0;
-      pages.push_back(history(
-          title, {force, gap, contact},
-          paired
-              ? fmt::format("Surface {} stands behind the roller of a cage that turns positively, "
-                            "surface {} in front of it.",
-                            begin, end)
-              : ""));
+      pages.push_back(history(title, {force, gap, contact},
+                              paired
+                                  ? fmt::format("For positive cage rotation, surface {} is behind "
+                                                "the roller and surface {} in front of it.",
+                                                begin, end)
+                                  : ""));
     }
   }
 }
@@ -237,18 +234,18 @@ std::vector<PageSpec> cage_pages(const SolHeader& header) {
                            single("Contact angle", name + "_angle", true)});
   };
   std::vector<PageSpec> pages{
-      history("Mass centre velocities",
+      history("Mass center velocities",
               {single("Whirl ratio", "cage.whirl_ratio"), single("Radial", "cage.radial_velocity"),
                single("Axial", "cage.axial_velocity")}),
       land("Cage to race interaction, land 1", "cage.land1"),
       land("Cage to race interaction, land 2", "cage.land2"),
-      motion("Mass centre acceleration", "cage", "acceleration"),
-      coordinates("Mass centre whirl orbit", PageKind::Orbit, "cage.", "_over_clearance"),
-      motion("Position of the mass centre", "cage", "position"),
+      motion("Mass center acceleration", "cage", "acceleration"),
+      coordinates("Mass center whirl orbit", PageKind::Orbit, "cage.", "_over_clearance"),
+      motion("Position of the mass center", "cage", "position"),
       orientation("cage"),
       angular_velocity("Omega ratio", "cage", "speed_ratio")};
   add_pocket_pages(pages, header);
-  pages.push_back(coordinates("Frequency spectrum of the mass centre", PageKind::Spectrum, "cage.",
+  pages.push_back(coordinates("Frequency spectrum of the mass center", PageKind::Spectrum, "cage.",
                               "_over_clearance"));
   return pages;
 }
@@ -259,19 +256,19 @@ std::vector<PageSpec> race_pages() {
                    {single("X component", channel + "_x"), single("Y component", channel + "_y"),
                     single("Z component", channel + "_z")});
   };
-  return {history("Mass centre velocities",
+  return {history("Mass center velocities",
                   {single("Orbital", "race.whirl_speed"), single("Radial", "race.radial_velocity"),
                    single("Axial", "race.axial_velocity")}),
           components("Applied forces", "race.applied_force"),
           components("Applied moments", "race.applied_moment"),
-          motion("Mass centre acceleration", "race", "acceleration"),
-          coordinates("Mass centre whirl orbit", PageKind::Orbit, "race."),
-          history("Position of the mass centre",
+          motion("Mass center acceleration", "race", "acceleration"),
+          coordinates("Mass center whirl orbit", PageKind::Orbit, "race."),
+          history("Position of the mass center",
                   {single("X", "race.x"), single("Y", "race.y"), single("Z", "race.z")},
-                  "Counted from where the race stands without load."),
+                  "Relative to the unloaded position."),
           orientation("race"),
           angular_velocity("Magnitude", "race", "angular_velocity"),
-          coordinates("Frequency spectrum of the mass centre", PageKind::Spectrum, "race.")};
+          coordinates("Frequency spectrum of the mass center", PageKind::Spectrum, "race.")};
 }
 
 }  // namespace
@@ -289,8 +286,7 @@ std::vector<PageSpec> plot_pages(SolKind kind, const SolHeader& header) {
     case SolKind::Animation:
       break;
   }
-  throw InputError(
-      "this file holds an animation (SOL8), which has no plot pages; open it with agore");
+  throw InputError("SOL8 is an animation file without plot pages; open it with agore");
 }
 
 std::string subject(SolKind kind, const SolHeader& header) {

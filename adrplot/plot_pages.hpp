@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-/// The plot pages of each kind of result file, as a table without Qt: what stands on page 7 of an
-/// element file is said here only. Curves name columns by id (results::sol_columns); where a value
-/// stands in the file and which unit it has is the business of the results.
+/// The plot pages of each kind of result file, as a table without Qt. Curves name columns by id
+/// (results::sol_columns); position and unit of a value in the file are defined by the results.
 namespace adore::adrplot {
 
 enum class PageKind : unsigned char {
   History,   ///< panels over revolutions or time
-  Orbit,     ///< one coordinate of the mass centre against another
-  Spectrum,  ///< amplitude over frequency of the mass centre coordinates
+  Orbit,     ///< one coordinate of the mass center against another
+  Spectrum,  ///< amplitude over frequency of the mass center coordinates
   Chart      ///< of a file without steps: the same in every view
 };
 
@@ -26,7 +25,7 @@ struct CurveSpec {
 struct PanelSpec {
   std::string title;
   std::vector<CurveSpec> curves;
-  bool wraps = false;  ///< an angle that starts again after a turn
+  bool wraps = false;  ///< an angle that restarts after each revolution
 };
 
 struct PageSpec {

@@ -210,14 +210,14 @@ void PlotWindow::showCurrent() {
     abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
     note_->setText(doc->note.empty()
                        ? QString()
-                       : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));
+                       : tr("Incomplete file: %1.").arg(QString::fromStdString(doc->note)));
     setWindowTitle(
         QString("%1 — page %2 of %3 — AdrPlot").arg(nameOf(*doc)).arg(page_).arg(pageCount()));
   } else {
     chart.title = "AdrPlot";
     chart.note =
-        "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or a study's folder, "
-        "or drop one here.";
+        "Open or drop a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or the folder "
+        "of a study.";
     orbit_action_->setVisible(false);
     offerCurves(chart);
   }
@@ -311,7 +311,7 @@ void PlotWindow::goToFinding(const Finding& finding) {
   statusBar()->showMessage(desktop::finding_text(finding), 20000);
 }
 
-/// What the cursors tell, in a third of the window at most, beside the least of the chart.
+/// Cursor values, in at most a third of the window, next to the smallest chart.
 void PlotWindow::fitCursors() {
   const int needed = cursors_->heightForWidth(std::max(view_->width(), 100));
   cursors_area_->setFixedHeight(std::clamp(needed, 0, std::max(0, height() - kLeastChart) / 3));

@@ -41,20 +41,20 @@ class PlotWindow : public QMainWindow {
   explicit PlotWindow(QWidget* parent = nullptr);
   ~PlotWindow() override;
 
-  /// Reads a file and shows its first page. False, after a message with the reason, when the file
-  /// is refused.
+  /// Reads a file and shows its first page. False, after a message with the reason, if the file is
+  /// rejected.
   bool openFile(const std::filesystem::path& path, const results::SolRange& range = {});
   /// The same for results in memory.
   void addFile(results::SolFile file, const results::SolRange& range = {});
 
   /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
   void openFolder(const QString& folder, const results::SolRange& range = {});
-  /// What a dialog or a drop names; of a single file it is asked which steps are wanted.
+  /// Opens the files of a dialog or a drop; for a single file the user selects the steps.
   void openSeveral(const QStringList& paths);
   /// Files that another program wants shown: read again where they are open, and brought to the
   /// front.
   void showFiles(const QStringList& paths, bool to_front = true);
-  /// Curves of open files as one chart of its own in the tree.
+  /// Curves of open files as a separate chart in the tree.
   void addChart(const std::vector<CurvePick>& picks, Combine how);
 
   [[nodiscard]] int fileCount() const { return static_cast<int>(documents_.size()); }
@@ -105,11 +105,11 @@ class PlotWindow : public QMainWindow {
   void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);
-  /// What the keys do to the chart while it has the keyboard.
+  /// Key commands of the chart while it has the focus.
   void makeKeyMenus(QMenu* view);
   void addDeed(QMenu* menu, desktop::ChartDeed deed, const QString& text,
                const QList<QKeySequence>& keys);
-  /// What would change nothing is grey and says why.
+  /// Actions without effect are disabled and have a tooltip with the reason.
   void offerDeeds();
   /// The names of the legends, to be hidden or shown.
   void offerNames();
@@ -123,7 +123,7 @@ class PlotWindow : public QMainWindow {
   void readReplaced();
   [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
-  /// What of the choices applies to a page; the others are grey and say why.
+  /// Enables the choices that apply to a page; the others have a tooltip with the reason.
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
   /// The curves that a waterfall could be of, where it is one.
   void offerCurves(const desktop::ChartPage& chart);
@@ -162,7 +162,7 @@ class PlotWindow : public QMainWindow {
   QWidget* readout_room_;  ///< that the foot keeps free for them
   QStringList values_;     ///< all of them, by part
   QTimer* growth_ = nullptr;
-  bool unreadable_ = false;  ///< the file that is followed, for the moment; the foot says so
+  bool unreadable_ = false;  ///< the followed file cannot be read at the moment; see the status bar
   std::unique_ptr<QProgressDialog> reading_;
   std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
   QAction* log_x_action_ = nullptr;

@@ -9,7 +9,7 @@
 
 #include <exception>
 
-/// What the window asks for before it reads: files, steps, curves.
+/// Dialogs before reading: files, steps, curves.
 namespace adore::adrplot {
 
 void PlotWindow::askForFile() {
@@ -37,7 +37,7 @@ void PlotWindow::askForRange(const QString& path) {
   }
   long stored = 0;
   try {
-    // The origin is checked before the user is asked for numbers in vain.
+    // The origin is checked before the user enters numbers.
     if (results::sol_kind(path.toStdString()) == results::SolKind::Animation)
       plot_pages(results::SolKind::Animation, {});
     stored = results::stored_steps(path.toStdString());
@@ -91,7 +91,8 @@ void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
   PlotDocument chart;
   chart.path = QString("chart-%1").arg(number).toStdString();
   chart.subject = "own chart";
-  chart.pages = {{how == Combine::Difference ? "Differences" : "Chosen curves", PageKind::History}};
+  chart.pages = {
+      {how == Combine::Difference ? "Differences" : "Selected curves", PageKind::History}};
   chart.build = build;
   addDocument(std::move(chart), {}, false);
 }

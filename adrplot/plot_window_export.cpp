@@ -48,7 +48,7 @@ qulonglong valuesOf(const desktop::ChartPage& page) {
 bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
   Document* doc = document();
   if (!doc) return false;
-  desktop::ChartScene scene;  // of its own: what is seen stays as it is
+  desktop::ChartScene scene;  // a copy: the visible scene does not change
   scene.setTheme(desktop::current_theme());
   const QSizeF size = view_->viewport()->size();
   const int shown = page_;
@@ -74,16 +74,15 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
         scene.setZoom(view_->chartScene().zoom());
         const desktop::ChartPage part = desktop::seen_part(scene);
         desktop::save_bytes(QByteArray::fromStdString(desktop::page_csv(part)), path.toStdString());
-        desktop::tell_in_foot(this,
-                              tr("Saved what is seen in %1: the curves that are shown, %2 each.")
-                                  .arg(path, told(valuesOf(part), "value")));
+        desktop::tell_in_foot(this, tr("Exported the visible range to %1: visible curves, %2 each.")
+                                        .arg(path, told(valuesOf(part), "value")));
       } else {
         desktop::save_page(scene, path.toStdString(), size);
         desktop::tell_in_foot(
             this, !numbers ? tr("Saved %1.").arg(path)
-                  : whole  ? tr("Saved %1: every curve with all it has, %2.")
+                  : whole  ? tr("Exported %1: all curves, %2.")
                                 .arg(path, told(valuesOf(scene.page()), "value"))
-                          : tr("Saved %1: every curve with all it has, %2, not only what is seen.")
+                          : tr("Exported %1: all curves, %2, also outside the visible range.")
                                 .arg(path, told(valuesOf(scene.page()), "value")));
       }
     } else if (QFileInfo(path).suffix().toLower() == "pdf") {
@@ -103,7 +102,7 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
                                .toStdString(),
                            size);
       }
-      desktop::tell_in_foot(this, tr("Saved %1, each with its number, in %2.")
+      desktop::tell_in_foot(this, tr("Saved %1 as numbered files in %2.")
                                       .arg(told(pageCount(), "page"), info.absolutePath()));
     }
     return true;
@@ -117,10 +116,10 @@ bool PlotWindow::exportTo(const QString& path, bool all_pages, bool seen) {
 void PlotWindow::askForExport(bool all_pages) {
   Document* doc = document();
   if (!doc) return askForFile();
-  const QString seen = tr("Numbers of what is seen (*.csv)");
+  const QString seen = tr("Values of the visible range (*.csv)");
   auto* dialog = new QFileDialog(
       this, all_pages ? tr("Export all pages") : tr("Export page"), QString(),
-      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;All numbers (*.csv)") +
+      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;All values (*.csv)") +
           (all_pages ? QString() : ";;" + seen));
   dialog->setObjectName("export");
   desktop::delete_when_done(*dialog);
@@ -159,20 +158,20 @@ void PlotWindow::copyPicture() {
   // Somebody has marked words of the statistics: these are meant.
   if (cursors_->hasSelectedText()) {
     QGuiApplication::clipboard()->setText(plain(cursors_->selectedText()));
-    desktop::tell_in_foot(this, tr("The marked text is in the clipboard."));
+    desktop::tell_in_foot(this, tr("Copied the selected text."));
     return;
   }
   QGuiApplication::clipboard()->setImage(view_->chartScene().image(view_->viewport()->size()));
-  desktop::tell_in_foot(this, tr("The picture is in the clipboard."));
+  desktop::tell_in_foot(this, tr("Copied the picture."));
 }
 
 void PlotWindow::copyStatistics() {
   if (cursors_->text().isEmpty()) {
-    desktop::tell_in_foot(this, tr("Set a cursor first: Ctrl and a click, with Shift for B."));
+    desktop::tell_in_foot(this, tr("Set a cursor first: Ctrl+click (A), Ctrl+Shift+click (B)."));
     return;
   }
   QGuiApplication::clipboard()->setText(plain(cursors_->text()));
-  desktop::tell_in_foot(this, tr("The values at the cursors are in the clipboard."));
+  desktop::tell_in_foot(this, tr("Copied the values at the cursors."));
 }
 
 void PlotWindow::print() {

@@ -75,7 +75,7 @@ bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolR
     desktop::remember_part_of_run(kApp, QString::fromStdString(path.string()));
     return true;
   } catch (const results::ReadStopped&) {
-    return false;  // as was asked for
+    return false;  // as specified
   } catch (const std::exception& error) {
     reading_.reset();
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -206,8 +206,8 @@ void PlotWindow::reload() {
   readReplaced();
 }
 
-/// A file that is followed may be worth nothing for a moment: no box that somebody has to close
-/// tells of it, but the foot, until it is good again.
+/// A followed file may be invalid for a moment: the status bar shows this, without a dialog, until
+/// the file is valid again.
 void PlotWindow::readAgain(bool asked) {
   Document* doc = document();
   if (!doc || !doc->on_disk) return;
@@ -220,7 +220,7 @@ void PlotWindow::readAgain(bool asked) {
     if (unreadable_) statusBar()->clearMessage();
     unreadable_ = false;
   } catch (const results::ReadStopped&) {
-    follow(false);  // as was asked for
+    follow(false);  // as specified
   } catch (const std::exception& error) {
     reading_.reset();
     if (asked) return desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -242,7 +242,7 @@ void PlotWindow::readReplaced() {
       doc.seen = std::move(seen);
       any = true;
     } catch (const std::exception&) {
-      reading_.reset();  // it is said when the file is looked at
+      reading_.reset();  // reported when the file is read
     }
   }
   if (any) fillTree();

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-/// What the mouse does to a chart, for the keys: each is in a menu, which shows its key.
+/// Key commands for the mouse actions of a chart: each is in a menu, which shows its key.
 namespace adore::adrplot {
 
 using desktop::ChartDeed;
@@ -38,17 +38,17 @@ void PlotWindow::makeKeyMenus(QMenu* view) {
   QMenu* panel = menu(tr("&Panel"));
   addDeed(panel, ChartDeed::PanelAbove, tr("Panel &Above"), {Qt::CTRL | Qt::Key_Up});
   addDeed(panel, ChartDeed::PanelBelow, tr("Panel &Below"), {Qt::CTRL | Qt::Key_Down});
-  addDeed(panel, ChartDeed::EnlargeValues, tr("&Enlarge Its Values"),
+  addDeed(panel, ChartDeed::EnlargeValues, tr("&Enlarge Values"),
           {Qt::CTRL | Qt::Key_Plus, Qt::CTRL | Qt::Key_Equal});
-  addDeed(panel, ChartDeed::ReduceValues, tr("&Reduce Its Values"), {Qt::CTRL | Qt::Key_Minus});
+  addDeed(panel, ChartDeed::ReduceValues, tr("&Reduce Values"), {Qt::CTRL | Qt::Key_Minus});
   QMenu* read = menu(tr("&Read"));
-  addDeed(read, ChartDeed::ReadBack, tr("One Place &Back"), {Qt::CTRL | Qt::Key_Left});
-  addDeed(read, ChartDeed::ReadOn, tr("One Place &On"), {Qt::CTRL | Qt::Key_Right});
+  addDeed(read, ChartDeed::ReadBack, tr("One Point &Back"), {Qt::CTRL | Qt::Key_Left});
+  addDeed(read, ChartDeed::ReadOn, tr("One Point &On"), {Qt::CTRL | Qt::Key_Right});
   addDeed(read, ChartDeed::ReadFarBack, tr("&Far Back"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Left});
   addDeed(read, ChartDeed::ReadFarOn, tr("Far O&n"), {Qt::CTRL | Qt::SHIFT | Qt::Key_Right});
   read->addSeparator();
-  addDeed(read, ChartDeed::CursorA, tr("Cursor &A Here, or Away"), {Qt::Key_A});
-  addDeed(read, ChartDeed::CursorB, tr("&Cursor B Here, or Away"), {Qt::Key_B});
+  addDeed(read, ChartDeed::CursorA, tr("Toggle Cursor &A"), {Qt::Key_A});
+  addDeed(read, ChartDeed::CursorB, tr("Toggle &Cursor B"), {Qt::Key_B});
 }
 
 void PlotWindow::offerDeeds() {
@@ -98,7 +98,7 @@ void PlotWindow::offerNames() {
   }
   names_menu_->menuAction()->setEnabled(count > 0);
   names_menu_->menuAction()->setToolTip(count > 0 ? QString()
-                                                  : tr("No curve of this page has a name."));
+                                                  : tr("This page has no named curves."));
 }
 
 }  // namespace adore::adrplot

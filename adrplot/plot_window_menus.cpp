@@ -30,7 +30,7 @@ void PlotWindow::makeButtons() {
   bar->setObjectName("buttons");
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  // The key of what stands in a menu too belongs to the menu, which shows it.
+  // The shortcut of a button with a menu entry belongs to the menu, which shows it.
   const auto button = [&](const QString& text, const QKeySequence& key, auto slot,
                           const QString& help, bool in_menu = false) {
     auto* action = bar->addAction(text);
@@ -40,18 +40,18 @@ void PlotWindow::makeButtons() {
   };
   button(tr("Open Plot File"), QKeySequence::Open, &PlotWindow::askForFile,
          tr("Choose a file SOL1 to SOL7"), true);
-  button(tr("Prev Plot"), Qt::Key_PageUp, &PlotWindow::previousPage, tr("One page back"));
-  button(tr("Next Plot"), Qt::Key_PageDown, &PlotWindow::nextPage, tr("One page on"));
+  button(tr("Prev Plot"), Qt::Key_PageUp, &PlotWindow::previousPage, tr("Previous page"));
+  button(tr("Next Plot"), Qt::Key_PageDown, &PlotWindow::nextPage, tr("Next page"));
   button(tr("Plot Number"), Qt::CTRL | Qt::Key_G, &PlotWindow::askForPage,
          tr("Go to a page by its number"));
   button(tr("Print"), QKeySequence::Print, &PlotWindow::print, tr("Print this page"), true);
   button(tr("Save JPG"), QKeySequence::Save, &PlotWindow::savePicture,
          tr("Save this page as JPEG or PNG"));
-  button(tr("Reload"), Qt::Key_F5, &PlotWindow::reload,
-         tr("Read the file again, for a run that goes on"), true);
-  button(tr("Dark/Light"), Qt::CTRL | Qt::Key_D, &PlotWindow::switchTheme, tr("Change the colours"),
+  button(tr("Reload"), Qt::Key_F5, &PlotWindow::reload, tr("Reload the file while a run is active"),
          true);
-  button(tr("Quit"), Qt::CTRL | Qt::Key_Q, &PlotWindow::close, tr("End AdrPlot"), true);
+  button(tr("Dark/Light"), Qt::CTRL | Qt::Key_D, &PlotWindow::switchTheme,
+         tr("Dark or light theme"), true);
+  button(tr("Quit"), Qt::CTRL | Qt::Key_Q, &PlotWindow::close, tr("Quit AdrPlot"), true);
   bar->addSeparator();
   makeChoices(bar);
 }
@@ -88,8 +88,7 @@ void PlotWindow::makeMenus() {
   view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
                   &desktop::ChartView::zoomForward);
   view->addAction(tr("Show &Everything"), Qt::Key_Home, view_, &desktop::ChartView::zoomAll);
-  view->addAction(tr("&Take Cursors Away"), Qt::Key_Escape, view_,
-                  &desktop::ChartView::clearCursors);
+  view->addAction(tr("&Remove Cursors"), Qt::Key_Escape, view_, &desktop::ChartView::clearCursors);
   makeKeyMenus(view);
   view->addSeparator();
   auto* log_x = view->addAction(tr("Logarithmic &Abscissa"));
@@ -104,37 +103,32 @@ void PlotWindow::makeMenus() {
   view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(
-      *this, "AdrPlot", tr("AdrPlot draws what a run of Adore stored."),
-      {{tr("Page Up, Page Down"), tr("one page back, on")},
-       {tr("Ctrl+G"), tr("a page by its number")},
-       {tr("F5"), tr("reads the file again")},
-       {tr("wheel"),
-        tr("zooms along the abscissa, with Ctrl along a panel's own axis; of an orbit, both")},
-       {tr("drag"), tr("moves; with Shift zooms into a box")},
-       {tr("double click, Home"), tr("shows everything")},
-       {tr("Alt+Left, Alt+Right"), tr("earlier and later views")},
-       {tr("click on a panel"), tr("a waterfall is of its first curve then")},
-       {tr("click on a name in a legend"), tr("hides its curve, or shows it")},
-       {tr("Ctrl+click, Ctrl+Shift+click"), tr("cursor A, cursor B; Esc takes them away")},
-       {tr("Tab"), tr("goes to the chart: a frame shows that the keys below are its own")},
-       {tr("+ or =, -"), tr("zooms in, out: about the place that is read, or the middle")},
-       {tr("Left, Right"), tr("moves by a tenth of what is seen; with Shift by all of it: "
-                              "Shift+Left, Shift+Right")},
-       {tr("Up, Down"), tr("moves an orbit, or the enlarged values of a panel")},
-       {tr("Ctrl++, Ctrl+-"), tr("enlarges, reduces the values of a panel")},
-       {tr("Ctrl+Up, Ctrl+Down"),
-        tr("the panel that these keys are of (a bar stands beside it), as a click chooses it")},
-       {tr("Ctrl+Left, Ctrl+Right"),
-        tr("reads the values of one stored place after the other; with Shift farther apart")},
-       {tr("A, B"), tr("cursor A, cursor B to the place that is read; again: away")},
-       {tr("Z"), tr("zooms to what lies between the cursors")},
-       {tr("1 to 9"), tr("hides a curve of the legends, or shows it")}});
+      *this, "AdrPlot", tr("AdrPlot plots the results of Adore."),
+      {{tr("Page Up, Page Down"), tr("previous, next page")},
+       {tr("Ctrl+G"), tr("go to a page by number")},
+       {tr("F5"), tr("reload the file")},
+       {tr("wheel"), tr("zoom the horizontal axis; Ctrl: the vertical axis; orbit: both")},
+       {tr("drag"), tr("move; Shift: zoom to a box")},
+       {tr("double click, Home"), tr("show all")},
+       {tr("Alt+Left, Alt+Right"), tr("previous, next view")},
+       {tr("click a panel"), tr("use its first curve for waterfalls")},
+       {tr("click a name in a legend"), tr("show or hide the curve")},
+       {tr("Ctrl+click, Ctrl+Shift+click"), tr("set cursor A, B; Esc removes them")},
+       {tr("Tab"), tr("focus the chart for the keys below (shown by a frame)")},
+       {tr("+ or =, -"), tr("zoom in, out at the current point or the center")},
+       {tr("Left, Right"), tr("move by a tenth of the visible range; with Shift by all of it")},
+       {tr("Up, Down"), tr("move an orbit or the enlarged values of a panel")},
+       {tr("Ctrl++, Ctrl+-"), tr("enlarge, reduce the values of a panel")},
+       {tr("Ctrl+Up, Ctrl+Down"), tr("select the panel for these keys (marked by a bar)")},
+       {tr("Ctrl+Left, Ctrl+Right"), tr("read the next stored point; with Shift farther apart")},
+       {tr("A, B"), tr("place or remove cursor A, B at the current point")},
+       {tr("Z"), tr("zoom to the range between the cursors")},
+       {tr("1 to 9"), tr("show or hide a curve of the legends")}});
 }
 
 void PlotWindow::makeChartMenu(QMenu* menu) {
   menu->setToolTipsVisible(true);
-  menu->addAction(tr("&Curves for One Chart..."), Qt::CTRL | Qt::Key_K, this,
-                  &PlotWindow::askForCurves);
+  menu->addAction(tr("&Combine Curves..."), Qt::CTRL | Qt::Key_K, this, &PlotWindow::askForCurves);
   names_menu_ = menu->addMenu(tr("Cur&ves Shown"));
   names_menu_->setObjectName("names");
   menu->addSeparator();
@@ -152,7 +146,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
       group->addAction(action);
     }
   };
-  choices(tr("Spectrum: &Amplitude"), {tr("over the largest"), tr("in units"), tr("in dB")},
+  choices(tr("Spectrum: &Amplitude"), {tr("relative"), tr("in units"), tr("in dB")},
           [](PageOptions& o, int i) { o.spectrum.scale = static_cast<SpectrumScale>(i); });
   choices(tr("Spectrum: &Window"), {tr("Hann"), tr("flat top"), tr("none")},
           [](PageOptions& o, int i) {
@@ -165,7 +159,7 @@ void PlotWindow::makeChartMenu(QMenu* menu) {
 
 namespace {
 
-/// What does not apply says why, under the pointer.
+/// Disabled entries show the reason in a tooltip.
 template <class Choice>
 void offer(Choice* choice, bool applies, const QString& why_not) {
   choice->setEnabled(applies);
@@ -176,23 +170,22 @@ void offer(Choice* choice, bool applies, const QString& why_not) {
 
 void PlotWindow::offerChoices(PageKind kind, const desktop::ChartPage& chart) {
   const bool steps = kind == PageKind::History, over_time = options_.domain == Domain::History;
-  const QString not_of_steps =
-      kind == PageKind::Chart
-          ? tr("This page is not over the stored steps of a run: it has its own abscissa.")
-          : tr("This page has one form only.");
-  offer(abscissa_, steps && over_time, steps ? tr("Spectra are over frequency.") : not_of_steps);
+  const QString not_of_steps = kind == PageKind::Chart
+                                   ? tr("This page has its own horizontal axis.")
+                                   : tr("This page has one form only.");
+  offer(abscissa_, steps && over_time, steps ? tr("Spectra use frequency.") : not_of_steps);
   offer(domain_, steps, not_of_steps);
-  const QString no_axes = chart.study        ? tr("A picture of a study has axes of its own.")
-                          : chart.equal_axes ? tr("Both axes of this page are equal.")
+  const QString no_axes = chart.study        ? tr("Charts of a study have fixed axes.")
+                          : chart.equal_axes ? tr("This page uses equal axis scales.")
                                              : tr("There are no curves on this page.");
   const bool axes = !chart.equal_axes && !chart.study && !chart.panels.empty();
   offer(log_x_action_, axes, no_axes);
   const bool decibels = std::any_of(chart.panels.begin(), chart.panels.end(),
                                     [](const auto& panel) { return panel.unit == "dB"; });
-  offer(log_y_action_, axes && !decibels, axes ? tr("dB are logarithms already.") : no_axes);
+  offer(log_y_action_, axes && !decibels, axes ? tr("dB is already logarithmic.") : no_axes);
   const bool spectra = kind == PageKind::Spectrum || (steps && !over_time);
   for (QAction* action : spectrum_actions_)
-    offer(action, spectra, tr("This page shows no spectra: choose \"spectrum\" above it."));
+    offer(action, spectra, tr("This page shows no spectra: select \"spectrum\" above it."));
 }
 
 void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
@@ -210,8 +203,8 @@ void PlotWindow::offerCurves(const desktop::ChartPage& chart) {
   }
   curve_menu_->menuAction()->setEnabled(!chart.choices.empty());
   curve_menu_->menuAction()->setToolTip(
-      chart.choices.empty() ? tr("This page shows no waterfall: choose \"waterfall\" above it.")
-                            : tr("The curve that this waterfall is of"));
+      chart.choices.empty() ? tr("This page shows no waterfall: select \"waterfall\" above it.")
+                            : tr("Curve of the waterfall"));
 }
 
 void PlotWindow::makeChoices(QToolBar* bar) {
@@ -225,16 +218,16 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   });
   domain_ = new QComboBox(this);
   domain_->setObjectName("domain");
-  desktop::name_box(*domain_, tr("History or frequencies"));
+  desktop::name_box(*domain_, tr("Chart type"));
   domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
   connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.domain = static_cast<Domain>(index);
-    log_x_.reset();  // what was chosen for times means nothing for frequencies
+    log_x_.reset();  // the setting for times does not apply to frequencies
     showCurrent();
   });
   orbit_ = new QComboBox(this);
   orbit_->setObjectName("orbit");
-  desktop::name_box(*orbit_, tr("Coordinates of the orbit"));
+  desktop::name_box(*orbit_, tr("Orbit coordinates"));
   for (const auto& choice : kPairs) orbit_->addItem(choice.text);
   connect(orbit_, &QComboBox::currentIndexChanged, this, [this](int index) {
     options_.orbit = kPairs.at(static_cast<std::size_t>(index)).pair;
@@ -243,7 +236,7 @@ void PlotWindow::makeChoices(QToolBar* bar) {
   curve_ = new QComboBox(this);
   curve_->setObjectName("curve");
   desktop::name_box(*curve_, tr("Curve of the waterfall"));
-  curve_->setToolTip(tr("The curve that this waterfall is of"));
+  curve_->setToolTip(tr("Curve of the waterfall"));
   curve_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   connect(curve_, &QComboBox::activated, this,
           [this](int index) { setWaterfallOf(curve_->itemText(index).toStdString()); });

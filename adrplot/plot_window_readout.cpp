@@ -30,9 +30,9 @@ void PlotWindow::makeReadout() {
   connect(statusBar(), &QStatusBar::messageChanged, this, [this] { showReadout(); });
 }
 
-/// Height for the values of all panels, before they are asked for: a foot that grew while the mouse
-/// moves would move the chart above it. In a low window the chart needs that room: there the values
-/// lie over it, and only while there are some.
+/// Height for the values of all panels, reserved in advance: a status bar that grows while the
+/// mouse moves would move the chart. In a low window the values are drawn over the chart, only
+/// while there are some.
 void PlotWindow::fitReadout() {
   const QFontMetrics metrics(readout_->font());
   constexpr int kMostHeight = 1000;
@@ -48,8 +48,8 @@ void PlotWindow::fitReadout() {
       height = std::max(
           height, metrics.boundingRect(room, Qt::TextWordWrap, scene.readout(place)).height());
     }
-  // The chart stays the larger part beside what very many curves tell; lines above each other are
-  // read in the picture.
+  // The chart stays larger than the values of very many curves; values of waterfalls are read in
+  // the picture.
   const auto& panels = scene.page().panels;
   if (std::any_of(panels.begin(), panels.end(), [](const auto& panel) { return panel.scale_bar; }))
     height = std::min(height, 2 * metrics.lineSpacing());
@@ -74,7 +74,7 @@ void PlotWindow::showReadout() {
   readout_->raise();
 }
 
-/// As many values as there is room for, and how many are left out.
+/// As many values as fit, and the number of the others.
 QString PlotWindow::fittedReadout() const {
   const QFontMetrics metrics(readout_->font());
   constexpr int kMostHeight = 100000;

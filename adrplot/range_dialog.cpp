@@ -40,8 +40,8 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 18, 20, 16);
-  form->addRow(new QLabel(
-      tr("Which stored steps of <b>%1</b> shall be plotted?").arg(file.toHtmlEscaped()), this));
+  form->addRow(
+      new QLabel(tr("Stored steps of <b>%1</b> to plot:").arg(file.toHtmlEscaped()), this));
   form->addRow(tr("&Start point"), from_);
   form->addRow(tr("&End point"), to_);
   form->addRow(tr("&Interval"), every_);

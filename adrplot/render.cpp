@@ -25,7 +25,7 @@ void set_domain(PageOptions& view, const std::string& domain, const std::string&
                 : domain == "spectrum" ? Domain::Spectrum
                                        : Domain::History;
   if (!curve.empty() && view.domain != Domain::Waterfall)
-    throw InputError("--curve says which curve a waterfall is of: give --domain waterfall with it");
+    throw InputError("--curve selects the curve of a waterfall: add --domain waterfall");
   view.waterfall_of = curve;
 }
 
@@ -44,7 +44,7 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
     desktop::ChartPage page = document.build(number, options.view);
-    // Of a curve that is asked for by its name the pages that have it are wanted.
+    // A curve that is selected by name needs the pages that contain it.
     if (!options.view.waterfall_of.empty() && !choice_of(page.choices, options.view.waterfall_of)) {
       for (const std::string& choice : page.choices)
         others += (others.empty() ? "" : "; ") + choice;
@@ -123,16 +123,16 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
   std::vector<std::string> shorter;
   for (const auto& path : files) {
     const PlotDocument document = open_document(path, options.range);
-    // One file alone refuses the page itself.
+    // A single file rejects the page number itself.
     if (files.size() > 1 && options.page > static_cast<int>(document.pages.size())) {
       shorter.push_back(too_short(document));
     } else {
       const std::size_t more = options.page == 0 ? document.pages.size() : 1;
       if (written.size() + more > kMaxPictures)
-        throw InputError(fmt::format(
-            "{}: {} more would exceed the limit of {} for one command; choose a page with "
-            "--page, or give fewer files",
-            path.string(), counted(more, "picture"), kMaxPictures));
+        throw InputError(
+            fmt::format("{}: {} more would exceed the limit of {} for one command; select a page "
+                        "with --page, or give fewer files",
+                        path.string(), counted(more, "picture"), kMaxPictures));
       const auto pictures = draw_document(document, stem_of(path, files), options, others);
       written.insert(written.end(), pictures.begin(), pictures.end());
     }
@@ -146,7 +146,7 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& paths,
     refuse_curve(files.size() == 1 ? files.front().string() : "", options, others);
   if (options.tell)
     for (const std::string& file : shorter)
-      options.tell(fmt::format("{}: no page {} of it is drawn", file, options.page));
+      options.tell(fmt::format("{}: page {} was not drawn", file, options.page));
   return written;
 }
 

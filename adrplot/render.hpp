@@ -20,8 +20,8 @@ struct RenderOptions {
   PageOptions view;
 };
 
-/// What a command line says of the domain ("history", "spectrum", "waterfall") and the curve of
-/// waterfalls. @throws InputError for a curve of anything else
+/// Parses the options for the domain ("history", "spectrum", "waterfall") and the curve of
+/// waterfalls. @throws InputError for a curve of another domain
 void set_domain(PageOptions& view, const std::string& domain, const std::string& curve);
 
 /// Draws the pages of result files, and of those of folders (`files_of`), as PNG, named

@@ -49,7 +49,7 @@ class Looks {
  private:
   const H5Reader& reader_;
   std::size_t every_ = 1, count_ = 0;
-  bool last_ = false;  ///< the last step is no multiple of them
+  bool last_ = false;  ///< the last step is not a multiple of them
 };
 
 /// Turns of elements about themselves, seen from their orbit: the mean of all, added up.
@@ -92,7 +92,8 @@ std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
     orbit.push_back(sum / n);
     for (std::size_t j = 0; j < 2; ++j) past[j].push_back(n * (orbit[i] - race[j][i]));
   }
-  // What turns is named by itself: both races may, and their difference is no speed of a shaft.
+  // Rotating races are named separately: both may rotate, and their difference is not a shaft
+  // speed.
   const double outer = std::abs(race[0].back() - race[0].front()),
                inner = std::abs(race[1].back() - race[1].front());
   const double least = 1e-6 * std::max(outer, inner);
@@ -113,7 +114,7 @@ std::vector<MarkTurns> mark_turns(const H5Reader& reader) {
     for (const auto& row : whirl) turns.push_back(row.front() / kTurn);
     add("whirl", turns);
   }
-  // Behind all first ones, which are named where there is room for few.
+  // After all first ones, which are named if there is little space.
   const std::size_t first = out.size();
   for (int harmonic = 2; harmonic <= 3; ++harmonic)
     for (std::size_t i = 0; i < first; ++i) {

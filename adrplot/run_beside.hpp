@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <set>
 
-/// What the files beside a plot file say about its run: frequencies of the bearing from RESULTS.h5,
-/// the fastest contact from RUN.json, and the extremes between stored steps.
+/// Data of the run from the files next to a plot file: bearing frequencies from RESULTS.h5, the
+/// fastest contact from RUN.json, and extremes between stored steps.
 namespace adore::adrplot {
 
 /// Mean frequencies of a run, measured over it [Hz]: of the shaft (inner against outer race), FTF
@@ -17,12 +17,12 @@ namespace adore::adrplot {
 [[nodiscard]] std::vector<desktop::ChartMark> bearing_frequencies(
     const std::filesystem::path& results_h5);
 
-/// Everything for the pages of `file`; empty where the files beside it are of another run, or not
-/// there. Never throws for a bad file.
+/// All data for the pages of `file`; empty if the files in its folder are from another run or
+/// missing. Never throws for an invalid file.
 [[nodiscard]] PageContext context_of(const results::SolFile& file);
 
-/// Adds the extremes of these columns (places in sol_columns) where the context does not have them;
-/// empty ones where RESULTS.h5 beside the file has none. Never throws for a bad file.
+/// Adds the extremes of these columns (indices in sol_columns) if missing in the context; empty
+/// ones if RESULTS.h5 has none. Never throws for an invalid file.
 void read_bands(const results::SolFile& file, const std::set<std::size_t>& columns,
                 PageContext& out);
 

@@ -27,7 +27,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
   list->setMaximumWidth(110);
   for (const long run : runs) list->addItem(QString::number(run));
   list->setVisible(runs.size() > 1);
-  auto* text = desktop::make_listing_view(tr("What is known of the run"), this);
+  auto* text = desktop::make_listing_view(tr("Run details"), this);
   text->setObjectName("run-text");
   auto* both = new QHBoxLayout;
   both->addWidget(list);
@@ -35,7 +35,7 @@ RunDialog::RunDialog(const std::vector<long>& runs, std::function<std::string(lo
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* open = buttons->addButton(tr("Open its files"), QDialogButtonBox::ActionRole);
   open->setObjectName("open-run");
-  open->setToolTip(tr("Plots of this run; a study keeps them with keep_files"));
+  open->setToolTip(tr("Plots of this run (needs keep_files of the study)"));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(both, 1);

@@ -9,7 +9,7 @@
 
 namespace adore::adrplot {
 
-/// What a study knows of the runs behind a point; named "runs".
+/// Data of the runs behind a point of a study; named "runs".
 class RunDialog : public QDialog {
   Q_OBJECT
  public:

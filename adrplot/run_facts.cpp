@@ -48,7 +48,7 @@ OrbitScale orbit_scale(const results::SolFile& file, const KnownColumns& columns
   };
   if (!no_land("cage.land1_force") || !no_land("cage.land2_force") || file.steps.empty())
     return out;
-  // Seven digits; no pocket has a play of a whole metre or inch.
+  // Seven digits; no pocket has a clearance of a whole meter or inch.
   const bool one = std::abs(out.length - 1.0) < 1e-5;
   out.of = one ? Of::UnitOfLength : Of::Pockets;
   return out;
@@ -61,24 +61,22 @@ std::string orbit_note(const OrbitScale& scale) {
     case Of::GuideLands:
       return size.empty() ? ""
                           : fmt::format(
-                                "Divided by the radial clearance of the guide lands{}: at "
-                                "1 {} that is not tilted touches.",
+                                "Divided by the radial clearance of the guide lands{}: {} touches "
+                                "at 1.",
                                 size,
-                                scale.segment ? "the middle of a segment (the path is that of "
-                                                "the uncut cage's center)"
-                                              : "a cage");
+                                scale.segment ? "the middle of an untilted segment (the path is "
+                                                "that of the uncut cage's center)"
+                                              : "an untilted cage");
     case Of::Pockets:
       return fmt::format(
-          "This cage has no guide land: its orbit is divided by the radial clearance of its "
-          "pockets{}. That is no limit, for the elements in them move too.",
+          "The cage has no guide land: its orbit is divided by the radial pocket clearance{}. "
+          "Values above 1 are possible because the elements move, too.",
           size);
     case Of::UnitOfLength:
       break;
   }
-  return fmt::format(
-      "This cage has neither a guide land nor clearance in its pockets: its orbit is divided by 1 "
-      "{}, so that the numbers are its position.",
-      scale.unit);
+  return fmt::format("The cage has no guide land and no pocket clearance: its orbit is in {}.",
+                     scale.unit);
 }
 
 std::string orbit_divisor(const OrbitScale& scale) {
@@ -118,9 +116,8 @@ std::string held_note(const KnownColumns& columns, bool moments) {
   };
   if (moments) {
     if (!held("race.theta") || !held("race.phi") || !held("race.angular_velocity")) return {};
-    return "The race keeps its direction and its speed: these are the moments that hold it to "
-           "them, "
-           "not loads of the deck.";
+    return "Direction and speed of the race are prescribed: these are reaction moments, not loads "
+           "of the deck.";
   }
   std::string names;
   int count = 0;
@@ -133,9 +130,8 @@ std::string held_note(const KnownColumns& columns, bool moments) {
   if (const auto comma = names.rfind(", "); comma != std::string::npos)
     names.replace(comma, 2, " and ");
   return fmt::format(
-      "The race is held at its place in {}: what is drawn there is the force that holds it, not "
-      "the "
-      "deck's load.",
+      "The position of the race is prescribed in {}: these are reaction forces, not loads of the "
+      "deck.",
       names);
 }
 
@@ -151,10 +147,10 @@ std::pair<std::string, const char*> flange_of(const std::string& where) {
 std::string flange_reason(const std::string& where, const RunFacts& facts, bool part) {
   const auto [race, side] = flange_of(where);
   if (!facts.flanges)
-    return fmt::format("The {} race has no flange at {}, or the roller's end {}.", race, side,
-                       part ? "came near it at none of these steps" : "never came near it");
+    return fmt::format("The {} race has no flange at {}, or the roller end {}.", race, side,
+                       part ? "did not come near it at these steps" : "never came near it");
   return facts.flanges->contains(where.substr(1))
-             ? fmt::format("The roller's end {} the flange at {} of the {} race{}.",
+             ? fmt::format("The roller end {} the flange at {} of the {} race{}.",
                            part ? "did not come near" : "never came near", side, race,
                            part ? " at these steps" : "")
              : fmt::format("The {} race has no flange at {}.", race, side);

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-/// What the numbers of a plot file are of, where they do not tell by themselves.
+/// Meaning of values of a plot file that is not clear from the values.
 namespace adore::adrplot {
 
-/// Of the run beside the file: "stored" of RUN.json. Empty: not known.
+/// From "stored" of the RUN.json of the run. Empty: unknown.
 struct RunFacts {
   std::optional<int> life_every;              ///< steps between life predictions; 0: first, last
   std::optional<bool> temperatures_computed;  ///< else the deck gives them
@@ -22,8 +22,8 @@ struct RunFacts {
   std::optional<results::CageScale> cage_scale;  ///< what a cage's orbit is divided by
 };
 
-/// What a cage's orbit is divided by (N71): the run's own word, else what the file tells. Its
-/// length is positions [m or in] over ratios; 0: not known.
+/// Divisor of a cage orbit (N71): from the run, else from the file. Length: positions [m or in]
+/// over ratios; 0: unknown.
 struct OrbitScale {
   results::CageScale::Of of = results::CageScale::Of::GuideLands;
   double length = 0.0;  ///< in `unit`
@@ -43,7 +43,8 @@ struct OrbitScale {
 /// A column whose values are all one: it was made once. False below two steps.
 [[nodiscard]] bool never_changes(const std::vector<double>& values, double rounding);
 
-/// Why a flange's column holds nothing, by what is known of the race. `where` is ".inner.2".
+/// Reason for a flange column without values, from the known data of the race. `where`: e.g.
+/// ".inner.2".
 [[nodiscard]] std::string flange_reason(const std::string& where, const RunFacts& facts, bool part);
 [[nodiscard]] bool no_flange(const std::string& column, const RunFacts& facts);
 

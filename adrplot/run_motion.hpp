@@ -8,8 +8,8 @@
 /// How a run turned: what the frequencies of its marks are the rates of.
 namespace adore::adrplot {
 
-/// How often what a mark counts has happened up to each time: turns of the shaft, elements that
-/// have passed a place.
+/// Number of events of a mark up to each time: revolutions of the shaft, or elements that passed a
+/// point.
 struct MarkTurns {
   std::string label;                ///< "shaft", "BPFO", "2 BPFO"
   std::vector<double> time, turns;  ///< time [s] rises
@@ -20,8 +20,8 @@ struct RunMotion {
   std::vector<MarkTurns> marks = {};  ///< empty: not known
 };
 
-/// Mean frequency between two times [Hz]; 0: not known. Of what lies outside the known times the
-/// nearest known stretch is taken.
+/// Mean frequency between two times [Hz]; 0: unknown. Outside the known times the nearest known
+/// interval is used.
 [[nodiscard]] double frequency_between(const MarkTurns& mark, double from, double to);
 
 /// The marks with their mean frequencies over the run; those that do not turn are none.

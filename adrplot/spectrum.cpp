@@ -45,8 +45,8 @@ std::string window_name(Window window) {
 
 namespace {
 
-/// Times of equal steps that pass through as many of the stored ones as may be: straight lines take
-/// away what is fast from every value that lies between two stored ones.
+/// Grid with equal steps through as many stored times as possible: linear interpolation attenuates
+/// fast motion at all other points.
 struct Grid {
   double start = 0.0, step = 0.0;
   std::size_t count = 0;
@@ -88,19 +88,18 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   Samples out;
   std::vector<double> times = all_times;
   if (times.size() < kFewest) {
-    out.note = fmt::format(
-        "The frequency spectrum needs at least {} stored steps; of this file {} {} loaded.",
-        kFewest, times.size(), times.size() == 1 ? "is" : "are");
+    out.note = fmt::format("The frequency spectrum needs at least {} stored steps; {} {} loaded.",
+                           kFewest, times.size(), times.size() == 1 ? "is" : "are");
     return out;
   }
   if (values.size() != times.size() ||
       std::any_of(values.begin(), values.end(), [](double v) { return !std::isfinite(v); })) {
-    out.note = "Some values are missing, so there is no frequency spectrum.";
+    out.note = "No frequency spectrum: some values are missing.";
     return out;
   }
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1])) {
-      out.note = "The stored times do not increase, so there is no frequency spectrum.";
+      out.note = "No frequency spectrum: the stored times do not increase.";
       return out;
     }
   const auto increments = [&times] {
@@ -129,7 +128,7 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   out.step = (times.back() - times.front()) / static_cast<double>(n - 1);
   if (same) {
     out.values.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n));
-    if (n < values.size()) out.note = "The shorter last step is left out.";
+    if (n < values.size()) out.note = "The shorter last step is not included.";
     return out;
   }
   const auto [smallest, largest] = increments();
@@ -140,8 +139,9 @@ Samples equal_samples(const std::vector<double>& all_times, const std::vector<do
   const auto seconds = [](double value) { return desktop::pretty_quantity(value, "s", 3); };
   // Straight lines over steps of h leave (sin(pi f h) / (pi f h))^2 of a tone of frequency f.
   out.note = fmt::format(
-      "Resampled every {} by straight lines (steps of {} to {}): lines are lower than they should "
-      "be, by up to a fifth at {}; trust nothing above {}.",
+      "Resampled every {} by linear interpolation (steps of {} to {}): amplitudes are up to 20 % "
+      "too low at {} "
+      "and unreliable above {}.",
       seconds(out.step), seconds(smallest), seconds(largest),
       desktop::pretty_quantity(0.25 / largest, "Hz", 3),
       desktop::pretty_quantity(0.5 / largest, "Hz", 3));
@@ -226,7 +226,7 @@ Waterfall waterfall(const Samples& samples, Window window, std::size_t pieces) {
     Spectrum piece = amplitude_spectrum(without_trend(values), samples.step, window);
     double size = 0.0;
     for (const double v : values) size = std::max(size, std::abs(v));
-    // What a straight line leaves is the rounding of it.
+    // After a linear trend only rounding remains.
     if (*std::max_element(piece.amplitude.begin(), piece.amplitude.end()) <= 2e-13 * size)
       std::fill(piece.amplitude.begin(), piece.amplitude.end(), 0.0);
     out.frequency = piece.frequency;

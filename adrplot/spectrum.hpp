@@ -25,12 +25,11 @@ struct Samples {
   std::string note;                ///< what was done; or, without values, why there are none
 };
 
-/// Stored values at equal intervals. Increments that agree to 0.1 % of their mean plus what seven
-/// digits of the times explain are equal; a shorter last one (the end of a run seldom falls on a
-/// whole step) is left out. Else the values are read off the straight lines between the stored
-/// ones, at as many places, and the note says so: what is faster than half the longest increment is
-/// lost. No values when there are fewer than 16, when one is missing, or when the times do not
-/// rise.
+/// Stored values at equal intervals. Increments are equal if they agree to 0.1 % of their mean plus
+/// the rounding of seven digits of the times; a shorter last one (the end of a run is seldom a
+/// multiple of the step) is dropped. Otherwise the values are interpolated linearly at the same
+/// number of points, with a note: frequencies above half the inverse of the longest increment are
+/// lost. No values if there are fewer than 16, if one is missing, or if the times do not increase.
 [[nodiscard]] Samples equal_samples(const std::vector<double>& times,
                                     const std::vector<double>& values);
 

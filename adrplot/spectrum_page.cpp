@@ -22,13 +22,13 @@ using desktop::ChartCurve;
 using desktop::ChartPage;
 using desktop::ChartPanel;
 
-constexpr std::string_view kHere = "Nothing vibrates here: ";
+constexpr std::string_view kHere = "No vibration: ";
 constexpr std::string_view kSo = ", so there is no frequency spectrum.";
-constexpr auto kStill = "Nothing vibrates here: the value does not change.";
-constexpr auto kAllStill = "Nothing vibrates here: no value of this page changes.";
-constexpr auto kRounding = "Nothing vibrates here: what changes is the rounding of the numbers.";
+constexpr auto kStill = "No vibration: the value is constant.";
+constexpr auto kAllStill = "No vibration: all values of this page are constant.";
+constexpr auto kRounding = "No vibration: only rounding errors change.";
 
-/// Where a curve that has some values has none, for it cannot have a spectrum; empty: it has all.
+/// Position of missing values, which prevent a spectrum; empty: no values are missing.
 std::string missing_values(const std::vector<double>& t, const std::vector<double>& values) {
   const auto missing = static_cast<std::size_t>(
       std::count_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }));
@@ -56,13 +56,13 @@ std::string named(const std::string& name, std::string why) {
   return capital(name.empty() ? why : name + ": " + why);
 }
 
-/// Curves without a spectrum beside others that have one.
+/// Curves without a spectrum in panels with other spectra.
 struct Aside {
   Reason reason;
   std::string panels;
 };
 
-/// The same of another curve, or panel, is said once.
+/// Equal reasons of several curves or panels are given once.
 void add_aside(std::vector<Aside>& asides, const Reason& reason, const std::string& panel) {
   const auto same = std::find_if(asides.begin(), asides.end(), [&](const Aside& aside) {
     return aside.reason.curve == reason.curve && aside.reason.why == reason.why;
@@ -83,7 +83,7 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
     return;
   }
   if (reasons.empty() && panel.message.empty())
-    panel.message = "There are no values, so there is no frequency spectrum.";
+    panel.message = "No values, so there is no frequency spectrum.";
   const bool same = std::all_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
     return reason.why == reasons.front().why;
   });
@@ -92,7 +92,7 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
   panel.message.clear();
   for (const Reason& reason : reasons) {
     std::string why = reason.why;
-    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one says it
+    if (&reason != &reasons.back() && why.ends_with(kSo))  // the last one has it
       why.replace(why.size() - kSo.size(), kSo.size(), ".");
     panel.message += (panel.message.empty() ? "" : " ") + named(reason.curve, why);
   }
@@ -110,7 +110,7 @@ bool first_line_is_drift(const Spectrum& spectrum, const Samples& samples, Windo
   return level.amplitude.front() < kLost * all.front();
 }
 
-/// Over the largest, whatever is drawn.
+/// Relative to the largest value.
 std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumScale scale) {
   std::vector<double> out = y;
   if (scale == SpectrumScale::Decibel) {
@@ -119,7 +119,7 @@ std::vector<double> relative_amplitude(const std::vector<double>& y, SpectrumSca
   }
   double largest = 0.0;
   for (const double a : y)
-    if (a > largest) largest = a;  // beside missing values
+    if (a > largest) largest = a;  // missing values are skipped
   for (double& a : out) a = largest > 0.0 ? a / largest : 0.0;
   return out;
 }
@@ -154,7 +154,8 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
     }
     std::size_t end = i;
     while (end < n && !known(end)) ++end;
-    if (i == 0 || end == n) return {{}, {}, out.why_none};  // what is not there has no other side
+    if (i == 0 || end == n)
+      return {{}, {}, out.why_none};  // a gap at an end cannot be interpolated
     const std::size_t from = i - 1;
     longest = std::max(longest, t[end] - t[from]);
     for (; i < end; ++i)
@@ -170,14 +171,14 @@ Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& val
   if (2.0 * longest * highest > 1.0) {
     std::string why = out.why_none;
     why.replace(why.size() - kSo.size(), kSo.size(),
-                fmt::format(", for up to {}, and its lines reach {}",
+                fmt::format(", for up to {}, and the lines reach {}",
                             desktop::pretty_quantity(longest, "s", 3),
                             desktop::pretty_quantity(highest, "Hz", 3)));
     return {{}, {}, why + std::string(kSo)};
   }
   out.why_none.clear();
   out.told =
-      fmt::format("{} of {} steps {} no value: bridged by straight lines of up to {}.", missing, n,
+      fmt::format("{} of {} steps {} no value: interpolated linearly (longest gap {}).", missing, n,
                   missing == 1 ? "has" : "have", desktop::pretty_quantity(longest, "s", 3));
   return out;
 }
@@ -222,8 +223,8 @@ static void tell_drift(ChartPage& chart, const std::vector<std::string>& driftin
   std::string of = drifting.size() == drawn ? "" : "Of " + counted(drifting.size(), "curve") + " ";
   if (drifting.size() < drawn && drifting.size() < 3)
     of = drifting.front() + (drifting.size() > 1 ? "; " + drifting.back() : "") + ": ";
-  add_note(chart, fmt::format("{}{} first line is drift over the whole run, not vibration.", of,
-                              of.empty() ? "The" : "the"));
+  add_note(chart,
+           fmt::format("{}{} first line is drift, not vibration.", of, of.empty() ? "The" : "the"));
 }
 
 void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
@@ -266,7 +267,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       ++drawn;
       scale_spectrum(spectrum, options.scale);
       curve.y = std::move(spectrum.amplitude);
-      add_note(chart, samples.note);  // of what is drawn
+      add_note(chart, samples.note);  // of the drawn curves
       if (!bridged.told.empty()) add_aside(asides, {curve.name, bridged.told}, panel.title);
     }
     tell_reasons(panel, reasons, asides);
@@ -282,7 +283,7 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
   for (ChartPanel& panel : chart.panels)
     if (all_still) panel.message = kAllStill;
   tell_drift(chart, drifting, drawn);
-  // One sentence for panels of which the same is to be said.
+  // One sentence for panels with the same remark.
   for (const Aside& aside : asides)
     add_note(chart,
              named(aside.panels + (aside.reason.curve.empty() ? "" : ", ") + aside.reason.curve,
@@ -314,7 +315,7 @@ void drop_low_marks(ChartPage& chart) {
     if (mark.x < first) names += (names.empty() ? "" : ", ") + mark.label;
   }
   std::erase_if(chart.marks, [first](const desktop::ChartMark& mark) { return mark.x < first; });
-  if (!names.empty()) add_note(chart, fmt::format("Below the first line, not marked: {}.", names));
+  if (!names.empty()) add_note(chart, fmt::format("Below the first line (not marked): {}.", names));
 }
 
 void tell_lines(ChartPage& chart, const std::vector<double>& distances,
@@ -323,11 +324,10 @@ void tell_lines(ChartPage& chart, const std::vector<double>& distances,
   const auto [low, high] = std::minmax_element(distances.begin(), distances.end());
   std::string apart = desktop::pretty_quantity(*low, "Hz", 3);
   if (*high > 1.001 * *low) apart += " to " + desktop::pretty_quantity(*high, "Hz", 3);
-  const char* over =
-      options.scale == SpectrumScale::Relative  ? "1 is the largest of its own curve. "
-      : options.scale == SpectrumScale::Decibel ? "0 dB is the largest of its own curve. "
-                                                : "";
-  add_note(chart, fmt::format("{}{}, without the mean; a line every {}, none below.", over,
+  const char* over = options.scale == SpectrumScale::Relative  ? "1: maximum of the curve. "
+                     : options.scale == SpectrumScale::Decibel ? "0 dB: maximum of the curve. "
+                                                               : "";
+  add_note(chart, fmt::format("{}{}, mean removed; line spacing {}.", over,
                               capital(window_name(options.window)), apart));
 }
 
@@ -341,7 +341,7 @@ void choose_frequency_axis(ChartPage& chart, const std::vector<double>& ends, do
   }
   if (!(most > kSqueezed * least)) return;
   chart.log_x = true;
-  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % end at {} to {}.",
+  add_note(chart, fmt::format("Logarithmic frequency: lines above {} % extend to {} to {}.",
                               desktop::pretty_number(100.0 * visible, 2),
                               desktop::pretty_quantity(least, "Hz", 3),
                               desktop::pretty_quantity(most, "Hz", 3)));
@@ -374,10 +374,11 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       if (chart.x[k] > chart.view_high && y[k] > beyond) beyond = y[k], at = chart.x[k];
   }
   if (beyond > 0.0)
-    add_note(chart, fmt::format("Beyond the first view no line is above {} % of its curve's "
-                                "largest (at {}).",
-                                desktop::pretty_number(100.0 * beyond, 2),
-                                desktop::pretty_quantity(at, "Hz", 3)));
+    add_note(
+        chart,
+        fmt::format(
+            "Outside the first view, lines are below {} % of the maximum of the curve (at {}).",
+            desktop::pretty_number(100.0 * beyond, 2), desktop::pretty_quantity(at, "Hz", 3)));
 }
 
 }  // namespace adore::adrplot

@@ -12,18 +12,19 @@ namespace adore::adrplot {
 /// Appends a sentence to the page's note, once.
 void add_note(desktop::ChartPage& chart, const std::string& text);
 
-/// What changes by no more than that is how the numbers are kept, not a vibration: a thousandth of
-/// the least range of an axis (1e-13 m, 1e-9 N; 1e-12 W or of a pure number), `known` of its
-/// panel, 2e-13 of the values' size, or the last of the eight digits of a text file.
+/// Smaller changes are rounding, not vibration: a thousandth of the smallest range of an axis
+/// (1e-13 m, 1e-9 N; 1e-12 W or of a pure number), `known` of its panel, 2e-13 of the magnitude of
+/// the values, or the last of the eight digits of a text file.
 [[nodiscard]] bool only_rounding(const std::vector<double>& values, const std::string& unit,
                                  double known);
 
 /// "Race interactions 1: load and angle" -> "Race interactions 1, load and angle"
 [[nodiscard]] std::string without_colon(std::string title);
 
-/// Values of a curve for a spectrum. Where at most one in a hundred is missing, and no gap is
-/// longer than half a period of the highest line above a tenth of the largest, straight lines
-/// bridge the gaps, and `told` says so. Else no values, and why; nothing bridges the ends of a run.
+/// Values of a curve for a spectrum. Gaps are interpolated linearly, with a note in `told`, if at
+/// most 1 % of the values is missing and no gap is longer than half a period of the highest line
+/// above 10 % of the largest. Otherwise there are no values, with a reason; gaps at the ends are
+/// never filled.
 struct Bridged {
   std::vector<double> values;
   std::string told, why_none;
@@ -31,32 +32,30 @@ struct Bridged {
 [[nodiscard]] Bridged bridge_gaps(const std::vector<double>& t, const std::vector<double>& values,
                                   Window window);
 
-/// Every curve of the page, stored at the times `t` [s], becomes its amplitude spectrum. One
-/// without leaves its reason in its panel, or in the page's note beside curves that have one.
+/// Replaces every curve of the page, stored at the times `t` [s], by its amplitude spectrum. Curves
+/// without spectrum leave the reason in the panel, or in the note if other curves have one.
 void to_spectra(desktop::ChartPage& chart, const std::vector<double>& t,
                 const SpectrumOptions& options);
 
-/// Says in the note what the heights are relative to, and how far apart the spectra have lines
-/// [Hz]: left of the first one nothing is known, whatever is marked there.
+/// Adds a note with the reference of the heights and the line spacing of the spectra [Hz]: nothing
+/// is known below the first line.
 void tell_lines(desktop::ChartPage& chart, const std::vector<double>& distances,
                 const SpectrumOptions& options);
 
-/// Marks below the first line of spectra stand where nothing is known: they go, and the note says
-/// so.
+/// Removes marks below the first line of the spectra and adds a note.
 void drop_low_marks(desktop::ChartPage& chart);
 
 /// The highest frequency with an amplitude above a level; 0: none.
 [[nodiscard]] double last_above(const std::vector<double>& frequency,
                                 const std::vector<double>& amplitude, double level);
 
-/// Curves whose lines above that part of their largest end at such frequencies are drawn over a
-/// logarithmic one at first where the lines of one of them would have less than an eighth of the
-/// width of the others', and the note says so.
+/// Selects a logarithmic frequency axis for curves whose lines above that fraction of their maximum
+/// would otherwise use less than an eighth of the width of the others; adds a note.
 void choose_frequency_axis(desktop::ChartPage& chart, const std::vector<double>& ends,
                            double visible);
 
-/// The first view ends a little beyond the last amplitude above 1 % of its curve's largest; the
-/// note says which is the largest of the lines beyond.
+/// The first view ends shortly after the last amplitude above 1 % of the maximum of its curve; the
+/// note gives the largest line outside.
 void first_view_of_spectra(desktop::ChartPage& chart, SpectrumScale scale);
 
 }  // namespace adore::adrplot

@@ -47,13 +47,13 @@ PlotDocument open_study(const fs::path& path) {
     charts = desktop::parse_study_charts(studies::charts_of_table(**table), path.string());
   } else {
     throw InputError(
-        fmt::format("{}: this study has no report yet; make it with `adore study report {}.json`",
+        fmt::format("{}: this study has no report yet; write it with `adore study report {}.json`",
                     folder.string(), (folder.parent_path() / stem_of(folder)).string()));
   }
   std::erase_if(charts, [](const desktop::StudyChart& chart) { return !chart.drawable(); });
   if (charts.empty())
-    throw InputError(fmt::format("{}: the study has no picture: none of its runs has a value yet",
-                                 path.string()));
+    throw InputError(
+        fmt::format("{}: the study has no charts, because no run has values yet", path.string()));
   PlotDocument out;
   out.path = is_folder ? charts_file : path;
   out.subject = reported ? "study " + stem_of(folder) : "table of a study";

@@ -8,7 +8,7 @@ namespace adore::adrplot {
 /// A study's folder, or one of RUNS.csv, STUDY.h5 and CHARTS.json, wherever it is.
 [[nodiscard]] bool is_study(const std::filesystem::path& path);
 
-/// Where CHARTS.json lies beside, its pictures; else those that the table alone allows.
+/// With CHARTS.json in the same folder its charts; else those that the table allows.
 /// @throws InputError
 [[nodiscard]] PlotDocument open_study(const std::filesystem::path& path);
 

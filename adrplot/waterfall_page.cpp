@@ -23,8 +23,8 @@ constexpr double kDistance = 0.2;
 /// In dB this is all that is drawn of a line.
 constexpr double kDecibels = 60.0;
 
-/// Where the first view ends: a little beyond the last amplitude above a quarter of that distance,
-/// ten lines of the spectra at least.
+/// End of the first view: shortly after the last amplitude above a quarter of that distance, at
+/// least ten lines of the spectra.
 constexpr double kVisible = 0.25 * kDistance;
 double end_of_view(const Waterfall& fall, const std::vector<double>& ends) {
   double last = fall.frequency[std::min<std::size_t>(10, fall.frequency.size() - 1)];
@@ -32,7 +32,7 @@ double end_of_view(const Waterfall& fall, const std::vector<double>& ends) {
   return std::min(fall.frequency.back(), 1.15 * last);
 }
 
-/// What is drawn of an amplitude, on the lowest line.
+/// Drawn height of an amplitude on the lowest line.
 double height_of(double amplitude, double largest, SpectrumScale scale) {
   if (scale == SpectrumScale::Units) return amplitude;
   const double part = largest > 0.0 ? amplitude / largest : 0.0;
@@ -42,8 +42,8 @@ double height_of(double amplitude, double largest, SpectrumScale scale) {
 
 constexpr double kSteady = 0.01;
 
-/// Where marks stand beside spectra that are `distance` apart: upright of a shaft that keeps its
-/// speed, else at the frequencies that they have while each piece lasts.
+/// Position of marks for spectra at a `distance`: vertical for a shaft with constant speed, else at
+/// the frequencies of each piece.
 std::vector<desktop::ChartMark> marks_of(const RunMotion& motion, bool steady,
                                          const Waterfall& fall, double distance, double foot) {
   std::vector<desktop::ChartMark> out = mean_marks(motion.marks);
@@ -139,7 +139,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
     }
   if (places.empty()) {
     page.panels.clear();
-    page.note = "No curve of this page has values.";
+    page.note = "The curves of this page have no values.";
     return;
   }
   page.chosen = choice_of(page.choices, of).value_or(0);
@@ -157,9 +157,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   const Samples samples = equal_samples(times, bridged.values);
   page.panels.clear();
   if (!samples.values.empty() && only_rounding(bridged.values, source.unit, source.least_span)) {
-    page.note += (page.note.empty() ? "" : " ") + name +
-                 ": nothing vibrates here; what changes, if anything, is the rounding of the "
-                 "numbers.";
+    page.note += (page.note.empty() ? "" : " ") + name + ": no vibration (only rounding errors).";
     return;
   }
   page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
@@ -205,27 +203,27 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   page.x_title = "Frequency";
   page.x_unit = "Hz";
   page.marks = marks_of(motion, steady, fall, distance, decibel ? -kDecibels : 0.0);
-  // The bar tells how far lines stand apart, their names which is the earliest.
+  // The bar shows the distance of the lines, the names their order.
   std::string drawn = fmt::format(
-      "{} ({}), each of {}, a line every {}, without mean and trend: the first line may be half "
+      "{} ({}), each of {}, line spacing {}, mean and trend removed: the first line may be 50 % "
       "too low.",
       capital(counted(fall.time.size(), "spectrum", "spectra")), window_name(options.window),
       desktop::pretty_quantity(1.0 / fall.frequency.front(), "s", 3),
       desktop::pretty_quantity(fall.frequency.front(), "Hz", 3));
   if (!steady)
     drawn +=
-        fmt::format(" Marks move with the shaft, {} to {}.", rpm_text(speed_at(fall.time.front())),
-                    rpm_text(speed_at(fall.time.back())));
+        fmt::format(" Marks follow the shaft speed, {} to {}.",
+                    rpm_text(speed_at(fall.time.front())), rpm_text(speed_at(fall.time.back())));
   if (decibel)
-    drawn += " 0 dB is the largest of all; nothing below " +
-             desktop::pretty_quantity(-kDecibels, "dB", 3) + " is drawn.";
+    drawn += " 0 dB: maximum of all spectra; values below " +
+             desktop::pretty_quantity(-kDecibels, "dB", 3) + " are not drawn.";
   page.note = drawn + (page.note.empty() ? "" : " ") + page.note;
   const std::string note = page.note;
   choose_frequency_axis(page, ends, kVisible);
-  // Where lines end is seen, for each piece has its own.
+  // The end of each line is visible.
   page.note = note + (page.log_x ? " Logarithmic frequency." : "");
   if (page.view_high < page.x.back())
-    page.note += fmt::format(" Beyond the first view: below {} % of the largest.",
+    page.note += fmt::format(" Outside the first view: below {} % of the maximum.",
                              desktop::pretty_number(100.0 * kVisible, 2));
   page.panels.push_back(std::move(panel));
 }

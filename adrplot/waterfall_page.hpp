@@ -19,14 +19,14 @@ namespace adore::adrplot {
 [[nodiscard]] std::optional<std::size_t> choice_of(const std::vector<std::string>& choices,
                                                    const std::string& wanted);
 
-/// Turns a curve of the page into a waterfall: the spectra of pieces of the run, one above the
-/// other, the earliest at the bottom: in units, over the largest of all, or in dB of that, cut off
+/// Turns a curve of the page into a waterfall: the spectra of pieces of the run above each other,
+/// the earliest at the bottom: in units, relative to the largest of all, or in dB of that, cut off
 /// at -60 dB. The distance between two lines is a fifth of the largest amplitude or of the 60 dB,
-/// which the note says. Each line is named after the middle of its piece and, where the shaft
-/// changes its speed, the speed there; then marks move with what they count.
-/// @param motion the stored times, and what is known of turns
-/// @param of the curve (choice_of); else the first one with values. ChartPage::choices become those
-/// with values
+/// as noted. Each line is named after the middle of its piece and, for a varying shaft speed, that
+/// speed; then marks move with the frequency.
+/// @param motion stored times and known revolutions
+/// @param of the curve (choice_of); default: the first one with values. ChartPage::choices lists
+/// those with values
 void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const SpectrumOptions& options,
                   const std::string& of = {});
 

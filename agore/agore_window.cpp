@@ -40,8 +40,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
   desktop::take_files_anywhere(*this, [this](const QStringList& files) {
     if (files.size() > 1)
-      desktop::show_message(this, tr("One animation is shown at a time; drop a single file "
-                                     "or the folder of a run."));
+      desktop::show_message(this, tr("Drop one file or one run folder at a time."));
     else
       openFile(files.front().toStdString());
   });
@@ -112,12 +111,11 @@ void AgoreWindow::askForLimits() {
   refresh();  // the check mark belongs to what is shown
   if (!picture_) return askForFile();
   const Colouring now = colouring(picture_->animation(), frame_, options_.colour);
-  if (!now.any())
-    return desktop::show_message(this, tr("Choose first what colours the elements (C)."));
+  if (!now.any()) return desktop::show_message(this, tr("First select the element colors (C)."));
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("limits");
   desktop::delete_when_done(*dialog);
-  dialog->setWindowTitle(tr("Scale of the Colours"));
+  dialog->setWindowTitle(tr("Color Scale"));
   const QString unit = now.unit.empty() ? QString() : " [" + QString::fromStdString(now.unit) + "]";
   dialog->setLabelText(tr("Limits of %1%2, low:high").arg(QString::fromStdString(now.title), unit));
   const auto shown = options_.scale.kind == ColourScale::Typed
@@ -153,7 +151,7 @@ void AgoreWindow::setBeside(View view, bool shown) {
     if (!reason.empty())
       desktop::show_message(this, QString::fromStdString(reason));
     else if (options_.beside.size() >= kMostBeside)
-      desktop::show_message(this, tr("Six views are the most at a time; take one away first."));
+      desktop::show_message(this, tr("At most six views are possible. Remove one first."));
     else
       options_.beside.push_back({view});
   }
@@ -245,7 +243,7 @@ bool AgoreWindow::showAsAsked(const ViewOptions& asked) {
   next.scale = options_.scale;  // as chosen last
   try {
     if (next.beside.size() > kMostBeside)
-      throw InputError("Six views are the most at a time; ask for fewer beside the first.");
+      throw InputError("At most six views are possible; give fewer.");
     for (std::size_t i = 0; i <= next.beside.size(); ++i)
       check_view(picture_->animation(), next.tile(i));
   } catch (const InputError& error) {
@@ -333,7 +331,7 @@ void AgoreWindow::refresh() {
     for (QAction* action : scales->actions())
       if (action->isCheckable())
         action->setChecked(action->data().toInt() == static_cast<int>(options_.scale.kind));
-  // What was chosen on the command line.
+  // Options of the command line.
   const auto check = [this](const char* menu, double chosen) {
     for (QAction* action : findChild<QMenu*>(menu)->actions())
       if (action->isCheckable()) action->setChecked(action->data().toDouble() == chosen);
@@ -343,7 +341,7 @@ void AgoreWindow::refresh() {
   findChild<QAction*>("contactsAction")->setChecked(options_.contacts);
   findChild<QAction*>("trailsAction")->setChecked(options_.trails);
   if (picture_) {
-    // Runs are told apart by their folders, as in AdrInput.
+    // Runs are distinguished by their folders, as in AdrInput.
     const std::filesystem::path& file = picture_->animation().file.path;
     const auto named = std::filesystem::absolute(file).parent_path().filename() / file.filename();
     setWindowTitle(QString::fromStdString(named.string() + " — " + view_title(options_.view)) +

@@ -60,10 +60,10 @@ class PictureWidget : public QWidget {
  private:
   void tell();
   bool seek(QPointF position);
-  /// Of the time bar or a curve; none beside them.
+  /// Time at a position on the time bar or a curve; none elsewhere.
   [[nodiscard]] std::optional<double> momentAt(QPointF position) const;
   std::optional<double> span_from_;
-  /// The picture of one of the views at a position; none: beside them all.
+  /// The picture of a view at a position; none: outside all of them.
   [[nodiscard]] std::optional<std::size_t> tileAt(QPointF position) const;
   QPointF drag_from_, pan_from_;
   std::optional<std::size_t> drag_tile_;
@@ -80,15 +80,15 @@ class AgoreWindow : public QMainWindow {
   explicit AgoreWindow(QWidget* parent = nullptr);
   ~AgoreWindow() override;
 
-  /// Reads at most `most_frames` frames. False, after a message with the reason, when the file is
-  /// refused.
+  /// Reads at most `most_frames` frames. False, after a message with the reason, if the file is
+  /// rejected.
   bool openFile(const std::filesystem::path& path, long most_frames = 1'000'000'000);
   /// The same file once more, as far as it has grown, at the same moment and with the same views.
   void reload();
   /// The same for an animation in memory.
   void setAnimation(Animation animation);
-  /// Reads the files again whenever a running solver has added to them. Who looks at the last frame
-  /// goes on to the new last one; all others stay at their moment.
+  /// Reloads the files whenever a running solver has added steps. At the last frame the view moves
+  /// on to the new last one; otherwise the time stays.
   void follow(bool on);
 
   [[nodiscard]] std::size_t frameCount() const { return picture_ ? picture_->frames() : 0; }
@@ -106,16 +106,16 @@ class AgoreWindow : public QMainWindow {
   void setScale(const ScaleChoice& scale);
   void setContacts(bool shown);
   void setTrails(bool shown);
-  /// A further view beside the first, or none of that kind.
+  /// Adds an additional view, or removes all of that kind.
   void setBeside(View view, bool shown);
   void setLoop(bool loop) { loop_ = loop; }
-  /// What is played, repeated and saved as a film, by its ends [s]; none: from the first frame, to
-  /// the last one. Ends in the wrong order are exchanged.
+  /// Range that is played, repeated and saved as a movie, by its ends [s]; none: first frame, last
+  /// frame. Ends in the wrong order are exchanged.
   void setSpan(std::optional<double> from, std::optional<double> to);
   /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
   void setSlowMotion(double rate);
-  /// Writes a film from a frame to another, counted from 1 (0: the last of all), and says so in the
-  /// foot; false, after a message with the reason, when it cannot.
+  /// Writes a movie of the frames from first to last, counted from 1 (0: the last of all), and
+  /// reports it in the status bar; false, after a message with the reason, on failure.
   bool writeFilm(const QString& path, int first = 1, int last = 0);
   /// "ball-3d.gif" of a run in the folder "ball".
   [[nodiscard]] QString proposedName(const QString& suffix) const;
@@ -180,7 +180,7 @@ class AgoreWindow : public QMainWindow {
   double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
   int direction_ = 1;
   std::size_t frame_ = 0;
-  long most_frames_ = 1'000'000'000;  ///< as asked for when the file was opened
+  long most_frames_ = 1'000'000'000;  ///< as specified when the file was opened
   QTimer growth_;
   QAction *follow_ = nullptr, *repeat_ = nullptr;
   std::string seen_;      ///< the files of what is shown, when they were read

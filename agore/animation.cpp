@@ -40,7 +40,7 @@ std::vector<double> angle_history(const results::Sol8File& file, Angle angle) {
   return continuous(std::move(values));
 }
 
-/// Where each pocket sits in the cage: mean direction over the file, because single frames are
+/// Position of each pocket in the cage: mean direction over the file, because single frames are
 /// coarse.
 std::vector<double> find_pockets(const Animation& animation) {
   const double pitch_radius = 0.5 * animation.file.geometry.pitch_diameter;
@@ -50,7 +50,7 @@ std::vector<double> find_pockets(const Animation& animation) {
     const std::size_t looks = animation.motion ? animation.exact : animation.frames();
     for (std::size_t i = 0; i < looks; ++i) {
       const auto& element = animation.frame(i).elements[k];
-      // Seen from the cage's centre, which may be far from the axis.
+      // Seen from the cage's center, which may be far from the axis.
       const auto& centre = animation.part(i, animation.pocket_part[k]).position;
       const double y = -element.r * std::sin(element.theta) - centre[1],
                    z = element.r * std::cos(element.theta) - centre[2];
@@ -75,10 +75,10 @@ double size_of(const Animation& animation, const std::string& name) {
   return found->second / (english ? 0.0254 : 1.0);
 }
 
-/// Lands that exist, and the race that they guide on. RESULTS.h5 says so. SOL8 does not: a land
-/// whose force and angle are 0 in every frame is none, and the lands touch on the side to which the
-/// cage has moved (outer race) or on the other one (inner race); without a contact the narrower gap
-/// is taken for the guiding one.
+/// Existing lands and the race that guides the cage, from RESULTS.h5. For SOL8 they are estimated:
+/// a land with force and angle 0 in all frames does not exist; contacts are in the direction of the
+/// cage displacement (outer race) or opposite (inner race). Without contacts the land with the
+/// smaller gap is assumed to guide.
 void find_guide(Animation& animation) {
   const auto& g = animation.file.geometry;
   if (animation.motion && animation.motion->geometry().contains("lands")) {
@@ -193,8 +193,8 @@ std::vector<results::Sol8Frame> frames_behind(const results::MotionFile& motion,
   return out;
 }
 
-/// Turns of the races between neighbouring frames, as far as they can be told: relative to each
-/// other, and what their angles say, which whole turns are missing from.
+/// Rotation of the races between neighboring frames: relative rotation, and rotation from their
+/// angles, which is known only modulo one revolution.
 std::vector<double> turns_of(const results::Sol8File& file) {
   std::vector<double> out(file.frames.size(), 0.0);
   for (std::size_t i = 1; i < file.frames.size(); ++i) {
@@ -208,7 +208,7 @@ std::vector<double> turns_of(const results::Sol8File& file) {
   return out;
 }
 
-/// Does a file SOL1 to SOL6 of the same run lie beside SOL8?
+/// Is there a file SOL1 to SOL6 of the same run next to SOL8?
 bool curves_beside(const Animation& animation) {
   for (const std::filesystem::path& path :
        results::run_folder(animation.file.path.parent_path()).plots) {
@@ -232,18 +232,16 @@ Known known_of(std::size_t frames, const std::function<bool(std::size_t)>& known
 
 void check_frames(const results::Sol8File& file, const std::string& name) {
   if (file.frames.empty())
-    throw InputError(name + " holds no complete frame" +
+    throw InputError(name + " contains no complete frame" +
                      (file.note.empty() ? "" : " (" + file.note + ")") +
-                     "; let the run store at least one (kAGraf)");
+                     "; store at least one in the run (kAGraf)");
   for (const auto& frame : file.frames)
     if (static_cast<int>(frame.elements.size()) != file.elements)
       throw InputError(fmt::format(
-          "{}: step {} holds {} rolling elements, its header says {}; the file is damaged", name,
+          "{}: step {} has {} rolling elements, but the header says {}; the file is damaged", name,
           frame.step, frame.elements.size(), file.elements));
   if (!(file.geometry.pitch_diameter > 0.0) || !(file.geometry.element_radius > 0.0))
-    throw InputError(name +
-                     " gives no pitch diameter or rolling element size, so there is nothing to "
-                     "draw; the file is damaged");
+    throw InputError(name + " has no pitch diameter or rolling element size; the file is damaged");
 }
 
 /// RESULTS.h5 of an earlier program that leaves out steps of the run: forces of its curves have no
@@ -251,7 +249,7 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
 bool peaks_unknown(const results::MotionFile& motion) {
   const auto& frames = motion.frames().frames;
   const std::size_t stored = motion.every() * (std::max<std::size_t>(frames.size(), 1) - 1);
-  constexpr double kLeastApart = 1.5;  // on average: the last step is stored whatever its distance
+  constexpr double kLeastApart = 1.5;  // on average: the last step is always stored
   if (stored == 0 || static_cast<double>(frames.back().step - frames.front().step) <
                          kLeastApart * static_cast<double>(stored))
     return false;
@@ -289,16 +287,16 @@ Animation finish(Animation animation) {
         animation.motion->every() > 1
             ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
                           animation.motion->stored_steps())
-            : "every stored step, all digits from RESULTS.h5";
+            : "all stored steps, full precision (RESULTS.h5)";
     if (peaks_unknown(*animation.motion))
-      animation.source += "; peaks between stored steps are not in the file";
+      animation.source += "; peaks between stored steps are missing";
     if (const std::string behind = animation.behind_words(); !behind.empty())
       animation.source += "; " + behind;
   } else {
     animation.source = curves_beside(animation)
-                           ? "frames of SOL8: three digits, nothing between; curves of SOL files"
-                           : "SOL8 alone: three digits, nothing between its frames";
-    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 beside it is not used";
+                           ? "SOL8: three digits, stored frames only; curves from SOL files"
+                           : "SOL8 only: three digits, stored frames only";
+    if (!animation.unused.empty()) animation.source += "; RESULTS.h5 is not used";
   }
   if (!animation.file.gaps.empty()) animation.source += "; " + animation.file.gaps;
   return animation;
@@ -311,8 +309,7 @@ void check_version(const std::string& version, const std::string& file) {
   find_version(kLowestVersion, lowest_major, lowest_minor);
   if (!find_version(version, major, minor))
     throw InputError(
-        fmt::format("{} does not name the program version that wrote it (found '{}'); versions "
-                    "from {} are accepted",
+        fmt::format("{} has no valid program version (found '{}'); versions from {} are accepted",
                     file, version, kLowestVersion));
   if (major < lowest_major || (major == lowest_major && minor < lowest_minor))
     throw InputError(fmt::format(
@@ -362,7 +359,7 @@ Animation prepare(results::MotionFile motion) {
 Animation open_motion(const std::filesystem::path& named, long most_frames) {
   const std::filesystem::path path = results::animation_file(named);
   if (path.extension() != ".h5") {
-    // The whole run all the same, as from RESULTS.h5.
+    // The whole run, as from RESULTS.h5.
     const long stored = results::stored_steps(path), most = std::max(most_frames, 1L);
     const long every = std::max(1L, stored / most + (stored % most > 0 ? 1 : 0));
     results::SolRange range;
@@ -437,7 +434,7 @@ LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) c
 }
 
 std::string Animation::behind_words() const {
-  return behind(frames() - 1) ? fmt::format("from SOL8 alone from frame {} on", exact + 1)
+  return behind(frames() - 1) ? fmt::format("from SOL8 only from frame {} on", exact + 1)
                               : std::string();
 }
 
@@ -452,7 +449,7 @@ std::string Animation::no_loads(std::size_t i) const {
 bool Animation::way_known(std::size_t i) const { return i > 0 && turned.at(i) <= kKnownTurn; }
 
 bool Animation::way_known(std::size_t i, std::size_t element, bool past_others) const {
-  // Farther, a whole turn might be missing from the difference of two angles.
+  // For larger angles the difference of two angles may lack a revolution.
   constexpr double kSure = 0.25;
   if (i == 0 || turned.at(i) > kSure) return false;
   const double half_pitch = 0.5 / std::max(1, file.elements);
@@ -489,7 +486,7 @@ std::vector<double> rate(const std::vector<double>& angle, const std::vector<dou
                       : widest;
   const std::size_t reach = std::clamp<std::size_t>(wanted, 1, widest);
   for (std::size_t i = 0; i < n; ++i) {
-    // At the ends the window stays as wide and moves inwards: half a window would double the
+    // At the ends the window stays as wide and moves inward: half a window would double the
     // rounding.
     const std::size_t low = std::min(i > reach ? i - reach : 0, n - 1 - 2 * reach);
     const std::size_t high = low + 2 * reach;

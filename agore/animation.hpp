@@ -11,18 +11,17 @@
 #include <string>
 #include <vector>
 
-/// What AGORE's views need beyond the frames of a SOL8 file: continuous angles, the guiding race,
-/// and where better numbers lie. No Qt. Frames: X along the bearing axis, Z up; azimuth is a
-/// rotation about +X from Z (y = -r sin, z = r cos).
+/// Data for the views of AGORE in addition to the frames of a SOL8 file: continuous angles, the
+/// guiding race, and more accurate values. No Qt. Frames: X along the bearing axis, Z up; azimuth
+/// is a rotation about +X from Z (y = -r sin, z = r cos).
 ///
-/// Where RESULTS.h5 of the same run lies beside the file, its steps are the frames and its channels
-/// the curves: all digits, every stored step. SOL8 alone holds three digits at its own times; that
-/// is what is drawn then, nothing between, and speeds are differences over a span of frames that
-/// turns by one radian, a tenth of the file at most. A body that turns by more than half a turn
-/// from one frame to the next has no speed that the file could tell.
+/// With RESULTS.h5 of the same run in the folder, its steps are the frames and its channels the
+/// curves: full precision, all stored steps. SOL8 has three digits at its own times; then only
+/// these frames are drawn, and speeds are differences over frames with a rotation of one radian, at
+/// most a tenth of the file. No speed is known for a body that turns by more than half a revolution
+/// between two frames.
 ///
-/// RESULTS.h5 of a run that was killed, or still goes on, may end before SOL8: the frames behind
-/// its end are SOL8's.
+/// RESULTS.h5 of a killed or active run may end before SOL8: later frames are those of SOL8.
 namespace adore::agore {
 
 /// Oldest program version whose data sets are accepted.
@@ -45,7 +44,8 @@ struct ContactFrame {
   std::array<double, 2> slip{};  ///< largest slip speed in the contact, in `slip_unit`
 };
 
-/// What a quantity of the contacts is in a whole run, by the larger of both contacts of an element.
+/// Range of a contact quantity in the whole run, by the larger value of both contacts of an
+/// element.
 struct RunRange {
   double lowest = 0.0, largest = 0.0;
   double usual = 0.0;  ///< that 19 of 20 values above 0 stay below
@@ -81,17 +81,17 @@ struct Animation {
   std::vector<double> time;                       ///< [s]
   std::vector<double> cage_angle;                 ///< continuous rotation about X [rad]
   std::array<std::vector<double>, 2> race_angle;  ///< outer, inner [rad]
-  std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 beside the file
-  std::string no_contacts;                        ///< why there are none
-  /// Why a RESULTS.h5 that stands beside the file is not used; empty: it is, or there is none.
+  std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 in the same folder
+  std::string no_contacts;                        ///< reason for missing contacts
+  /// Reason why RESULTS.h5 in the same folder is not used; empty: it is used or missing.
   std::string unused;
-  /// What is wrong with the files, as sentences without their ends.
+  /// Problems of the files, as sentences without a period.
   [[nodiscard]] std::vector<std::string> notes() const;
-  std::map<std::string, RunRange> run_ranges;  ///< of quantities that colour, by channel
+  std::map<std::string, RunRange> run_ranges;  ///< of quantities that color, by channel
   bool some_free = false;                      ///< an element touches neither race at some step
-  std::vector<double> pocket_angle;            ///< of each pocket centre in the cage [rad]
+  std::vector<double> pocket_angle;            ///< of each pocket center in the cage [rad]
   std::vector<double> turned;  ///< by the races since the frame before, at least [rev]
-  /// Ways of centres, of elements about the axis, and of elements past each other.
+  /// Ways of centers, of elements about the axis, and of elements past each other.
   Known known_centres = Known::All, known_elements = Known::All, known_trails = Known::All;
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }
@@ -103,11 +103,11 @@ struct Animation {
   /// Contacts of the elements at a frame; null where it has none, for the reason of `no_loads`.
   [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;
   [[nodiscard]] std::string no_loads(std::size_t frame) const;
-  /// May the way of a centre be drawn as a line from the frame before? Where the bearing turns far
-  /// in between, nobody knows it.
+  /// May the path of a center be drawn as a line from the previous frame? Not if the bearing turns
+  /// far in between, because the path is unknown.
   [[nodiscard]] bool way_known(std::size_t frame) const;
-  /// The same of an element; `past_others`: against its neighbours, whose places are not to be
-  /// taken for its own.
+  /// The same for an element; `past_others`: compared with its neighbors, so that elements are not
+  /// confused.
   [[nodiscard]] bool way_known(std::size_t frame, std::size_t element, bool past_others) const;
   /// Cage, or the segment that holds an element's pocket, at a frame.
   [[nodiscard]] const results::Sol8Body& cage_of(std::size_t frame, std::size_t element) const;
@@ -126,9 +126,8 @@ struct Animation {
 /// known [rev]: a chord of it leaves its circle by a hundredth of the radius.
 inline constexpr double kKnownTurn = 1.0 / 24.0;
 
-/// A curve beside the picture: at the steps of RESULTS.h5, else of the SOL file of that body beside
-/// SOL8, else at the frames of SOL8. Where RESULTS.h5 ends before SOL8, what those have behind it
-/// goes on from there.
+/// A curve next to the picture: at the steps of RESULTS.h5, else of the SOL file of that body, else
+/// at the frames of SOL8. If RESULTS.h5 ends before SOL8, the curve continues with those.
 struct History {
   std::vector<double> time;  ///< [s]
   std::vector<double> value;
@@ -140,7 +139,7 @@ struct History {
 /// `segment`: of the cage, from 0; the only one of a cage in one piece.
 [[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);
 [[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
-/// Speed of the mass centre of the cage about the bearing axis, and of the cage about its own, over
+/// Speed of the mass center of the cage about the bearing axis, and of the cage about its own, over
 /// that of the faster race. Of a segment: its reference point on the cage axis, and its own
 /// turning.
 [[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
@@ -148,7 +147,7 @@ struct History {
 /// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
 [[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
 [[nodiscard]] History element_spin(const Animation& animation, std::size_t element);
-/// Mass centre of a race, coordinate 0, 1, 2 = x, y, z.
+/// Mass center of a race, coordinate 0, 1, 2 = x, y, z.
 [[nodiscard]] History race_position(const Animation& animation, std::size_t race,
                                     std::size_t coordinate);
 /// Load of an element at a race (0 outer, 1 inner).

@@ -17,7 +17,7 @@ namespace adore::agore {
 
 namespace {
 
-/// Of the cage or its segments, to lie behind the elements or below the bars.
+/// Side rings of the cage or its segments, drawn behind the elements or below the bars.
 void draw_rails(const Scene& s) {
   for (int part = 0; part < s.animation.segments; ++part) {
     const QPointF centre = s.place(s.animation.part(s.index, part));
@@ -39,15 +39,15 @@ void draw_cage(const Scene& s) {
                   s.cages.of(s.animation, s.pocket_radius(), part, outside * s.sketch.scale()));
 }
 
-/// A factor that was asked for and not given is named.
+/// A factor that cannot be used is named.
 QString exaggeration_remark(const Scene& s) {
   const QString given =
       s.factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(s.factor);
   const double asked = s.options.exaggeration;
-  return asked > s.factor ? given + QString(" (× %1 asked: the most here)").arg(asked) : given;
+  return asked > s.factor ? given + QString(" (maximum; × %1 specified)").arg(asked) : given;
 }
 
-/// Arrows from the centre of the cage, or of each segment, to where its busier land touches the
+/// Arrows from the center of the cage, or of each segment, to where its busier land touches the
 /// race.
 void draw_land_arrows(const Scene& s) {
   const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
@@ -65,8 +65,8 @@ void draw_land_arrows(const Scene& s) {
   }
 }
 
-/// Arrows of lands are as long as the cage's radius, whatever the force. What the frame does not
-/// have is named so, in the same place, without a mark.
+/// Land arrows have the length of the cage radius for any force. Missing contacts are listed in the
+/// same place, without a mark.
 void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const auto entry = [&](bool now, const char* there, const char* none, KeyMark mark) {
     key.push_back(now_and_then(s.sketch.theme().red, now, there, none, mark));
@@ -74,13 +74,13 @@ void add_cage_contacts(const Scene& s, std::vector<KeyEntry>& key) {
   const auto& elements = s.frame.elements;
   entry(std::any_of(elements.begin(), elements.end(),
                     [](const auto& element) { return element.pocket_force > 0.0; }),
-        "contact in the pocket", "no contact in a pocket now", KeyMark::Star);
+        "pocket contact", "no pocket contact", KeyMark::Star);
   if (s.animation.guide == Guide::None) return;
   bool touches = false;
   for (int part = 0; part < s.animation.segments; ++part)
     for (const std::size_t land : {0U, 1U})
       touches = touches || s.animation.land_touch(s.index, part, land).force > 0.0;
-  entry(touches, "direction of land contact", "no land contact now", KeyMark::Line);
+  entry(touches, "direction of land contact", "no land contact", KeyMark::Line);
 }
 
 QString frame_name(const Scene& s) {
@@ -168,8 +168,8 @@ bool draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   return named;
 }
 
-/// Their names, of each on that side of its arms where they stand farther from those before, and
-/// from all the other arms.
+/// Names of the frames, on the side of the arms that is farther from previous names and from all
+/// other arms.
 void name_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   std::vector<QPointF> taken;
   const auto heads_of = [&](const TurningFrame& frame) {
@@ -275,7 +275,7 @@ void bearing_view(const Scene& s) {
                    KeyMark::None});
   }
   ring_warned_bodies(s, key);
-  // First: colours say nothing without.
+  // First: colors have no meaning without the scale.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s) : QString());
@@ -295,7 +295,7 @@ void cage_view(const Scene& s) {
   const DrawnOrbit drawn =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   const auto [enlargement, now] = drawn;
-  // Where the orbit is, so that one picture has one centre of the cage.
+  // At the position of the orbit, so that a picture has a single cage center.
   const double arm = 0.5 * g.cage_inner_radius;
   const QPointF origin = enlargement > 0.0 ? now : cage;
   const bool named = s.sketch.frame_named(arm);
@@ -304,18 +304,17 @@ void cage_view(const Scene& s) {
   draw_centre(s, drawn);
   draw_contact_marks(s);
   if (named) s.sketch.name_frame(origin, s.cage_angle(), arm, t.green);
-  const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
-                                               : QString("orbit of the mass centre");
+  const QString way = s.animation.segments > 1 ? QString("orbit of the segment origin")
+                                               : QString("orbit of the mass center");
   std::vector<KeyEntry> key{{t.green, frame_name(s)}};
   add_cage_contacts(s, key);
   const bool cleared = s.animation.guide_clearance > 0.0;
-  if (cleared) key.push_back({t.red, "clearance about the orbit", KeyMark::Dashed});
+  if (cleared) key.push_back({t.red, "clearance circle", KeyMark::Dashed});
   if (enlargement > 0.0) {
     key.push_back(way_entry(
-        t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its middle"),
-        s.animation.segments > 1 ? "segment at the frames" : "centre at the frames"));
-    key.push_back({t.curves[0],
-                   s.animation.segments > 1 ? "segment's origin now" : "mass centre now",
+        t.curves[0], s.animation.known_centres, cleared ? way : QString("orbit about its center"),
+        s.animation.segments > 1 ? "segment at the frames" : "center at the frames"));
+    key.push_back({t.curves[0], s.animation.segments > 1 ? "segment origin now" : "mass center now",
                    KeyMark::Spot});
     key.push_back(later_entry(s));
   }

@@ -10,10 +10,11 @@
 
 namespace adore::agore {
 
-/// The cage between its pockets, or a segment of it, where it stands at angle 0: y to the right, z
-/// up, the outside of the cage kRadius large. In pieces that do not overlap (bars, where pockets
-/// part the cage), since a path is searched whole for each strip of a picture. Cut once, thinned
-/// once for a size, drawn turned: cutting forty pockets takes longer than all else of a picture.
+/// Outlines of the cage between its pockets, or of a segment, at angle 0: y to the right, z up,
+/// scaled to an outside of kRadius. The outlines are pieces that do not overlap (bars between
+/// pockets), because a path is searched completely for each strip of a picture. They are cut once,
+/// simplified once for each size, and rotated for drawing: cutting forty pockets takes longer than
+/// the rest of a picture.
 class CageOutlines {
  public:
   static constexpr double kRadius = 1000.0;
@@ -35,15 +36,15 @@ class CageOutlines {
   std::map<int, std::pair<double, Outline>> thinned_;  ///< and for which size
 };
 
-/// Of a segment of the cage where it stands at angle 0 [rad]: from the middle between two pockets
-/// to the next such middle, with a gap that can be seen.
+/// Outline of a segment of the cage at angle 0 [rad]: from the middle between two pockets to the
+/// next such middle, with a visible gap.
 struct Sector {
   double begin = 0.0, end = 0.0;
 };
 [[nodiscard]] Sector segment_sector(const Animation& animation, int segment);
 
-/// A closed line without the points that lie within `tolerance` of the rest (Ramer, Douglas and
-/// Peucker's rule).
+/// A closed line without points that are within `tolerance` of the rest (Ramer, Douglas and
+/// Peucker's algorithm).
 [[nodiscard]] QPolygonF thinned(const QPolygonF& closed, double tolerance);
 
 }  // namespace adore::agore

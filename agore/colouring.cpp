@@ -34,10 +34,10 @@ Quantity quantity_of(ColourBy by) {
   return {"contact.load", "contact load"};
 }
 
-/// `from_lowest`: zero says nothing of a temperature.
+/// `from_lowest`: for temperatures, where zero has no meaning.
 void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const ScaleChoice& choice) {
   if (!(run.largest > 0.0)) {
-    out.why_none = "no colours: it is zero in the whole run";
+    out.why_none = "no colors: zero in the whole run";
     return;
   }
   const auto words = [&](double value) { return desktop::pretty_quantity(value, out.unit, 3); };
@@ -49,11 +49,11 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
       constexpr double kHides = 2.0;
       if (run.largest - out.low > kHides * (run.usual - out.low) && run.usual > out.low)
         out.high = run.usual;
-      out.scale = out.high < run.largest ? "1 in 20 is beyond" : "spans the run";
+      out.scale = out.high < run.largest ? "top 5 % off scale" : "range of run";
       break;
     }
     case ColourScale::Run:
-      out.scale = "spans the run";
+      out.scale = "range of run";
       break;
     case ColourScale::Moment: {
       double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -61,24 +61,24 @@ void set_scale(Colouring& out, const RunRange& run, bool from_lowest, const Scal
         if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
       if (from_lowest && std::isfinite(low)) out.low = low;
       out.high = high;
-      out.scale = "spans this moment";
+      out.scale = "range of frame";
       if (!(out.high > out.low)) {
-        out.why_none = from_lowest ? "no colours: all are alike at this moment"
-                                   : "no colours: it is zero at this moment";
+        out.why_none = from_lowest ? "no colors: all values are equal in this frame"
+                                   : "no colors: zero in this frame";
         return;
       }
       break;
     }
     case ColourScale::Typed:
       out.low = choice.low, out.high = choice.high;
-      out.scale = "limits as typed";
+      out.scale = "fixed limits";
       break;
   }
   out.above = run.largest > out.high;
   out.below = run.lowest < out.low;
   const bool usual = choice.kind == ColourScale::Usual;
-  if (out.above) out.scale += (usual ? ", up to " : ", run up to ") + words(run.largest);
-  if (out.below) out.scale += ", run from " + words(run.lowest);
+  if (out.above) out.scale += (usual ? ", max. " : ", max. of run ") + words(run.largest);
+  if (out.below) out.scale += ", min. of run " + words(run.lowest);
 }
 
 }  // namespace
@@ -93,13 +93,13 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
       animation.motion ? animation.motion->channel(quantity.channel) : nullptr;
   const auto n = static_cast<std::size_t>(animation.file.elements);
   if (channel == nullptr || channel->width != 2 * n) {
-    out.why_none = "no colours: " + (animation.no_contacts.empty()
-                                         ? std::string("RESULTS.h5 lacks the channel")
-                                         : animation.no_contacts);
+    out.why_none =
+        "no colors: " + (animation.no_contacts.empty() ? std::string("RESULTS.h5 lacks the channel")
+                                                       : animation.no_contacts);
     return out;
   }
   if (animation.behind(frame)) {
-    out.why_none = "no colours " + animation.behind_words();
+    out.why_none = "no colors " + animation.behind_words();
     return out;
   }
   if (by == ColourBy::Temperature) {
@@ -107,13 +107,12 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
     const results::MotionChannel* rise = animation.motion->channel("contact.temperature_rise");
     if (rise != nullptr &&
         std::none_of(rise->values.begin(), rise->values.end(), [](double v) { return v > 0.0; })) {
-      out.why_none = "no colours: this run computes no temperature of contacts";
+      out.why_none = "no colors: contact temperatures were not computed";
       return out;
     }
   }
   out.unit = channel->unit;
-  // What no contact carries has no load, slips nowhere and heats nothing: zero, or what the file
-  // has in its place, is not a small value.
+  // Without contact there is no load, slip or heat: these values are not small values of the scale.
   const results::MotionChannel* const load = animation.motion->channel("contact.load");
   const bool loads = load != nullptr && load->width == 2 * n;
   for (std::size_t k = 0; k < n; ++k) {
@@ -238,7 +237,7 @@ std::vector<KeyEntry> scale_entries(const Scene& s) {
     out.push_back(now_and_then(
         no_contact_colour(),
         std::any_of(colours.touches.begin(), colours.touches.end(), [](bool on) { return !on; }),
-        "no contact", "all touch a race now", KeyMark::Disc));
+        "no contact", "all in contact", KeyMark::Disc));
   return out;
 }
 

@@ -39,7 +39,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     case View::Bearing:
     case View::Section:
     case View::Solid: {
-      // Where no land has a force to show, the loads are.
+      // Without land forces the loads are drawn.
       const bool guided = animation.has_cage && (animation.land[0] || animation.land[1]);
       if ((options.view != View::Bearing || !guided) && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
@@ -84,7 +84,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     case View::OuterRace:
     case View::InnerRace: {
       const std::size_t r = options.view == View::OuterRace ? 0 : 1;
-      page.title = "Centre of the race";
+      page.title = "Race center";
       const char* names[] = {"X", "Y", "Z"};
       for (std::size_t c = 0; c < 3; ++c)
         add(page, names[c], "", race_position(animation, r, c), exact);
@@ -104,9 +104,9 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     }
   }
   tell_of_peaks(page, animation);
-  page.band_note = "Pale: extremes between stored steps.";
-  // What is behind the end of RESULTS.h5 has other digits, or none.
-  if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 alone"});
+  page.band_note = "Min–max band between stored steps.";
+  // Values after the end of RESULTS.h5 have fewer digits or are missing.
+  if (animation.alone) page.marks.push_back({animation.motion->times().back(), "SOL8 only"});
   return page;
 }
 

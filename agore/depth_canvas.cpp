@@ -15,7 +15,7 @@ QRgb mixed(const QColor& a, const QColor& b, double part) {
               channel(a.blue(), b.blue()));
 }
 
-/// What a damaged file puts beyond all pictures is not drawn.
+/// Bodies of a damaged file that are far outside the picture are not drawn.
 bool drawable(const DepthCanvas::Point& p) {
   constexpr float kFar = 1e7F;
   return std::abs(p.x) < kFar && std::abs(p.y) < kFar && std::abs(p.depth) < kFar;

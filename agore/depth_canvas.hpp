@@ -12,22 +12,22 @@
 /// arithmetic on arrays, without a graphics driver: the same picture with and without a screen.
 namespace adore::agore {
 
-/// A colour from shadow (0) over itself (about 190) to its highlight (255).
+/// A color from shadow (0) over itself (about 190) to its highlight (255).
 using Shades = std::array<QRgb, 256>;
 [[nodiscard]] Shades shades_of(const QColor& colour);
 
-/// Light of a surface with this unit normal towards the viewer (x right, y up, z to the viewer), 0
+/// Light of a surface with this unit normal toward the viewer (x right, y up, z to the viewer), 0
 /// to 255: a lamp over the viewer's left shoulder.
 [[nodiscard]] float light_of(float x, float y, float z);
 
 class DepthCanvas {
  public:
-  /// In pixels, y downwards; nearer is larger in depth.
+  /// In pixels, y downward; nearer is larger in depth.
   struct Point {
     float x = 0, y = 0, depth = 0, light = 0;
   };
-  /// What is drawn on a sphere so that its turning is seen: a spot at the pole and a line around it
-  /// half way. In the viewer's axes; 0: nothing.
+  /// Marks on a sphere that show its rotation: a spot at the pole and a line around the equator. In
+  /// the axes of the viewer; 0: none.
   struct Pole {
     float x = 0, y = 0, z = 0;
   };
@@ -53,15 +53,15 @@ class DepthCanvas {
   }
   void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades,
               const Shades& mark);
-  /// Every pixel the mean of `shrink` by `shrink` of them, in `box`. Of single pixels it is no
-  /// copy: it holds as long as the canvas does and nothing more is drawn.
+  /// Image with the mean of `shrink` by `shrink` pixels, in `box`. For shrink 1 it is not a copy:
+  /// it is valid as long as the canvas exists and nothing more is drawn.
   [[nodiscard]] QImage image(int shrink, const QRect& box) const;
   [[nodiscard]] QImage image(int shrink) const {
     return image(shrink, QRect(0, 0, width_ / shrink, height_ / shrink));
   }
   /// Of the nearest surface there; minus infinity where nothing is drawn.
   [[nodiscard]] float depth_at(QPointF pixel) const;
-  /// Everything drawn since reset() lies in it.
+  /// Bounds of everything drawn since reset().
   [[nodiscard]] QRect drawn() const { return drawn_; }
 
  private:

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Where elements are drawn, how they look, and what is written beside them.
+/// Positions and appearance of the elements, and the labels next to them.
 namespace adore::agore {
 
 std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
@@ -43,7 +43,7 @@ QString longest_load(const Scene& s, double load) {
 }
 
 bool load_arrow(const Scene& s, QPointF tail, QPointF tip, const QColor& colour, double width) {
-  constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the colour
+  constexpr double kSeen = 6.0;  // pixels; of shorter ones no pixel has the color
   if (QLineF(tail, tip).length() < kSeen) return false;
   s.sketch.arrow(tail, tip, colour, width);
   return true;
@@ -78,7 +78,7 @@ std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
         std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
     if (swept > 0.8 * pitch) break;
   }
-  // Where it is now is seen by itself.
+  // The current position is visible without a mark.
   if (out.size() == 1 || !out[1].joined) out.erase(out.begin());
   return out;
 }
@@ -88,9 +88,9 @@ KeyEntry way_entry(const QColor& colour, Known known, const QString& what, const
     case Known::All:
       break;
     case Known::Some:
-      return {colour, what + ", dots where unknown"};
+      return {colour, what + ", dots: unknown"};
     case Known::None:
-      return {colour, places + ", way between unknown", KeyMark::Dots};
+      return {colour, places + ", path unknown", KeyMark::Dots};
   }
   return {colour, what};
 }
@@ -110,11 +110,11 @@ KeyEntry loads_entry(const Scene& s, std::size_t race, bool any) {
   const QString name = race == 0 ? "outer race loads" : "inner race loads";
   return now_and_then(s.sketch.theme().curves[race], any,
                       name + longest_load(s, s.animation.contacts->largest_of_race[race]),
-                      QString("no %1 to draw now").arg(name));
+                      QString("no %1").arg(name));
 }
 
 void name_arms(const Scene& s, bool named, std::vector<KeyEntry>& key) {
-  if (!named) key.push_back({s.sketch.theme().muted, "longer arm: z", KeyMark::Frame});
+  if (!named) key.push_back({s.sketch.theme().muted, "long arm: z", KeyMark::Frame});
 }
 
 void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
@@ -130,24 +130,23 @@ void name_turning_mark(const Scene& s, std::optional<std::size_t> element,
   const bool coloured =
       scaled && colouring(s.animation, s.index, s.options.colour, s.options.scale).any();
   key.push_back({turning_mark_colour(s.sketch.theme()),
-                 ball ? "turns with the ball" : "turns with the roller",
+                 "rotation mark",
                  ball ? KeyMark::Turning : KeyMark::Sector,
                  {},
                  coloured});
 }
 
 KeyEntry trail_entry(const Scene& s, bool any) {
-  KeyEntry way = way_entry(trail_colour(s), s.animation.known_trails, "paths of the elements",
-                           "earlier frames");
-  return now_and_then(
-      way.colour, any, way.text,
-      s.animation.known_trails == Known::None ? "way between frames unknown" : "no paths so far",
-      way.mark);
+  KeyEntry way =
+      way_entry(trail_colour(s), s.animation.known_trails, "element paths", "earlier frames");
+  return now_and_then(way.colour, any, way.text,
+                      s.animation.known_trails == Known::None ? "unknown paths" : "no paths",
+                      way.mark);
 }
 
 namespace {
 
-/// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
+/// Direction of an element's orientation mark, its body's z axis: right, up, toward the viewer,
 /// seen from +X.
 std::array<double, 3> mark_from_axis(const Scene& s, std::size_t k) {
   const results::Sol8Element& element = s.frame.elements.at(k);
@@ -185,7 +184,7 @@ void draw_turning_marks(const Scene& s) {
 void draw_contact_marks(const Scene& s) {
   const auto& t = s.sketch.theme();
   const double star = std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 3.5, 13.0);
-  // Beside the cage's ring and the stars on it, which have a rim.
+  // Outside the ring of the cage and its stars, which have an edge.
   constexpr double kHalfNumber = 9.0, kRim = 3.0;  // pixels
   const double outside =
       s.options.view == View::Cage
@@ -201,7 +200,7 @@ void draw_contact_marks(const Scene& s) {
     const bool contact = s.frame.elements[k].pocket_force > 0.0;
     if (s.animation.has_cage && contact)
       s.sketch.asterisk(s.sketch.at(centre.x(), centre.y()), star, t.red);
-    // About the ring that they stand beside: the cage's own where it is alone.
+    // Radius for labels around a ring: that of the cage if it is alone.
     const QPointF hub =
         s.options.view == View::Cage ? s.place(s.animation.cage_of(s.index, k)) : QPointF(0, 0);
     const QPointF from_hub = centre - hub;

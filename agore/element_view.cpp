@@ -64,7 +64,7 @@ void element_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const auto k = static_cast<std::size_t>(s.options.element - 1);
-  // The way of the element so far, half a turn at most.
+  // Path of the element so far, at most half a revolution.
   const auto& frames = s.animation.file.frames;
   std::vector<WayPoint> way;
   double swept = 0.0;
@@ -75,14 +75,14 @@ void element_view(const Scene& s) {
     if (i == 0 || swept > kPi) break;
     swept += std::abs(std::remainder(e.theta - frames[i - 1].elements.at(k).theta, 2.0 * kPi));
   }
-  if (way.size() == 1 || !way[1].joined) way.erase(way.begin());  // where it is now
+  if (way.size() == 1 || !way[1].joined) way.erase(way.begin());  // current position
   draw_way(s.sketch.painter(), s.sketch.area(), way, {trail_colour(s), 2.4, t.surface});
   const QPointF centre = element_centre(s, k);
   draw_element(s, k);
   const double arm = 0.62 * g.inner_race_inner_radius, turned = s.animation.race_angle[1][s.index];
   const bool named = s.sketch.frame_named(arm);
   s.sketch.frame({0, 0}, turned, arm, race_colour(t, 1), named);
-  // Beside the arrow of the outer race, where there is one.
+  // Next to the arrow of the outer race, if there is one.
   const double rim = outer_rim(g) + 0.54 * numbers_margin(s.sketch.half()) / s.sketch.scale();
   const bool loads = s.animation.contacts_at(s.index) != nullptr;
   const double aside = loads ? 24.0 / (rim * s.sketch.scale()) : 0.0;
@@ -93,20 +93,19 @@ void element_view(const Scene& s) {
   const bool seen = std::any_of(way.begin(), way.end(), [&](const WayPoint& point) {
     return QLineF(point.at, over).length() > g.element_radius * s.sketch.scale() + 2.0;
   });
-  const KeyEntry path = way_entry(trail_colour(s), s.animation.known_elements,
-                                  "path of the element", "earlier frames");
-  std::vector<KeyEntry> key{
-      {race_colour(t, 1), "inner race frame"},
-      now_and_then(path.colour, seen, path.text, "no path seen so far", path.mark),
-      {t.muted, "pitch circle", KeyMark::Dotted}};
+  const KeyEntry path =
+      way_entry(trail_colour(s), s.animation.known_elements, "element path", "earlier frames");
+  std::vector<KeyEntry> key{{race_colour(t, 1), "inner race frame"},
+                            now_and_then(path.colour, seen, path.text, "no path", path.mark),
+                            {t.muted, "pitch circle", KeyMark::Dotted}};
   name_arms(s, named, key);
   name_turning_mark(s, k, key);
   QString remark = QString::fromStdString("no contact loads: " + s.animation.no_loads(s.index));
   if (loads) {
     draw_contact_loads(s, k, centre, key);
     remark = too_low(s.options, s.sketch.area().height())
-                 ? "slip: the largest"
-                 : "loads and largest slip in the contacts, from RESULTS.h5";
+                 ? "slip: maximum"
+                 : "contact loads and largest slip from RESULTS.h5";
   }
   if (named) s.sketch.name_frame({0, 0}, turned, arm, race_colour(t, 1));
   draw_key(s, key, remark);

@@ -39,11 +39,11 @@ void tell_of_peaks(desktop::ChartPage& page, const Animation& animation) {
   for (const desktop::ChartPanel& panel : page.panels)
     if (std::any_of(panel.curves.begin(), panel.curves.end(),
                     [&](const desktop::ChartCurve& curve) { return bare(panel, curve); })) {
-      // Shorter than AdrPlot's sentence: it stands beside the present values, in 350 pixels.
+      // Shorter than the note of AdrPlot: it has 350 pixels next to the current values.
       const double frequency = fastest_frequency(animation);
       const double values = desktop::values_per_period(page.x, frequency);
       if (values > 0.0 && values < desktop::kTrueShape)
-        page.note = fmt::format("{} a period of {}: peaks are missed.",
+        page.note = fmt::format("{} per period of {}: peaks are missing.",
                                 counted(fmt::format("{:.2g}", values), "stored step"),
                                 desktop::pretty_quantity(frequency, "Hz", 3));
       return;

@@ -5,11 +5,11 @@
 
 namespace adore::agore {
 
-/// Of the run's fastest contact [Hz], as RUN.json beside its files estimates it; 0: not known.
+/// Frequency of the fastest contact of the run [Hz], estimated in RUN.json; 0: unknown.
 [[nodiscard]] double fastest_frequency(const Animation& animation);
 
-/// Says so where a line of the page without extremes between its values has few values in a period
-/// of that contact.
+/// Adds a note if a line without extremes between its values has few values per period of that
+/// contact.
 void tell_of_peaks(desktop::ChartPage& page, const Animation& animation);
 
 }  // namespace adore::agore

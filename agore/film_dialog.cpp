@@ -23,7 +23,7 @@ FilmDialog::FilmDialog(std::vector<double> time, std::pair<std::size_t, std::siz
                        Tell tell, QWidget* parent)
     : QDialog(parent), time_(std::move(time)), tell_(std::move(tell)) {
   setObjectName("filmRange");
-  setWindowTitle(tr("Save Film"));
+  setWindowTitle(tr("Save Movie"));
   desktop::delete_when_done(*this);
   auto* all = new QVBoxLayout(this);
   auto* form = new QFormLayout;
@@ -60,7 +60,7 @@ FilmDialog::End FilmDialog::makeEnd(const QString& name, std::size_t frame) {
   out.frame->setRange(1, static_cast<int>(time_.size()));
   out.frame->setValue(static_cast<int>(frame) + 1);
   out.time->setObjectName(name + "Time");
-  out.time->setAccessibleName(tr("Time of that frame"));
+  out.time->setAccessibleName(tr("Time of the frame"));
   out.time->setSuffix(tr(" ms"));
   out.time->setDecimals(6);
   out.time->setRange(kMs * time_.front(), kMs * time_.back());
@@ -90,7 +90,7 @@ std::size_t FilmDialog::last() const { return static_cast<std::size_t>(to_.frame
 void FilmDialog::changed() {
   if (to_.frame == nullptr || to_.time == nullptr) return;  // not made yet
   const auto [words, valid] =
-      first() > last() ? std::pair{tr("A film ends after it begins: frame %1 is after frame %2.")
+      first() > last() ? std::pair{tr("The first frame, %1, is after the last frame, %2.")
                                        .arg(first() + 1)
                                        .arg(last() + 1),
                                    false}

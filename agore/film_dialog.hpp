@@ -14,11 +14,11 @@ class QSpinBox;
 
 namespace adore::agore {
 
-/// Asks from which frame to which a film goes, by number or by time, and tells how long it will be.
+/// Dialog for the range of a movie, by frames or times; shows the resulting length.
 class FilmDialog : public QDialog {
   Q_OBJECT
  public:
-  /// What a choice of first and last frame means, in words, and whether it can be a film.
+  /// Description of a range of frames, and whether it can be a movie.
   using Tell = std::function<std::pair<QString, bool>(std::size_t first, std::size_t last)>;
   /// @param part first and last frame that it begins with, from 0
   FilmDialog(std::vector<double> time, std::pair<std::size_t, std::size_t> part, Tell tell,

@@ -80,24 +80,24 @@ void flange_view(const Scene& s) {
     key.push_back({drawn ? flange_colour(t) : QColor(),
                    QString::fromStdString(fmt::format(
                        "flange at {}x: {}", side == 0 ? "−" : "+",
-                       s.animation.behind(s.index) ? "not known " + s.animation.behind_words()
-                       : !near                     ? std::string("the roller's end is nowhere near")
+                       s.animation.behind(s.index) ? "unknown " + s.animation.behind_words()
+                       : !near                     ? std::string("roller end far away")
                                                    : fmt::format("{}, {} {}",
                                              force > 0.0 ? desktop::pretty_quantity(
                                                                                    force, s.animation.file.units[2], 3)
                                                                              : std::string("no contact"),
-                                             gap < 0.0 ? "pressed in (not drawn) by" : "gap",
+                                             gap < 0.0 ? "penetration (not drawn)" : "gap",
                                                                  desktop::pretty_quantity(std::abs(gap), unit, 3))))});
   }
-  draw_key(s, key,
-           QString::fromStdString(fmt::format(
-               "roller {} at the {} race{}  ·  skew from the bearing's axis (Phi) {}°, to scale{}",
-               k + 1, race == 0 ? "outer" : "inner",
-               open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
-               desktop::tick_text(skew * 180.0 / kPi, 3),
-               too_low(s.options, s.sketch.area().height())
-                   ? ""
-                   : "  ·  seen from outside, +x to the right")));
+  draw_key(
+      s, key,
+      QString::fromStdString(fmt::format(
+          "roller {} at the {} race{}  ·  skew to the bearing axis (Phi) {}°, to scale{}", k + 1,
+          race == 0 ? "outer" : "inner",
+          open ? "  ·  gap × " + desktop::pretty_number(factor, 3) : "",
+          desktop::tick_text(skew * 180.0 / kPi, 3),
+          too_low(s.options, s.sketch.area().height()) ? ""
+                                                       : "  ·  outside view, +x to the right")));
 }
 
 }  // namespace adore::agore

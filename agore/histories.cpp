@@ -11,14 +11,14 @@
 #include <limits>
 #include <numbers>
 
-/// The curves beside the pictures: from RESULTS.h5, from the SOL file of the body, or from SOL8.
+/// The curves next to the pictures: from RESULTS.h5, from the SOL file of the body, or from SOL8.
 namespace adore::agore {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// d(angle)/dt between the neighbours of each value; one-sided at the ends.
+/// d(angle)/dt between the neighbors of each value; one-sided at the ends.
 std::vector<double> slope(const std::vector<double>& angle, const std::vector<double>& time) {
   const std::size_t n = std::min(angle.size(), time.size());
   std::vector<double> out(n, kNone);
@@ -62,13 +62,13 @@ std::vector<double> race_speed(const Animation& animation, std::size_t race) {
   return slope(animation.motion->series("race.rotation", race), animation.motion->times());
 }
 
-/// What ratios are divided by [rad/s].
+/// Divisor of the ratios [rad/s].
 std::vector<double> divisor_of_motion(const Animation& animation) {
   if (races_alike(animation)) return race_speed(animation, 1);
   return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
 }
 
-/// What a cage's SOL file has behind the end of RESULTS.h5 is over another speed (N54).
+/// Ratios in the SOL file of a cage after the end of RESULTS.h5 have another divisor (N54).
 std::function<History(const Animation&)> if_same_divisor(
     const Animation& animation, std::function<History(const Animation&)> alone) {
   if (animation.alone && over_of_cage(*animation.alone) == Over::FasterRace) return {};
@@ -85,8 +85,8 @@ void change_divisor(History& out, const Animation& animation) {
   }
 }
 
-/// What RESULTS.h5 has, and behind its end what SOL8 or a SOL file beside it has; `alone` null:
-/// they do not have it, and the curve ends before the frames do.
+/// Values of RESULTS.h5, and after its end those of SOL8 or a SOL file; `alone` null: those files
+/// do not contain it, and the curve ends before the frames.
 History with_rest(const Animation& animation, History exact,
                   const std::function<History(const Animation&)>& alone) {
   if (!animation.alone || exact.time.empty()) return exact;
@@ -109,7 +109,7 @@ History with_rest(const Animation& animation, History exact,
   return exact;
 }
 
-// --- SOL1-SOL6 beside a lone SOL8
+// --- SOL1-SOL6 next to SOL8 without RESULTS.h5
 
 constexpr double kRpm = kTurn / 60.0;
 
@@ -209,23 +209,21 @@ double turns_per_frame(const Animation& animation) {
 /// Speeds from angles of SOL8, unless the body may turn further from frame to frame than an angle
 /// can tell. `ratio`: about how fast it turns against the shaft.
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
-  constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
+  constexpr double kMostTurn = 0.45;  // of half a revolution, minus rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
   if (outer_turns(animation)) {
-    out.unknown =
-        "Not to be known from SOL8 alone: the outer race turns, and no file tells how far.";
+    out.unknown = "Unknown without RESULTS.h5, because the outer race turns.";
     return out;
   }
   const double turn = ratio * turns_per_frame(animation);
   if (turn > kMostTurn) {
-    out.unknown =
-        fmt::format("Not to be known from SOL8 alone: about {} from one frame to the next.",
-                    counted(fmt::format("{:.2g}", turn), "turn"));
+    out.unknown = fmt::format("Unknown from SOL8 only: about {} between frames.",
+                              counted(fmt::format("{:.2g}", turn), "turn"));
     return out;
   }
   const double shaft = shaft_speed(animation);
   if (shaft == 0.0) {
-    out.unknown = "The races do not turn against each other.";
+    out.unknown = "No relative rotation of the races.";
     return out;
   }
   out.value = rate(angle, animation.time);
@@ -303,7 +301,7 @@ History cage_whirl(const Animation& animation, int segment) {
   History out = by_differences(animation, continuous(std::move(angle)), kFastest);
   for (std::size_t i = 0; i < out.value.size(); ++i) {
     const auto& p = animation.frame(i).cage.position;
-    // Near the middle the direction of the centre means nothing.
+    // Near the middle the direction of the center means nothing.
     if (std::hypot(p[1], p[2]) <= 1e-3 * largest) out.value[i] = kNone;
   }
   return out;
@@ -392,14 +390,14 @@ History race_position(const Animation& animation, std::size_t race, std::size_t 
 
 History contact_load(const Animation& animation, std::size_t element, std::size_t race) {
   if (!animation.motion || !animation.motion->has("contact.load"))
-    return {{}, {}, "", "Contact loads need RESULTS.h5 beside the file."};
+    return {{}, {}, "", "Contact loads need RESULTS.h5 in the same folder."};
   return with_rest(animation, of_motion(animation, "contact.load", 2 * element + race), {});
 }
 
 History flange_history(const Animation& animation, const std::string& what, std::size_t element,
                        std::size_t race, std::size_t side) {
   if (!animation.motion || !animation.motion->has("flange." + what))
-    return {{}, {}, "", "Flange contacts need RESULTS.h5 beside the file."};
+    return {{}, {}, "", "Flange contacts need RESULTS.h5 in the same folder."};
   History out = of_motion(animation, "flange." + what, 4 * element + 2 * race + side);
   // A gap of exactly 0: the roller's end is nowhere near.
   if (what == "gap")

@@ -8,7 +8,7 @@
 
 namespace adore::agore {
 
-/// What a view keeps from frame to frame, because it does not change.
+/// Constant parts of a view, kept from frame to frame.
 struct Kept {
   SolidLayer solid;
   CageOutlines cages;

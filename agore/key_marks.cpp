@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-/// What stands before the words of a key: small drawings of the marks in the pictures.
+/// Small drawings of the marks in front of the texts of a key.
 namespace adore::agore {
 namespace {
 

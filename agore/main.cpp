@@ -41,7 +41,7 @@ struct Request {
 };
 
 int render(int& argc, char** argv, Request& request) {
-  if (request.file.empty()) throw InputError("--render needs an animation file (SOL8) to draw");
+  if (request.file.empty()) throw InputError("--render needs an animation file (SOL8)");
   end_when_interrupted();
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Headless);
   agore::MotionPicture picture = agore::open_animation(request.file);
@@ -124,91 +124,90 @@ int show(int& argc, char** argv, const Request& request) {
 
 int main(int argc, char** argv) {
   const auto program = command_line::make_program(
-      "AGORE: the motion of a bearing from an animation file SOL8. Without --render it opens a "
-      "window.",
+      "AGORE: animation of a bearing from SOL8 or RESULTS.h5, in a window or as pictures and "
+      "movies.",
       "agore");
   CLI::App& cli = *program;
   Request request;
   cli.add_option("SOL8", request.file, "animation file, RESULTS.h5, or the folder of a run")
       ->type_name("PATH");
   CLI::Option* one_window =
-      cli.add_option("--project", request.project, "folder whose files come into this one window")
+      cli.add_option("--project", request.project, "reuse one window for all files of this folder")
           ->type_name("DIR")
           ->check(CLI::ExistingDirectory)
           ->needs(cli.get_option("SOL8"));
   auto* folder = cli.add_option("--render", request.folder,
-                                "write pictures into this folder instead of opening a window")
+                                "write pictures to this folder instead of opening a window")
                      ->type_name("DIR");
-  command_line::one_of(cli.add_option("--view", request.view, "what is looked at")
+  command_line::one_of(cli.add_option("--view", request.view, "view to draw")
                            ->capture_default_str()
                            ->type_name("VIEW"),
                        kViews);
-  cli.add_option("--beside", request.beside, "further views at the same frame, separated by commas")
+  cli.add_option("--beside", request.beside,
+                 "additional views of the same frame, separated by commas")
       ->type_name("LIST");
   command_line::one_of(cli.add_option("--race", request.race,
-                                      "race of the race view (the inner one unless given) and of "
-                                      "the flange view (one that has a flange)")
+                                      "race of the race view (default: inner) and of the flange "
+                                      "view (default: one with a flange)")
                            ->type_name("RACE"),
                        {"outer", "inner"});
   command_line::at_least(
       cli.add_option("--element", request.options.view.element, "number of the element or pocket"),
       1);
   command_line::at_least(cli.add_option("--exaggerate", request.options.view.exaggeration,
-                                        "factor on clearances; 1 is to scale"),
+                                        "magnification of clearances; 1: to scale"),
                          0.001);
   auto* frame =
       command_line::at_least(cli.add_option("--frame", request.frame,
-                                            "one frame, counted from 1 (the last unless given)"),
+                                            "frame number, counted from 1 (last unless given)"),
                              1)
           ->needs(folder);
   auto* every =
-      command_line::at_least(cli.add_option("--every", request.every, "every K-th frame"), 1)
+      command_line::at_least(cli.add_option("--every", request.every, "every n-th frame"), 1)
           ->needs(folder)
           ->excludes(frame);
-  auto* movie = cli.add_option("--movie", request.film,
-                               "a film of this name in the folder: .avi, .gif, or .mp4 where "
-                               "ffmpeg is")
-                    ->type_name("FILE")
-                    ->needs(folder)
-                    ->excludes(frame);
-  command_line::at_least(cli.add_option("--fps", request.rate, "pictures per second of the film")
-                             ->capture_default_str(),
-                         1)
-      ->needs(folder);
+  auto* movie =
+      cli.add_option("--movie", request.film,
+                     "movie to write in the folder: NAME.avi, NAME.gif, or NAME.mp4 (needs ffmpeg)")
+          ->type_name("FILE")
+          ->needs(folder)
+          ->excludes(frame);
   command_line::at_least(
-      cli.add_option("--slow", request.options.slow,
-                     "simulated seconds per second of the film, such as 0.001, with the frames at "
-                     "their own times (a picture for each frame unless given)"),
-      1e-12)
+      cli.add_option("--fps", request.rate, "movie frames per second")->capture_default_str(), 1)
+      ->needs(folder);
+  command_line::at_least(cli.add_option("--slow", request.options.slow,
+                                        "slow motion: simulated seconds per second of the movie, "
+                                        "e.g. 0.001 (one picture per stored frame unless given)"),
+                         1e-12)
       ->needs(movie)
       ->excludes(every);
   for (const auto& [name, number, what] :
-       {std::tuple{"--from", &request.options.first, "first frame of a film or of --every, from 1"},
-        std::tuple{"--to", &request.options.last, "its last frame (the last of all unless given)"}})
+       {std::tuple{"--from", &request.options.first,
+                   "first frame of a movie or of --every, counted from 1"},
+        std::tuple{"--to", &request.options.last,
+                   "last frame of a movie or of --every (end of the file unless given)"}})
     command_line::at_least(cli.add_option(name, *number, what), 1)->needs(folder)->excludes(frame);
   cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
-  command_line::one_of(cli.add_option("--colour", request.colour, "what colours the elements")
+  command_line::one_of(cli.add_option("--colour", request.colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
   cli.add_option("--scale", request.scale,
-                 "scale of the colours: usual (what 19 of 20 values of the run stay below), run "
-                 "(its largest), moment, or limits such as 0:0.02 in the file's unit")
+                 "color scale: usual (95 % of the values of the run), run (largest of the run), "
+                 "moment (this frame), or limits such as 0:0.02 in the file's unit")
       ->capture_default_str()
       ->type_name("SCALE");
-  cli.add_flag("--contacts", request.options.view.contacts,
-               "arrows of the race loads on all elements");
+  cli.add_flag("--contacts", request.options.view.contacts, "race load arrows on all elements");
   cli.add_flag("--trails", request.options.view.trails,
-               "the path of every element, back over 0.8 of their spacing");
-  cli.add_flag("--follow", request.follow, "read the files again while a run goes on")
+               "recent path of every element (0.8 of the spacing)");
+  cli.add_flag("--follow", request.follow, "reload the files while a run is active")
       ->excludes(folder);
-  cli.add_flag("--behind", request.behind,
-               "open behind the window in use, which keeps the keyboard")
+  cli.add_flag("--behind", request.behind, "open in the background without taking focus")
       ->excludes(folder);
-  cli.add_flag("--dark", request.options.view.dark, "dark colours");
+  cli.add_flag("--dark", request.options.view.dark, "dark theme");
   // A window that is there takes files alone.
   for (const char* of_first :
        {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--colour",
@@ -225,7 +224,7 @@ int main(int argc, char** argv) {
     request.options.view.scale = agore::scale_named(request.scale);
     if ((cli.count("--from") > 0 || cli.count("--to") > 0) && request.film.empty() &&
         request.every == 0)
-      throw InputError("--from and --to are the ends of several pictures; give --movie or --every");
+      throw InputError("--from and --to need --movie or --every");
     const auto pixels = desktop::parse_size(request.size);
     request.options.width = pixels.width;
     request.options.height = pixels.height;

@@ -114,8 +114,8 @@ QRectF MotionPicture::sharedKeyArea(const QRectF& area, std::size_t views) {
   if (views <= 1) return {};
   const QRectF tile = tiles_of(pictures_area(area), views).front();
   if (tile.height() - tile_top(tile) - kTileFoot >= kTooLowBeside) return {};
-  // Below the curves: what is left beside the pictures is theirs.
-  // Not so much that the numbers of their axis have no room: the key has smaller letters, too.
+  // Below the curves: the space next to the pictures belongs to them.
+  // The numbers of the axis need some of it; the key has smaller letters then.
   constexpr double kLeastChart = 164.0, kLeastKey = 0.4;
   const double both = area.height() - kHeading - bar_space(area);
   const double height =
@@ -239,7 +239,7 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.setFont(desktop::ui_font(18, true));
   painter.setPen(t.text);
   const QString title = options.beside.empty() ? QString::fromStdString(view_title(options.view))
-                                               : QString("Views at the same moment");
+                                               : QString("Views of the same frame");
   const double title_width = QFontMetricsF(painter.font()).horizontalAdvance(title);
   painter.drawText(QPointF(area.left() + kMargin, area.top() + 30), title);
   painter.setFont(desktop::ui_font(13));
@@ -354,10 +354,10 @@ void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size
   }
   QString remarks;
   if (options.span_from || options.span_to)
-    remarks += QString("repeats frames %1 to %2   ·   ")
+    remarks += QString("repeat: frames %1 to %2   ·   ")
                    .arg(1 + (options.span_from ? frameAt(*options.span_from) : 0))
                    .arg(options.span_to ? 1 + frameAt(*options.span_to) : frames());
-  if (animation_.behind(frame)) remarks += "from SOL8 alone   ·   ";
+  if (animation_.behind(frame)) remarks += "from SOL8 only   ·   ";
   const auto& now = animation_.frame(frame);
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);

@@ -13,9 +13,9 @@
 
 namespace adore::agore {
 
-/// A whole frame: heading, picture area, data area with the present moment marked, and the time bar
-/// that fills. On a screen everything that stands still (headings, curves, rings of the races) is
-/// drawn once into a backdrop, which every frame copies, so that a frame is quick.
+/// A complete frame: heading, picture area, data area with the current time marked, and the time
+/// bar. On a screen all constant parts (headings, curves, rings of the races) are drawn once into a
+/// backdrop that every frame copies, for speed.
 class MotionPicture {
  public:
   explicit MotionPicture(Animation animation);
@@ -41,19 +41,19 @@ class MotionPicture {
   [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1);
   /// Place of the key that several views share where they are too low for their own; empty: none.
   [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views);
-  /// Time at a position on one of the curves' panels, as painted last; none beside them.
+  /// Time at a position on a panel of the curves, as painted last; none elsewhere.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
   /// Of the images of moving parts that all views keep [bytes].
   [[nodiscard]] double keptBytes() const { return stamps_->bytes(); }
 
  private:
-  /// Where the pictures themselves are drawn; beside their frames and titles, if several.
+  /// Area of the pictures, without the frames and titles of several pictures.
   [[nodiscard]] static std::vector<QRectF> innerAreas(const QRectF& area, std::size_t views);
   void makeDataPage(QSizeF size, const ViewOptions& options);
   /// Headings, titles of several views, the data area's curves.
   void paintSetting(QPainter& painter, const QRectF& area, const ViewOptions& options);
-  /// The backdrop for this frame, with as little drawn anew as its key says.
+  /// The backdrop for this frame; only parts whose key has changed are drawn again.
   const QImage& backdrop(const QRectF& area, double ratio, std::size_t frame,
                          const ViewOptions& options);
   void paintMoment(QPainter& painter, const QRectF& data, std::size_t frame,
@@ -63,7 +63,7 @@ class MotionPicture {
 
   Animation animation_;
   desktop::ChartScene data_{desktop::ChartStyle::Compact};
-  /// What a part of the window that stands still depends on.
+  /// Dependencies of a constant part of the window.
   struct Setting {
     QSizeF size;
     double ratio = 0.0;

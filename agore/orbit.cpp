@@ -18,8 +18,7 @@ QColor later_colour(const desktop::Theme& theme) {
 
 KeyEntry later_entry(const Scene& s) {
   const bool later = s.index + 1 < s.animation.frames();
-  return now_and_then(later_colour(s.sketch.theme()), later, "still to come",
-                      "nothing still to come");
+  return now_and_then(later_colour(s.sketch.theme()), later, "later frames", "no later frames");
 }
 
 DrawnOrbit draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {

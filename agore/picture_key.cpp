@@ -55,8 +55,8 @@ QStringList in_lines(const QString& text, double width, const QFontMetricsF& met
 
 namespace {
 
-constexpr std::size_t kMany = 6;  // entries of a key that stands in columns wherever it has room
-/// Of words behind their mark, in letters of a size.
+constexpr std::size_t kMany = 6;  // entries of a key in columns, if they fit
+/// For texts after their mark, at a font size.
 double indent_of(int letters) { return letters < 11 ? 21.0 : 26.0; }
 constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
 
@@ -68,7 +68,7 @@ QStringList wrapped(const QString& remark, double width, const QFontMetricsF& me
     if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
       out.back() = longer;
     else
-      out << in_lines(part, width, metrics);  // one that is longer than a line goes on in the next
+      out << in_lines(part, width, metrics);  // continues in the next line
   }
   return out;
 }
@@ -131,7 +131,7 @@ void KeyPicture::draw(const Sketch& sketch, const std::vector<KeyEntry>& entries
 
 namespace {
 
-/// An entry, or a remark, where it stands: its lines begin in a row of the key.
+/// Position of an entry or a remark: its lines begin in a row of the key.
 struct Placed {
   const KeyEntry* entry = nullptr;  ///< null: a remark
   QStringList lines;
@@ -152,8 +152,8 @@ Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 /// An entry, measured once: of several layouts the best is taken.
 struct Measured {
   const KeyEntry* entry;
-  double width;       ///< of the mark and its words, or of those that stand there in other frames
-  QStringList lines;  ///< one, or of what is wider than there is room
+  double width;       ///< of the mark and its text, or of the alternatives in other frames
+  QStringList lines;  ///< one, or for entries wider than the available width
 };
 
 std::vector<Measured> measured(const std::vector<KeyEntry>& entries, double room, int letters) {
@@ -170,7 +170,7 @@ std::vector<Measured> measured(const std::vector<KeyEntry>& entries, double room
   return out;
 }
 
-/// In columns of their longest entries; nothing where those are wider than there is room.
+/// In columns of their longest entries; nothing if those are too wide.
 std::optional<Layout> in_columns(const std::vector<Measured>& entries, std::size_t columns,
                                  double room, int letters) {
   constexpr double kGap = 12.0;
@@ -215,7 +215,7 @@ Layout at_stops(const std::vector<Measured>& entries, const std::vector<double>&
   return out;
 }
 
-/// In as few lines as columns that stand below each other can have, and as few columns.
+/// In as few lines as possible with aligned columns, and as few columns.
 Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
   constexpr double kGap = 10.0;
   const std::vector<Measured> all = measured(entries, room, letters);
@@ -273,8 +273,8 @@ QRectF KeyPicture::paint(QPainter& p, const QRectF& area, const desktop::Theme& 
   const QFontMetricsF metrics(desktop::ui_font(key.letters));
   for (const QString& text : wrapped(remark, area.width() - 12.0, metrics))
     key.parts.push_back({nullptr, {text}, key.rows++, 0.0, metrics.horizontalAdvance(text)});
-  // What stands below stays readable and does not disturb. Each line has its own paper as wide as
-  // it is: a box about all of them bites into what is beside.
+  // Text over the picture stays readable. Each line has a separate background of its width: a box
+  // around all lines would cover neighboring parts.
   std::vector<double> ends(key.rows, 0.0);
   for (const Placed& part : key.parts)
     for (std::size_t i = 0; i < static_cast<std::size_t>(part.lines.size()); ++i)
@@ -303,8 +303,8 @@ double SharedKey::height() { return kLines * key_line() + 4.0; }
 
 void SharedKey::draw(QPainter& painter, const QRectF& place, const desktop::Theme& theme,
                      std::vector<KeyEntry> entries) {
-  // What several pictures have is named once, with the mark of the first; words about what is not
-  // drawn say nothing here.
+  // Common entries of several pictures are listed once, with the mark of the first; alternatives
+  // that are not drawn are omitted.
   std::vector<KeyEntry> each;
   for (KeyEntry& entry : entries)
     if (entry.colour.isValid() && std::none_of(each.begin(), each.end(), [&](const KeyEntry& e) {
@@ -348,7 +348,7 @@ void SharedKey::paint(QPainter& p, const QRectF& place, const desktop::Theme& th
   }
   if (drawn == entries.size()) return;
   p.drawText(QPointF(place.left(), place.top() + key.line * static_cast<double>(last) - 4.0),
-             QString("%1 more: each view alone (V) has its own key").arg(entries.size() - drawn));
+             QString("%1 more (see the single view, V)").arg(entries.size() - drawn));
 }
 
 }  // namespace adore::agore

@@ -18,21 +18,21 @@ namespace adore::agore {
 
 class Sketch;
 
-/// What stands before the words of a key, as in the picture.
+/// Mark in front of the text of a key entry, as in the picture.
 enum class KeyMark {
   Line,
   Dashed,
   Dotted,
   Star,
   Dots,
-  Spot,     ///< round: on the face of a race, or where a centre is
+  Spot,     ///< round: on the face of a race, or where a center is
   Arrow,    ///< a broad one
   Contact,  ///< dashes to a contact, and the arrow that presses on it
   Frame,    ///< two arms, the longer one up
   Turning,  ///< the mark of a ball that turns, on steel
   Sector,   ///< that of a roller
-  Disc,     ///< a body of that colour
-  Scale,    ///< the colours of a scale, from end to end
+  Disc,     ///< a body of that color
+  Scale,    ///< the colors of a scale, from end to end
   None      ///< what the picture has in other frames: its room alone
 };
 
@@ -41,19 +41,19 @@ struct KeyEntry {
   QString text;
   KeyMark mark = KeyMark::Line;
   QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
-  bool on_colours = false;  ///< the mark lies on those of a scale: pale on dark ones, too
+  bool on_colours = false;  ///< the mark is on colors of the scale: pale on dark ones
   bool operator==(const KeyEntry&) const = default;
 };
 
-/// The mark before an entry's words, about a place of the line that they stand on.
+/// The mark in front of the text of an entry, centered at a point of the line.
 void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Theme& theme,
                    QPointF at, double length);
 
 /// Words in lines that fit, broken between words; a number and what it counts are one.
 [[nodiscard]] QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics);
 
-/// Columns in which a key of so many entries stands in a picture of a size: two of many, and in a
-/// small one, of which one would take half.
+/// Number of columns of a key with that many entries in a picture of a size: two for many entries,
+/// and in a small picture, where one would need half of it.
 [[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
 /// Letters of a key of so many entries and a line of remarks [pixels]: smaller ones where it would
 /// take more than a quarter of the picture's height from what it explains.
@@ -66,7 +66,7 @@ void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Them
 class KeyPicture {
  public:
   void draw(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
-  /// What was drawn last on a screen.
+  /// Last drawing on a screen.
   [[nodiscard]] const std::vector<KeyEntry>& entries() const { return entries_; }
   /// Marks of the view last drawn that its picture was too low to name.
   [[nodiscard]] const std::vector<KeyEntry>& leftOut() const { return left_out_; }
@@ -84,8 +84,8 @@ class KeyPicture {
   QImage image_;
 };
 
-/// One key for several small pictures, which have no room for their own: entries in columns and
-/// lines of one height, in letters as small as leave room for all of them.
+/// A common key for several small pictures: entries in columns and lines of one height, with
+/// letters as small as needed.
 class SharedKey {
  public:
   static constexpr int kLines = 10;

@@ -11,10 +11,10 @@
 namespace adore::agore {
 
 PictureWidget::PictureWidget(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(480, 340);  // a screen of 640x480 has room for it and the buttons
+  setMinimumSize(480, 340);  // fits a screen of 640x480 with the buttons
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Picture of the bearing"));
-  setFocusPolicy(Qt::StrongFocus);  // what has the keyboard is told to who cannot see it
+  setFocusPolicy(Qt::StrongFocus);  // a screen reader announces the focus
   tell();
 }
 
@@ -26,8 +26,8 @@ void PictureWidget::show(MotionPicture* picture, std::size_t frame, const ViewOp
   update();
 }
 
-/// Views, frame and time for who cannot see them. While it plays nobody could follow the frames:
-/// they are told where it stops.
+/// Views, frame and time for screen readers. They are announced when playing stops, because nobody
+/// could follow the frames.
 void PictureWidget::tell() {
   QString told = tr("No file is open.");
   if (picture_) {
@@ -42,7 +42,7 @@ void PictureWidget::tell() {
     }
     told = views.join(", ") + "; ";
     if (options_.moving)
-      told += tr("it plays");
+      told += tr("playing");
     else
       told += tr("frame %1 of %2, %3")
                   .arg(frame_ + 1)
@@ -65,9 +65,8 @@ void PictureWidget::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), t.surface);
   painter.setPen(t.muted);
   painter.setFont(desktop::ui_font(14));
-  painter.drawText(
-      rect(), Qt::AlignCenter,
-      tr("Open an animation file (SOL8 or RESULTS.h5) with File > Open, or drop one here."));
+  painter.drawText(rect(), Qt::AlignCenter,
+                   tr("Open (File > Open) or drop an animation file (SOL8 or RESULTS.h5)."));
 }
 
 std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
@@ -143,7 +142,7 @@ void PictureWidget::wheelEvent(QWheelEvent* event) {
   const ViewOptions tile = options_.tile(*number);
   const double zoom =
       std::clamp(tile.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), 1.0, 200.0);
-  // What lies under the pointer stays there.
+  // The point under the pointer stays there.
   const QPointF from = event->position() - picture_middle(picture_->animation(), tile, area);
   const QPointF here(from.x() / area.width(), from.y() / area.height());
   const QPointF pan = here + (tile.pan - here) * (zoom / tile.zoom);
@@ -153,7 +152,7 @@ void PictureWidget::wheelEvent(QWheelEvent* event) {
 
 namespace {
 
-/// Of the time bar, about which a hand may miss it a little; none beside it.
+/// Time at a position of the time bar, with some tolerance; none elsewhere.
 std::optional<double> progress_at(const QRectF& area, QPointF position) {
   const QRectF bar = MotionPicture::timeBar(area);
   if (!bar.adjusted(-12, -10, 12, 10).contains(position)) return std::nullopt;

@@ -85,7 +85,7 @@ PocketOutline pocket_of(const Animation& animation, double factor) {
 }
 
 /// A roller's axis about its pocket [rad], in the cage's frame, tilted as it is: across the pocket
-/// towards increasing azimuth, and towards who looks from outside along the pocket's axis, which
+/// toward increasing azimuth, and toward who looks from outside along the pocket's axis, which
 /// leans as a conical cage does. A file without the cage's cone does not tell the latter.
 /// @param pocket_angle azimuth of the pocket in its cage [rad]
 AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& element,
@@ -101,13 +101,14 @@ AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& ele
           std::atan2(skewed, along)};
 }
 
-/// What lies at the left and right of a roller: gaps in the file's length, forces in its unit.
+/// Walls at the left and right of a roller: gaps in the length unit of the file, forces in its
+/// force unit.
 struct SideWalls {
   std::array<double, 2> gap{}, force{}, angle{};
   std::array<std::optional<double>, 2> along{};  ///< where they touch, from the pocket's middle
 };
 
-/// How a roller is drawn in its pocket, and what it has left to the walls at its sides.
+/// Drawn position of a roller in its pocket, and its gaps to the side walls.
 struct RollerPose {
   QPointF centre;
   double skew = 0.0;  ///< as drawn [rad]
@@ -115,8 +116,8 @@ struct RollerPose {
   std::array<QPointF, 2> touch;  ///< where it meets those walls
 };
 
-/// Of each side the guide surface that carries most, or else is nearest, as the run has them:
-/// surfaces are stored in pairs, first the one that drives. Nothing where they are not in pairs.
+/// For each side the guide surface with the largest load, or else the nearest: surfaces are stored
+/// in pairs, the driving one first. No value without pairs.
 std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t frame,
                                       std::size_t element, bool to_the_right) {
   if (!animation.motion || animation.behind(frame)) return std::nullopt;
@@ -142,8 +143,8 @@ std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t fr
   return out;
 }
 
-/// What is drawn keeps the gaps in proportion: those at the sides as the run has them, so that a
-/// roller touches where it carries, those at the ends from its shape to scale.
+/// The drawing keeps the ratio of the gaps: side gaps from the run, so that a roller touches where
+/// it carries load; end gaps from its shape, to scale.
 RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAngles& lies,
                        double factor, bool to_the_right) {
   const auto k = static_cast<std::size_t>(s.options.element - 1);
@@ -193,7 +194,7 @@ std::vector<WallTouch> touches_of(const RollerPose& pose, double direction) {
   return out;
 }
 
-/// Of a ball: each surface that carries, as the run has them, or the one that the frame tells.
+/// For a ball: each loaded surface of the run, or the one of the frame.
 std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOutline& pocket,
                                   QPointF centre, double direction) {
   std::vector<WallTouch> out;
@@ -221,13 +222,13 @@ std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOut
   return out;
 }
 
-/// "top leans 7.5° towards the viewer": of a lean that can be seen.
+/// "top leans 7.5° toward the viewer": of a lean that can be seen.
 std::string lean_remark(double lean) {
   constexpr double kSeen = 0.5;  // [degrees]
   const double degrees = lean * 180.0 / kPi;
   if (std::abs(degrees) < kSeen) return {};
-  return fmt::format("  ·  top leans {}° {}", desktop::tick_text(std::abs(degrees), 1),
-                     degrees > 0.0 ? "towards the viewer" : "away");
+  return fmt::format("  ·  top tilted {}° {}", desktop::tick_text(std::abs(degrees), 1),
+                     degrees > 0.0 ? "toward the viewer" : "away");
 }
 
 /// "skew in the pocket 3.6° to the right, drawn as 15.8°", or "skew in it × 4.4" of a small
@@ -237,7 +238,7 @@ std::string skew_remark(double skew, double drawn, bool low) {
   constexpr double kSeen = 0.05;  // [degrees], as drawn
   const auto degrees = [](double angle) { return std::abs(angle) * 180.0 / kPi; };
   if (degrees(drawn) < kSeen) return {};
-  if (low) return fmt::format("  ·  skew in it × {}", desktop::pretty_number(drawn / skew, 2));
+  if (low) return fmt::format("  ·  skew × {}", desktop::pretty_number(drawn / skew, 2));
   return fmt::format("  ·  skew in the pocket {}° to the {}, drawn as {}°",
                      desktop::pretty_number(degrees(skew), 2), skew > 0.0 ? "right" : "left",
                      desktop::tick_text(degrees(drawn), 1));
@@ -277,7 +278,7 @@ void pocket_view(const Scene& s) {
   const RollerProfile roller = rollers ? roller_profile(s.animation) : RollerProfile{};
   const bool shape_known = s.animation.motion != nullptr;
   const QSizeF hole = pocket_half(pocket);
-  // From the pocket's centre, y up, to the picture.
+  // From the pocket's center, y up, to the picture.
   QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
   to_picture.scale(s.sketch.scale(), -s.sketch.scale());
   p.setPen(QPen(t.cage.darker(145), 1.6));
@@ -323,14 +324,14 @@ void pocket_view(const Scene& s) {
     s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
   }
   constexpr double kHalfHead = 15.0, kHalfArrow = 4.0;  // pixels of the arrow
-  // Within the picture, above which its title stands where it is one of several.
+  // Inside the picture, below its title if there are several.
   const double most =
       (s.sketch.at(0, 0).y() - s.sketch.area().top() - kHalfArrow) / s.sketch.scale();
   const double wanted = high + std::max(0.3 * g.element_radius, kHalfHead / s.sketch.scale());
   const double top = s.options.zoom == 1.0 ? std::min(wanted, most) : wanted;
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
                  s.sketch.at(direction * g.element_radius, top), t.green, 7.0);
-  // A small picture has no room for it below the view's title.
+  // A small picture has no space for it below the title.
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
@@ -344,29 +345,28 @@ void pocket_view(const Scene& s) {
     const QPointF tail = touch.at + 0.75 * g.element_radius * touch.wall;
     s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(touch.at.x(), touch.at.y()), t.red,
                    2.6);
-    contacts += fmt::format("{}{} at {}°", contacts.empty() ? "contact in the pocket: " : ", ",
+    contacts += fmt::format("{}{} at {}°", contacts.empty() ? "pocket contact: " : ", ",
                             desktop::pretty_quantity(touch.force, s.animation.file.units[2], 3),
                             desktop::tick_text(degrees(touch.angle), 0));
   }
   const bool low = too_low(s.options, s.sketch.area().height());
-  if (!contacts.empty() && !low) contacts += ", arrow shows where";
-  std::vector<KeyEntry> key{
-      {contacts.empty() ? QColor() : t.red,
-       !contacts.empty() ? QString::fromStdString(contacts)
-       : rollers         ? QString("no contact with the side walls; end walls are not stored")
-                         : QString("no contact")}};
+  if (!contacts.empty() && !low) contacts += ", see arrow";
+  std::vector<KeyEntry> key{{contacts.empty() ? QColor() : t.red,
+                             !contacts.empty() ? QString::fromStdString(contacts)
+                             : rollers ? QString("no side wall contact; end walls are not stored")
+                                       : QString("no contact")}};
   if (rollers && shape_known) key.push_back({{}, gaps_text(pose.walls, s.animation.file.units[0])});
   if (!rollers) name_turning_mark(s, k, key);
   if (!arrow_named) key.push_back({t.green, "cage rotation", KeyMark::Arrow});
   std::string remark = fmt::format("{}{} of {}  ·  clearance × {}{}", low ? "" : "pocket ", k + 1,
                                    s.frame.elements.size(), desktop::pretty_number(factor, 3),
-                                   s.options.exaggeration > 0.0 ? " (this view's own)" : "");
+                                   s.options.exaggeration > 0.0 ? " (this view only)" : "");
   if (rollers) remark += skew_remark(lies.skew, pose.skew, low);
-  if (!low) remark += "  ·  seen from outside, axis up" + lean_remark(lies.lean);
+  if (!low) remark += "  ·  outside view, axis up" + lean_remark(lies.lean);
   if (!shape_known && rollers)
-    remark += "  ·  as long as wide: SOL8 does not hold the length of rollers";
+    remark += "  ·  roller length unknown (not in SOL8)";
   else if (!shape_known && g.pocket_clearance_2 > 0.0)
-    remark += "  ·  drawn round: SOL8 does not hold the pocket's shape";
+    remark += "  ·  pocket shape unknown (not in SOL8)";
   draw_key(s, key, QString::fromStdString(remark));
 }
 

@@ -27,7 +27,7 @@ Turns of_both(const Animation& animation) {
   return out;
 }
 
-/// RESULTS.h5 alone counts whole turns of a race.
+/// Only RESULTS.h5 counts revolutions of a race.
 bool counts_turns(const Animation& animation) {
   return animation.motion && animation.motion->has(kRaceRotation) && animation.exact > 1;
 }
@@ -77,8 +77,8 @@ struct SpeedWords {
   std::string text;  ///< "10000", "from 0 to 5000", "between -300 and 800"; empty: no frames
 };
 
-/// A speed that varies has no single number: its ends are told or, where they are not its limits,
-/// the limits. `least`: a speed below which is rounding [rpm].
+/// A varying speed is described by its first and last value or, if those are not the extremes, by
+/// the extremes. `least`: smaller speeds are rounding [rpm].
 SpeedWords words_of(const Turns& of, double least = 0.0) {
   constexpr double kSteady = 0.01;
   const std::vector<double> speeds = speeds_of(of);
@@ -86,7 +86,7 @@ SpeedWords words_of(const Turns& of, double least = 0.0) {
   const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
   const double span = *high - *low, size = std::max(std::abs(*low), std::abs(*high));
   if (size <= least) return {true, "0"};
-  // Three digits are what parts of a run can tell; where it stands still, rounding is left.
+  // Parts of a run are accurate to three digits; for a race at rest only rounding remains.
   const auto words = [size](double value) {
     if (std::abs(value) < 1e-3 * size) return desktop::pretty_number(0.0, 3);
     const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
@@ -127,7 +127,8 @@ std::string speed_text(const Animation& animation) {
   }
   if (!counts_turns(animation)) {
     const SpeedWords words = words_of(of_both(animation));
-    return words.text.empty() ? std::string() : "races " + joined(words) + " rpm to each other";
+    return words.text.empty() ? std::string()
+                              : "races " + joined(words) + " rpm relative to each other";
   }
   const std::array<Turns, 2> races{of_race(animation, 0), of_race(animation, 1)};
   double size = 0.0;

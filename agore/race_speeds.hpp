@@ -8,17 +8,17 @@
 /// race (decision 776).
 namespace adore::agore {
 
-/// What a ratio of speeds is over.
+/// Divisor of a ratio of speeds.
 enum class Over : unsigned char {
   Races,      ///< inner minus outer race, at the time of the value
   Mean,       ///< the same, on average over the file
-  FasterRace  ///< as the SOL file of a cage has it (N54): known where the outer race stands still
+  FasterRace  ///< as in the SOL file of a cage (N54): known if the outer race is at rest
 };
 /// Of the curves of the cage, or of an element (from 0).
 [[nodiscard]] Over over_of_cage(const Animation& animation);
 [[nodiscard]] Over over_of_element(const Animation& animation, std::size_t element);
 
-/// Does the outer race turn, as far as can be told?
+/// Does the outer race turn, according to the known data?
 [[nodiscard]] bool outer_turns(const Animation& animation);
 
 /// Do both races turn as one? Then nothing can be divided by the difference of their speeds, and
@@ -28,7 +28,7 @@ enum class Over : unsigned char {
 /// "runs at 10000 rpm", "races at -8000 (outer) and 0 rpm (inner)"; empty when nothing turns.
 [[nodiscard]] std::string speed_text(const Animation& animation);
 
-/// What a ratio is over: "inner minus outer race, 16000 rpm".
+/// Text of the divisor of a ratio: "inner minus outer race, 16000 rpm".
 [[nodiscard]] std::string divisor_text(const Animation& animation, Over over);
 
 }  // namespace adore::agore

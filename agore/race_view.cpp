@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// One race and the path of its centre.
+/// One race and the path of its center.
 namespace adore::agore {
 
 namespace {
@@ -53,27 +53,27 @@ void race_view(const Scene& s) {
   draw_centre(s, drawn);
   if (named) s.sketch.name_frame(now, angle, arm, colour);
   std::vector<KeyEntry> key{{colour, r == 0 ? "outer race frame" : "inner race frame"},
-                            {colour, "spot that turns with it", KeyMark::Star}};
+                            {colour, "race mark", KeyMark::Star}};
   if (enlargement > 0.0)
     for (const KeyEntry& entry :
-         {way_entry(t.curves[0], s.animation.known_centres, "path of the race centre",
-                    "race centre at the frames"),
-          KeyEntry{t.curves[0], "race centre now", KeyMark::Spot}, later_entry(s)})
+         {way_entry(t.curves[0], s.animation.known_centres, "path of the race center",
+                    "race center at the frames"),
+          KeyEntry{t.curves[0], "race center now", KeyMark::Spot}, later_entry(s)})
       key.push_back(entry);
   name_arms(s, named, key);
   const bool small = too_low(s.options, s.sketch.area().height());
   const std::string path =
       enlargement > 0.0
-          ? fmt::format(fmt::runtime(small ? "path × {}" : "path about its middle × {}"),
+          ? fmt::format(fmt::runtime(small ? "path × {}" : "path about its center × {}"),
                         desktop::pretty_number(enlargement, 3))
-          : std::string(small ? "at rest" : "the race centre does not move");
+          : std::string(small ? "at rest" : "the race center does not move");
   draw_key(
       s, key,
       QString::fromStdString(
-          path + fmt::format(fmt::runtime(small ? "  ·  y {}  ·  z {}"
-                                                : "  ·  it stands at y = {}, z = {}"),
-                             desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
-                             desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
+          path +
+          fmt::format(fmt::runtime(small ? "  ·  y {}  ·  z {}" : "  ·  position y = {}, z = {}"),
+                      desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
+                      desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
 }
 
 }  // namespace adore::agore

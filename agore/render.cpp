@@ -48,9 +48,10 @@ namespace {
 
 void require_interval(int every) {
   if (every < 1)
-    throw InputError(fmt::format(
-        "an interval of {} frames draws nothing; give 1 for every frame, 2 for every second one",
-        every));
+    throw InputError(
+        fmt::format("an interval of {} frames draws nothing; give 1 for every frame or 2 for every "
+                    "second frame",
+                    every));
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
                                    picture.animation().file.path.string(), frame, all));
   if (options.first > end)
     throw InputError(
-        fmt::format("frame {} is after frame {}; a film ends after it begins", options.first, end));
+        fmt::format("the first frame, {}, is after the last frame, {}", options.first, end));
   const auto first = static_cast<std::size_t>(options.first - 1),
              last = static_cast<std::size_t>(end - 1);
   std::vector<std::size_t> out;
@@ -79,8 +80,8 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
   const double step = options.slow / frames_per_second, span = time[last] - time[first];
   if (!(span / step < kMost))
     throw InputError(
-        fmt::format("{:g} s take more than {:g} pictures in a slow motion of {:g}; give a larger "
-                    "--slow, or choose a faster slow motion",
+        fmt::format("{:g} s need more than {:g} pictures with a slow motion of {:g}; give a larger "
+                    "--slow, or select a faster slow motion",
                     span, kMost, options.slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {
@@ -95,7 +96,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
 
 namespace {
 
-/// Draws the frames of a film and tells how many are done. @return false: somebody stopped it
+/// Draws the frames of a movie and reports the progress. @return false: cancelled
 template <class Draw>
 bool draw_all(const std::vector<std::size_t>& frames, const RenderOptions& options, Draw&& draw) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -135,7 +136,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
                   const RenderOptions& options) {
   require_interval(every);
   if (frames_per_second < 1)
-    throw InputError(fmt::format("a film of {} pictures per second shows nothing; give at least 1",
+    throw InputError(fmt::format("a movie of {} pictures per second is empty; give at least 1",
                                  frames_per_second));
   std::string suffix = film.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
@@ -146,7 +147,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
     return;
   }
   if (suffix != ".avi" && suffix != ".gif" && suffix != ".mp4")
-    throw InputError("a film cannot be written as " + film.string() +
+    throw InputError("a movie cannot be written as " + film.string() +
                      "; give a name that ends in .avi, .gif or .mp4, or a folder name for numbered "
                      "pictures");
   if (film.has_parent_path()) desktop::make_folder(film.parent_path());

@@ -15,9 +15,9 @@ struct RenderOptions {
   int width = 1280, height = 800;
   std::function<void(long done, long total)> progress;  ///< called after each picture; may be empty
   std::function<bool()> stop = {};  ///< asked before each picture of a film; may be empty
-  bool replace = false;             ///< whatever has the film's name: somebody was asked
-  /// Simulated seconds per second of a film, which then shows the frames at their own times,
-  /// however unequal they lie; 0: a picture for each frame.
+  bool replace = false;             ///< any existing file of that name: the user has confirmed
+  /// Simulated seconds per second of a movie that shows frames at their times, also with unequal
+  /// intervals; 0: one picture per frame.
   double slow = 0.0;
   /// Frames that a film or numbered pictures begin and end with, counted from 1; last 0: the end.
   int first = 1, last = 0;
@@ -42,9 +42,9 @@ std::vector<std::filesystem::path> render_frames(MotionPicture& picture, int eve
                                                  const std::filesystem::path& folder,
                                                  const RenderOptions& options);
 
-/// A film of every `every`-th frame, by the name's ending: .avi (Motion-JPEG), .gif (256 colours a
-/// picture), .mp4 (H.264 by the program ffmpeg, which must be in the PATH); without an ending a
-/// folder of that name with numbered PNG files. @throws InputError saying what is missing
+/// A movie of every `every`-th frame, by the suffix: .avi (Motion-JPEG), .gif (256 colors per
+/// picture), .mp4 (H.264 by the program ffmpeg in the PATH); without a suffix a folder of that name
+/// with numbered PNG files. @throws InputError with the missing part
 void render_movie(MotionPicture& picture, int every, int frames_per_second,
                   const std::filesystem::path& film, const RenderOptions& options);
 

@@ -33,7 +33,7 @@ AxisAngles axis_angles(const results::Sol8Element& element) {
   const Vec3 axis = rotation(element.angles).col(0);
   const double sine = std::sin(element.theta), cosine = std::cos(element.theta);
   const double along = std::abs(axis.x()) > 1e-9 ? axis.x() : 1.0;
-  // y = -r sin, z = r cos: outwards is (-sin, cos), increasing azimuth (-cos, -sin).
+  // y = -r sin, z = r cos: outward is (-sin, cos), increasing azimuth (-cos, -sin).
   return {std::atan((-axis.y() * sine + axis.z() * cosine) / along),
           std::atan((-axis.y() * cosine - axis.z() * sine) / along)};
 }
@@ -63,14 +63,14 @@ std::vector<RingColumn> ball_ring(const Animation& animation, std::size_t race, 
   const auto near = [&](double x) {
     const double inside = groove * groove - (x - centre_x) * (x - centre_x);
     const double bow = inside > 0.0 ? std::sqrt(inside) : 0.0;
-    // An outer groove is cut from the shoulder outwards, no deeper than the ring.
+    // An outer groove is cut from the shoulder outward, no deeper than the ring.
     if (outer) return std::min(far, inside > 0.0 ? std::max(shoulder, centre_r + bow) : shoulder);
     return std::max(far, inside > 0.0 ? std::min(shoulder, centre_r - bow) : shoulder);
   };
   std::vector<double> places;
   constexpr int kParts = 40;
   for (int i = 0; i <= kParts; ++i) places.push_back(half * (2.0 * i / kParts - 1.0));
-  // The edges of the groove are points of their own.
+  // The edges of the groove are always points of the outline.
   const double reach = groove * groove - (shoulder - centre_r) * (shoulder - centre_r);
   if (reach > 0.0)
     for (const double side : {-1.0, 1.0}) {
@@ -112,7 +112,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
     const double u = reach * (2.0 * i / kParts - 1.0);
     if (std::abs(u) <= roller.half || !(height(u < 0.0 ? 0 : 1) > 0.0)) add(u, 0.0);
   }
-  // A flange stands at the roller's end and goes on as high to the ring's face.
+  // A flange begins at the roller end and has constant height up to the ring face.
   for (const std::size_t side : {0U, 1U}) {
     if (!(height(side) > 0.0)) continue;
     const double end = side == 0 ? -roller.half : roller.half;
@@ -145,7 +145,7 @@ std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race
   return out;
 }
 
-/// Where elements leave a ring free, at its -x and +x side.
+/// Free ends of a ring next to the elements, at its -x and +x side.
 std::array<double, 2> beside_elements(const Animation& animation, std::size_t race) {
   const auto& g = animation.file.geometry;
   if (animation.file.bearing_type == 1) {
@@ -181,7 +181,7 @@ void add_land(std::vector<RingColumn>& profile, const LandPlace& land,
   const bool plus = land.low + land.high > 0.0;
   const double edge = plus ? std::max(land.low, beside[1]) : std::min(land.high, beside[0]);
   const double face = plus ? profile.back().x : profile.front().x;
-  if (plus ? !(edge < face) : !(edge > face)) return;  // no room beside the elements
+  if (plus ? !(edge < face) : !(edge > face)) return;  // no space next to the elements
   const double far = profile.front().far;
   const double near = land.race == 0 ? std::min(land.on_race, far) : std::max(land.on_race, far);
   double before = plus ? profile.front().near : profile.back().near;

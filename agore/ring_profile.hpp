@@ -13,7 +13,7 @@
 /// sizes of RESULTS.h5.
 namespace adore::agore {
 
-/// A size of RESULTS.h5 as it stands there (SI), or `otherwise` where it is not.
+/// A dimension of RESULTS.h5 (SI), or `otherwise` if missing.
 [[nodiscard]] double size_number(const Animation& animation, const char* name,
                                  double otherwise = 0.0);
 /// A length of RESULTS.h5 in the file's unit; `otherwise` where it is not above 0.
@@ -36,10 +36,9 @@ struct LandPlace {
 [[nodiscard]] std::vector<LandPlace> land_places(const Animation& animation,
                                                  double clearance = 1.0);
 
-/// Race 0 (outer) or 1 (inner) where it stands without displacement, from -x to +x. A race that
-/// guides the cage is as high as that asks from the land to its face [choice: files do not tell its
-/// shape beyond the land].
-/// @param clearance of lands, times what it is
+/// Race 0 (outer) or 1 (inner) without displacement, from -x to +x. A race that guides the cage has
+/// the height of its land up to its face [choice: files do not contain its shape beyond the land].
+/// @param clearance magnification of the land clearance
 [[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race,
                                                    double clearance = 1.0);
 
@@ -47,15 +46,15 @@ struct LandPlace {
 /// overhangs, columns go back, and the far side would be drawn there three times.
 [[nodiscard]] std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile);
 
-/// Lean of the rollers' axes outwards [rad] as the run began; 0 for balls.
+/// Lean of the rollers' axes outward [rad] as the run began; 0 for balls.
 [[nodiscard]] double nominal_lean(const Animation& animation);
-/// Of one roller at a frame: lean outwards and skew (turned towards increasing azimuth) [rad].
+/// Of one roller at a frame: lean outward and skew (turned toward increasing azimuth) [rad].
 struct AxisAngles {
   double lean = 0.0, skew = 0.0;
 };
 [[nodiscard]] AxisAngles axis_angles(const results::Sol8Element& element);
 
-/// (u, v) of a body at (x, r) whose axis leans outwards by `lean`.
+/// (u, v) of a body at (x, r) whose axis leans outward by `lean`.
 [[nodiscard]] QPointF leaned(double x, double r, double lean, double u, double v);
 
 /// The cut through the cage, its corners in turn about (0, pitch radius); a conical cage leans as
@@ -75,8 +74,8 @@ struct CageProfile {
 /// (decision 213).
 [[nodiscard]] std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean);
 [[nodiscard]] CageProfile cage_profile(const Animation& animation);
-/// The part of a land along x that lies on the bar beside a pocket, where the cut is; all of it
-/// where the land is not on one side.
+/// The part of a land along x on the bar next to a pocket, in the section plane; all of it if the
+/// land is not on one side.
 [[nodiscard]] std::pair<double, double> on_bar(const CageProfile& cage, double pitch_radius,
                                                const LandPlace& land);
 

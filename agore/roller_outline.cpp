@@ -32,7 +32,7 @@ double RollerProfile::side(double u) const {
 std::vector<QPointF> RollerProfile::meridian() const {
   constexpr int kBody = 24, kCorner = 6, kFace = 8;
   std::vector<QPointF> out;
-  // An end from its corner inwards; a dome stands back by what it has dropped there.
+  // An end from its corner inward; a dome recedes by its drop there.
   const auto end = [&](std::size_t k) {
     const double way = k == 0 ? -1.0 : 1.0, round = corner[k];
     const double at = line(way * half);
@@ -118,7 +118,7 @@ QPainterPath RollerProfile::end_seen(double lean) const {
   QPainterPath path;
   constexpr double kSeen = 0.02;  // below it an end is a line, which nobody takes for an end
   if (std::abs(std::sin(lean)) < kSeen) return path;
-  const bool far_end = lean > 0.0;  // the end at +u looks towards the viewer
+  const bool far_end = lean > 0.0;  // the end at +u looks toward the viewer
   const double way = far_end ? 1.0 : -1.0, round = corner[far_end ? 1 : 0];
   const double rim = line(way * half) - round;
   // A dome's rim stands back from its middle, which hides the far half of it until the end leans
@@ -127,7 +127,7 @@ QPainterPath RollerProfile::end_seen(double lean) const {
   const double thin = rim * std::abs(std::sin(lean));
   const QRectF box(u * std::cos(lean) - thin, -rim, 2.0 * thin, 2.0 * rim);
   if (bulge > 0.0 && std::abs(std::sin(lean)) < rim / bulge) {
-    const double start = far_end ? 90.0 : -90.0;  // the half towards the body
+    const double start = far_end ? 90.0 : -90.0;  // the half toward the body
     path.arcMoveTo(box, start);
     path.arcTo(box, start, 180.0);
   } else {
@@ -142,9 +142,9 @@ RollerProfile roller_profile(const Animation& animation) {
   RollerProfile out;
   out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
   out.radius = g.element_radius;
-  // The large end is that towards -x (contact/roller_profile.hpp).
+  // The large end is that toward -x (contact/roller_profile.hpp).
   if (tapered) out.slope = -std::tan(size_number(animation, "roller_half_angle"));
-  // What a crown of metres takes away cannot be seen.
+  // A crown radius of meters is not visible.
   const double crown = size_length(animation, "roller_crown_radius");
   if (crown > out.half && crown < 40.0 * out.half) {
     out.crown = crown;

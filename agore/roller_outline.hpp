@@ -10,10 +10,10 @@ namespace adore::agore {
 
 struct Animation;
 
-/// A roller along its axis u from mid length, in the file's length: what RESULTS.h5 says of it. A
-/// barrel or a crowned end is an arc beside the cone, without the second-order difference between
-/// a drop across the axis and one across the cone (contact/roller_profile.hpp has it). Ends 0 and 1
-/// are those at -u and +u.
+/// A roller along its axis u from mid length, in the length unit of the file, from RESULTS.h5. A
+/// barrel or a crowned end is an arc, without the second-order difference between a drop normal to
+/// the axis and one normal to the cone (see contact/roller_profile.hpp). Ends 0 and 1 are at -u and
+/// +u.
 struct RollerProfile {
   double half = 0.0, radius = 0.0;         ///< of the length over all; at mid length
   double slope = 0.0;                      ///< of the cone
@@ -27,9 +27,9 @@ struct RollerProfile {
   [[nodiscard]] std::vector<QPointF> meridian() const;
   /// Its silhouette with u to the right.
   [[nodiscard]] QPainterPath outline() const;
-  /// The same of a roller whose axis leans by an angle towards the viewer: the hull of its discs.
+  /// The same of a roller whose axis leans by an angle toward the viewer: the hull of its discs.
   [[nodiscard]] QPainterPath outline(double lean) const;
-  /// What is seen of the rim of the end that such a roller shows; empty for one that hardly leans.
+  /// Visible part of the rim of the end of such a roller; empty for a small tilt.
   [[nodiscard]] QPainterPath end_seen(double lean) const;
 };
 [[nodiscard]] RollerProfile roller_profile(const Animation& animation);

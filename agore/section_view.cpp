@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// The cut through one element and the bearing's axis, to scale: +x to the right, outwards up. What
+/// The cut through one element and the bearing's axis, to scale: +x to the right, outward up. What
 /// cannot be seen along the axis is here: contact angle, axial position, tilt of a roller.
 namespace adore::agore {
 namespace {
@@ -40,7 +40,7 @@ void fill(const Scene& s, const QPainterPath& path, const QColor& colour) {
   p.drawPath(path);
 }
 
-/// Displacement of a race outwards at an azimuth.
+/// Displacement of a race outward at an azimuth.
 double outward(const results::Sol8Body& body, double azimuth) {
   return -body.position[1] * std::sin(azimuth) + body.position[2] * std::cos(azimuth);
 }
@@ -98,8 +98,8 @@ void draw_cage_cut(const Scene& s, const Cut& cut, std::size_t k) {
   }
 }
 
-/// The lands on the cage, beside the race that guides it: stepped where their diameter is another
-/// than the cage's.
+/// Lands of the cage near the guiding race: with a step if their diameter differs from that of the
+/// cage.
 void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
   const std::vector<LandPlace> lands = land_places(s.animation);
   const auto& t = s.sketch.theme();
@@ -126,8 +126,8 @@ void draw_lands(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEn
   if (!lands.empty()) key.push_back({t.red, kGuideLands});
 }
 
-/// Flange forces on the roller, at its ends. Those are small beside race loads: their arrows are
-/// as much longer as leaves them within the longest of those.
+/// Flange forces on the roller, at its ends. They are small compared with race loads: their arrows
+/// have a larger scale, up to the length of the longest race arrow.
 void draw_flange_forces(const Scene& s, const Cut& cut, std::size_t k, std::vector<KeyEntry>& key) {
   const results::MotionChannel* forces =
       s.animation.motion ? s.animation.motion->channel("flange.force") : nullptr;
@@ -216,7 +216,7 @@ void section_view(const Scene& s) {
     const QPointF tail = tip + 0.75 * part * g.element_radius * u;
     const std::vector<WayPoint> line{{cut.at(e.x, e.r), false, false},
                                      {cut.at(tip.x(), tip.y()), true, false}};
-    // Beside a dark edge of the usual width, dashes are lost that lie on grey steel.
+    // Dashes on gray steel are not visible next to a dark edge of the usual width.
     const double edge = t.kind == desktop::ThemeKind::Dark ? 0.5 * kCasing : kCasing;
     draw_way(s.sketch.painter(), s.sketch.area(), line, {t.curves[j], 2.4, t.surface, true, edge});
     const bool drawn =
@@ -235,8 +235,7 @@ void section_view(const Scene& s) {
       QString::fromStdString(fmt::format(
           "element {} at {}°  ·  to scale{}", k + 1,
           desktop::tick_text(std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi, 1),
-          too_low(s.options, s.sketch.area().height()) ? ""
-                                                       : "  ·  +x to the right, outwards up")));
+          too_low(s.options, s.sketch.area().height()) ? "" : "  ·  +x to the right, outward up")));
 }
 
 }  // namespace adore::agore

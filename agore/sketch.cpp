@@ -26,7 +26,7 @@ QColor over(const QColor& paper, const QColor& colour) {
           mix(paper.blue(), colour.blue())};
 }
 
-/// Of two colours, after WCAG 2.
+/// Of two colors, after WCAG 2.
 double contrast(const QColor& a, const QColor& b) {
   const auto light = [](const QColor& colour) {
     const auto one = [](double v) {
@@ -63,8 +63,8 @@ QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint) {
 
 namespace {
 
-/// Of the edge that tells a mark from the paths below it: white ones lie beside dark marks, dark
-/// ones beside pale marks.
+/// Edge that separates a mark from the paths below it: white next to dark marks, dark next to pale
+/// marks.
 QColor mark_edge(const QColor& colour) {
   return qGray(colour.rgb()) < 128 ? QColor("#f0f0f0") : QColor("#101418");
 }
@@ -292,7 +292,7 @@ void Sketch::cage(QPointF centre, double angle, double outer_radius,
   turn.scale(unit, -unit);
   turn.rotateRadians(angle);
   painter_.setPen(QPen(theme_.cage.darker(145), 1.0));
-  // As it looks before its side ring, opaque: translucent fills are the dear ones.
+  // Color in front of its side ring, opaque: translucent fills are slow.
   QColor fill = theme_.cage;
   fill.setAlpha(225);
   painter_.setBrush(over(over(theme_.surface, rail_colours(theme_)[0]), fill));
@@ -320,7 +320,7 @@ bool Sketch::frame_named(double length) const {
 
 std::array<QPointF, 2> Sketch::frame_names(QPointF centre, double angle, double length,
                                            double side) const {
-  // Beside the tips: frames that point the same way lie on one line.
+  // Next to the tips: parallel frames are on one line.
   const double beside = (0.7 * letters_of(length * scale_) + 5.0) / scale_;
   const double tip = std::hypot(length, beside), turn = side * std::atan2(beside, length);
   return {around(centre, tip, angle + turn),

@@ -14,29 +14,27 @@ namespace adore::agore {
 /// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
 bool on_pixels(const QPainter& painter);
 
-/// Adds a point to a line in the picture, unless it lies within half a pixel of the last one, where
-/// it adds nothing to be seen.
+/// Adds a point to a line in the picture unless it is within half a pixel of the last one.
 void append_seen(QPolygonF& line, QPointF next);
 
 /// Length of y of a frame without names, in that of z.
 inline constexpr double kShorterArm = 0.6;
 
-/// Of the edge in the paper's colour that marks over bodies have [pixels on each side]: whatever
-/// they lie on, they are told from it.
+/// Width of the edge in the background color for marks over bodies [pixels on each side].
 inline constexpr double kCasing = 1.2;
 
 /// The mark of a contact, about a place of the picture, with a rim that keeps it readable on steel.
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
                    const QColor& rim);
 
-/// The mark that turns with a body of radius `r` [pixels]: right, up, towards the viewer, in its
+/// The mark that turns with a body of radius `r` [pixels]: right, up, toward the viewer, in its
 /// radii; its end is hollow on the far side.
 void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour);
 /// That of a roller, seen on its end: a sector, which no line of a path looks like.
 void draw_turning_sector(QPainter& painter, QPointF middle, double r,
                          const std::array<double, 3>& mark, const QColor& colour);
-/// Their colour on steel, and on the colours of a scale.
+/// Their color on steel, and on the colors of a scale.
 [[nodiscard]] QColor turning_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 class Sketch {
@@ -64,39 +62,39 @@ class Sketch {
   void circle(QPointF centre_yz, double radius, const QPen& pen) const;
   /// As straight dashes, and only those in the area: quick at any size.
   void dashed_circle(QPointF centre_yz, double radius, const QColor& colour, double width) const;
-  /// `mark` is the direction of the orientation mark: right, up, towards the viewer; zero: none.
+  /// `mark` is the direction of the orientation mark: right, up, toward the viewer; zero: none.
   /// An invalid `tint` is steel.
   void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
             const QColor& tint = {}) const;
   /// The flat end of a roller, seen along the bearing axis.
   void roller_end(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
                   const QColor& tint = {}) const;
-  /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
-  /// lie before them.
+  /// The side ring of the cage, pale, drawn behind the elements; and the ring between the pockets,
+  /// drawn in front of them.
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
   /// The same of a segment: from `begin` to `end` [rad], as azimuths.
   void cage_rail(QPointF centre_yz, const Animation& animation, double begin, double end) const;
   /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
   void cage(QPointF centre_yz, double angle, double outer_radius,
             const CageOutlines::Outline& outline) const;
-  /// Two arms along the body's y and z axes. Without names z is told by being the longer one.
+  /// Two arms along the y and z axes of the body. Without names, z is the longer one.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour,
              bool named) const;
   /// Are the arms long enough for their names?
   [[nodiscard]] bool frame_named(double length) const;
-  /// Where those names stand in the picture, z first: outside of the arms (`side` 1) or between
+  /// Positions of those names in the picture, z first: outside of the arms (`side` 1) or between
   /// them (-1).
   [[nodiscard]] std::array<QPointF, 2> frame_names(QPointF centre_yz, double angle, double length,
                                                    double side) const;
-  /// Writes them, over whatever lies there.
+  /// Draws the names over existing parts.
   void name_frame(QPointF centre_yz, double angle, double length, const QColor& colour,
                   double side = 1.0) const;
-  /// Between picture positions; its casing keeps it apart from what it lies on.
+  /// Arrow between two points of the picture; its edge separates it from the background.
   void arrow(QPointF from, QPointF to, const QColor& colour, double width) const;
   void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
   void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
-             bool bold = false) const;  ///< centred
-  /// The same in bold letters with an edge of the paper's colour, for places over marks.
+             bool bold = false) const;  ///< centered
+  /// The same in bold letters with an edge of the paper's color, for places over marks.
   void label_over(QPointF where, const QString& text, const QColor& colour, int pixel_size) const;
 
   /// The mark of a ball or a roller alone.

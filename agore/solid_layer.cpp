@@ -7,7 +7,7 @@
 /// The bodies of a frame on a canvas.
 namespace adore::agore {
 
-/// Centre as drawn: the clearances magnified across the axis, to scale along it.
+/// Center as drawn: the clearances magnified across the axis, to scale along it.
 Vec3 element_place(const Scene& s, std::size_t k) {
   const QPointF centre = element_centre(s, k);
   return {s.frame.elements.at(k).x, centre.x(), centre.y()};

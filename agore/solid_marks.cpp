@@ -15,7 +15,7 @@
 namespace adore::agore {
 namespace {
 
-/// The way of an element's centre in the picture, cut where bodies begin and end to hide it.
+/// The way of an element's center in the picture, cut where bodies begin and end to hide it.
 struct CutWay {
   std::vector<std::vector<WayPoint>> seen, hidden;
 };
@@ -25,7 +25,7 @@ class WayCutter {
   WayCutter(const SolidLayer& layer, CutWay& out) : layer_(layer), out_(out) {}
   struct Place {
     QPointF at;
-    double depth;  ///< towards the viewer [pixels]
+    double depth;  ///< toward the viewer [pixels]
   };
   void begin() { last_.reset(); }
   void add(const Place& to, bool joined) {
@@ -42,7 +42,7 @@ class WayCutter {
       }
       return;
     }
-    // Where the way before is unknown this one is marked, in the same list as that.
+    // If the previous path is unknown, this point is marked, in the same list.
     const bool hidden = layer_.hides(to.at, to.depth);
     const bool on = last_ && hidden == hidden_;
     hidden_ = hidden;
@@ -202,7 +202,7 @@ std::array<DrawnLines, 2> draw_loads(const Scene& s, const SolidLayer& layer, co
     }
   QPainter& p = s.sketch.painter();
   const QColor paper = s.sketch.theme().surface;
-  // What is behind first: it lies below what is before.
+  // Sorted from back to front.
   for (const LoadArrow& arrow : arrows) {
     draw_ways(p, s.sketch.area(), arrow.shaft.hidden, {arrow.colour, kHiddenWidth, paper, true});
     if (arrow.hidden) draw_head(p, arrow, paper);

@@ -14,7 +14,7 @@
 /// Parts of a bearing as triangles on a canvas, seen by an eye.
 namespace adore::agore {
 
-/// Directions at an azimuth: outwards and of increasing azimuth.
+/// Directions at an azimuth: outward and of increasing azimuth.
 inline Vec3 outwards(double azimuth) { return {0.0, -std::sin(azimuth), std::cos(azimuth)}; }
 inline Vec3 onwards(double azimuth) { return {0.0, -std::cos(azimuth), -std::sin(azimuth)}; }
 
@@ -91,11 +91,11 @@ class Modeller {
 void add_ring(Modeller& m, const std::vector<RingColumn>& profile, const Vec3& shift, double begin,
               double end, const Shades& shades);
 
-/// What a guide land faces on its race, over the ring's surface by `proud`.
+/// Contact surface of a guide land on its race, above the ring surface by `proud`.
 void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<double, double> arc,
                const Shades& shades, double proud);
 
-/// Where the sector of one pocket of the cage is, and its hole, as drawn.
+/// Position of the sector of one pocket of the cage, and its hole, as drawn.
 struct PocketMesh {
   double half_angle, half_round;  ///< of the sector [rad]; of the hole, length the way round
   bool round;                     ///< hole: an ellipse, or a window

@@ -56,8 +56,8 @@ std::array<bool, 2> draw_spots(const Scene& s, const SolidLayer& layer, const Ey
   return out;
 }
 
-/// Paths and loads, each by how it is drawn: dashes alone where all of it is behind bodies. What
-/// dashes are is said once for all of them.
+/// Paths and loads, by their appearance: only dashed if they are completely behind bodies. The
+/// dashes are explained once.
 void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnLines, 2>& loads,
                 std::vector<KeyEntry>& key) {
   const desktop::Theme& t = s.sketch.theme();
@@ -79,10 +79,10 @@ void name_lines(const Scene& s, const DrawnLines& paths, const std::array<DrawnL
     name(loads_entry(s, j, loads[j].seen || loads[j].hidden), loads[j]);
   if (lines || known)
     key.push_back(now_and_then(dashed.isValid() ? dashed : t.muted, dashed.isValid(),
-                               "dashed: behind a body", "nothing behind a body", KeyMark::Dashed));
+                               "dashed: behind a body", "nothing hidden", KeyMark::Dashed));
 }
 
-/// Of the marks in space: purple on steel, grey on the colours of a scale.
+/// Of the marks in space: purple on steel, gray on the colors of a scale.
 void name_solid_mark(const Scene& s, std::vector<KeyEntry>& key) {
   const std::size_t before = key.size();
   name_turning_mark(s, std::nullopt, key);
@@ -112,12 +112,11 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   if (s.options.contacts) loads = draw_loads(s, layer, eye);
   const std::array<bool, 2> spots = draw_spots(s, layer, eye);  // no arrow hides them
   std::vector<KeyEntry> key;
-  key.push_back(
-      now_and_then(race_colour(t, 0), spots[0], "spot of the outer race",
-                   outer_spot_shown(s, eye) ? "outer spot hidden now" : "outer spot cut off now",
-                   KeyMark::Spot));
-  key.push_back(now_and_then(race_colour(t, 1), spots[1], "spot of the inner race",
-                             "inner spot hidden now", KeyMark::Spot));
+  key.push_back(now_and_then(race_colour(t, 0), spots[0], "outer race mark",
+                             outer_spot_shown(s, eye) ? "outer mark hidden" : "outer mark cut off",
+                             KeyMark::Spot));
+  key.push_back(now_and_then(race_colour(t, 1), spots[1], "inner race mark", "inner mark hidden",
+                             KeyMark::Spot));
   if (!land_places(s.animation).empty()) key.push_back({t.red, kGuideLands});
   name_solid_mark(s, key);
   name_lines(s, paths, loads, key);
@@ -135,7 +134,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
     s.sketch.arrow(corner, corner + arm * way, t.muted, 1.8);
     s.sketch.label(corner + (arm + 0.75 * letters) * way, name, t.muted, letters, true);
   }
-  std::string remark = s.animation.has_cage ? fmt::format("clearances across × {}",
+  std::string remark = s.animation.has_cage ? fmt::format("radial clearances × {}",
                                                           desktop::pretty_number(s.factor, 3))
                                             : std::string("to scale");
   const double factor = layer.roller_factor(s.animation);
@@ -144,7 +143,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  // First: colours say nothing without.
+  // First: colors have no meaning without the scale.
   const std::vector<KeyEntry> scale = scale_entries(s);
   key.insert(key.begin(), scale.begin(), scale.end());
   draw_key(s, key, QString::fromStdString(remark));

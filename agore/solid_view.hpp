@@ -7,16 +7,15 @@
 #include <optional>
 #include <vector>
 
-/// The bearing in space: what cannot be seen along its axis (contact angle, skew, tilt of rollers
-/// and cage). Parallel projection; the outer race is cut open towards the viewer. Races are to
-/// scale; the clearances of elements and cage are magnified like those of the bearing view, and
-/// skew and tilt of rollers by a factor of their own; both are stated. Pockets are as wide in the
-/// middle of the cage's height as everywhere: what a sphere or a cone has more or less at its edges
-/// is in the section view alone, as are the domes of rollers, whose ends are flat here and whose
-/// corners are chamfers.
+/// The bearing in space, with contact angle, skew, and tilt of rollers and cage. Parallel
+/// projection; the outer race is cut open toward the viewer. Races are to scale; clearances of
+/// elements and cage are magnified as in the bearing view, skew and tilt of rollers by a separate
+/// factor; both are stated. Pockets have the width at mid height of the cage: spherical and conical
+/// walls and roller domes are drawn only in the section; here roller ends are flat and corners
+/// chamfered.
 namespace adore::agore {
 
-/// Where the viewer stands, far away: directions of the picture in the bearing's axes.
+/// Viewing direction, from infinity: axes of the picture in bearing coordinates.
 struct Eye {
   Eye(double yaw, double elevation);  ///< [degrees]; 0, 0: on the +X side, as in the flat views
   Vec3 right, up, toward;
@@ -28,7 +27,7 @@ inline constexpr double kOpen = 70.0 * kPi / 180.0;
 /// Is the spot of the outer race on metal that is drawn?
 [[nodiscard]] bool outer_spot_shown(const Scene& scene, const Eye& eye);
 
-/// Centre as drawn: the clearances magnified across the axis, to scale along it.
+/// Center as drawn: the clearances magnified across the axis, to scale along it.
 [[nodiscard]] Vec3 element_place(const Scene& scene, std::size_t k);
 
 /// A spot on a face of a race, which shows its turning.
@@ -40,9 +39,9 @@ struct RaceSpot {
 [[nodiscard]] std::vector<RaceSpot> race_spots(const Scene& scene, const Eye& eye);
 [[nodiscard]] double race_spot_radius(const Scene& scene);
 
-/// Of the marks that turn with elements in space: with light and shade of their own, for a flat
-/// dark one looks like a hole. On an element that the scale colours a grey, which is none of its
-/// colours, pale on dark ones and dark on pale ones.
+/// Color of the marks that turn with elements in space: shaded, because a flat dark mark looks like
+/// a hole. On colored elements gray, which is not a color of the scale, pale on dark and dark on
+/// pale ones.
 [[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
 /// Draws frames of one animation; keeps between them what does not move.
@@ -51,14 +50,14 @@ class SolidLayer {
   /// Draws the bodies into the area of the scene's sketch, `oversample` pixels for one of it each
   /// way.
   void draw(const Scene& scene, int oversample, double pixel_ratio);
-  /// Do the bodies drawn last lie before a place of the picture, that far towards the viewer
+  /// Do the bodies drawn last lie before a place of the picture, that far toward the viewer
   /// [pixels]?
   [[nodiscard]] bool hides(QPointF place, double depth) const;
   /// Magnification of skew and tilt of the rollers; 0 where there is none.
   double roller_factor(const Animation& animation);
 
  private:
-  /// What the races' picture depends on.
+  /// Dependencies of the picture of the races.
   struct Key {
     QSize size;
     double scale = 0.0, yaw = 0.0, elevation = 0.0, x = 0.0, y = 0.0, factor = 0.0;
@@ -74,7 +73,7 @@ class SolidLayer {
   std::optional<double> roller_factor_;
 };
 
-/// What is drawn of lines of one kind: before bodies, and behind them.
+/// Drawn parts of lines of one kind: in front of bodies, and behind them.
 struct DrawnLines {
   bool seen = false, hidden = false;
 };

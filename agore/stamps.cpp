@@ -11,8 +11,9 @@ namespace adore::agore {
 
 namespace {
 
-constexpr double kSmall = 64.0;     // reach [pixels of the device] that is kept in quarters
-constexpr double kLargest = 700.0;  // reach: larger ones are drawn, their images would be too dear
+constexpr double kSmall = 64.0;  // reach [pixels of the device] that is kept in quarters
+constexpr double kLargest =
+    700.0;  // reach: larger ones are drawn, because their images need too much memory
 
 double bytes_of(const QImage& image) { return static_cast<double>(image.sizeInBytes()); }
 

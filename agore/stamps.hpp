@@ -10,25 +10,23 @@
 #include <functional>
 #include <map>
 
-/// Drawings that only move from frame to frame (rings, ends of rollers, balls), kept as images.
-/// Shades and curves are set once; a frame copies pixels. (Qt, besides, hands every shaded or
-/// translucent fill of more than a hundred spans to helpers, which costs a core more than the
-/// fill.)
+/// Drawings that only move from frame to frame (rings, roller ends, balls), stored as images.
+/// Shades and curves are computed once; a frame copies pixels. (Qt would distribute each shaded or
+/// translucent fill of more than a hundred spans to threads, which costs more than the fill.)
 ///
-/// An image lies on whole pixels, so it is kept for places between them: in quarters of a pixel
-/// where it is small, in halves where it is large. What is drawn is nowhere farther off than 1/8
-/// and 1/4 of a pixel each way.
+/// Images have whole pixel positions, so they are stored for fractions of a pixel: quarters for
+/// small ones, halves for large ones. Position errors are at most 1/8 and 1/4 pixel.
 ///
-/// All views of a window keep theirs together, within one room. Where that is full, those go that
-/// were not drawn for the longest time.
+/// All views of a window share one cache. If it is full, the least recently used images are
+/// deleted.
 namespace adore::agore {
 
 class Stamps {
  public:
   static constexpr double kRoom = 160e6;  ///< [bytes]
-  /// @param room for all images [bytes]
+  /// @param room memory for all images [bytes]
   explicit Stamps(double room = kRoom) : room_(room) {}
-  /// What a drawing looks like: equal ones are equal pictures.
+  /// Appearance of a drawing: equal values give equal pictures.
   struct Look {
     int kind = 0;
     std::array<double, 2> sizes{};  ///< [pixels]

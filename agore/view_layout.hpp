@@ -7,8 +7,8 @@
 /// How much of a picture's area belongs to the bodies and how much to the key below them.
 namespace adore::agore {
 
-/// Height that is too little for a key of several lines [pixels]: of a picture alone, and of one
-/// beside others, whose key stands below all of them.
+/// Heights that are too small for a key of several lines [pixels]: of a single picture, and of one
+/// of several, with a common key below.
 inline constexpr double kTooLow = 200.0, kTooLowBeside = 330.0;
 [[nodiscard]] inline bool too_low(const ViewOptions& options, double height) {
   return height < (options.one_of_several ? kTooLowBeside : kTooLow);
@@ -20,8 +20,8 @@ double outer_rim(const results::Sol8Geometry& geometry);
 /// Pixels about a ring for the numbers of elements, in a picture of that half size.
 double numbers_margin(double half);
 
-/// Room for the scale of colours in the upper right corner of a picture, and height at the top that
-/// a round picture leaves free for it: as little as keeps its numbers out of that corner.
+/// Space for the color scale in the upper right corner of a picture, and height at the top that a
+/// round picture keeps free for it: just enough for its numbers.
 [[nodiscard]] QSizeF scale_room(const ViewOptions& options, QSizeF size);
 [[nodiscard]] double scale_head(const Animation& animation, const ViewOptions& options,
                                 QSizeF size);

@@ -56,7 +56,7 @@ ColourBy colour_named(const std::string& name) {
   if (name == "slip") return ColourBy::Slip;
   if (name == "heat") return ColourBy::Heat;
   if (name == "temperature") return ColourBy::Temperature;
-  throw InputError("elements cannot be coloured by '" + name +
+  throw InputError("elements cannot be colored by '" + name +
                    "'; use none, load, slip, heat or temperature");
 }
 
@@ -64,8 +64,8 @@ ScaleChoice scale_named(const std::string& name) {
   if (name == "usual") return {};
   if (name == "run") return {ColourScale::Run, 0.0, 0.0};
   if (name == "moment") return {ColourScale::Moment, 0.0, 0.0};
-  const InputError refusal("a scale of colours cannot be '" + name +
-                           "'; use usual, run, moment or two rising limits such as 0:0.02");
+  const InputError refusal("a color scale cannot be '" + name +
+                           "'; use usual, run, moment or two increasing limits such as 0:0.02");
   std::istringstream text(name);
   text.imbue(std::locale::classic());
   ScaleChoice out{ColourScale::Typed, 0.0, 0.0};
@@ -140,18 +140,18 @@ std::string view_title(View view) {
 
 std::string why_not(View view, const Animation& animation) {
   if (!animation.has_cage && (view == View::Cage || view == View::Pocket))
-    return "This bearing has no cage, so there is neither a cage nor a pocket to show.";
+    return "This bearing has no cage.";
   if (view == View::Flange) {
-    if (animation.file.bearing_type == 1) return "Balls run between no flanges.";
+    if (animation.file.bearing_type == 1) return "Ball bearings have no flanges.";
     if (!animation.motion)
-      return "The flange view needs RESULTS.h5 beside the file: " + animation.no_contacts + ".";
+      return "The flange view needs RESULTS.h5 in the same folder: " + animation.no_contacts + ".";
     bool any = false;
     for (std::size_t race = 0; race < 2; ++race)
       for (std::size_t side = 0; side < 2; ++side) any = any || has_flange(animation, race, side);
     if (!any) return "This bearing has no flange.";
   }
   if ((view == View::Section || view == View::Solid) && !animation.motion)
-    return fmt::format("The {} needs the sizes of RESULTS.h5 beside the file: {}.",
+    return fmt::format("The {} needs the dimensions from RESULTS.h5 in the same folder: {}.",
                        view == View::Section ? "axial section" : "3D view", animation.no_contacts);
   return {};
 }
@@ -167,7 +167,7 @@ void check_view(const Animation& animation, const ViewOptions& options) {
   if (!reason.empty()) throw InputError(reason);
   if (options.view == View::Flange && !has_flange(animation, options.flange_race, 0) &&
       !has_flange(animation, options.flange_race, 1))
-    throw InputError(fmt::format("The {} race has no flange; choose the other one.",
+    throw InputError(fmt::format("The {} race has no flange; select the other one.",
                                  options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
     throw InputError(
@@ -191,8 +191,8 @@ double way_of_cage(const Animation& animation) {
   return out;
 }
 
-/// The largest factor that a picture can show: elements stand apart and within their races' rings,
-/// the cage lies over neither ring. Rounded down to what reads well.
+/// The largest possible factor of a picture: elements do not overlap and stay within the rings of
+/// the races, and the cage overlaps neither ring. Rounded down to a simple number.
 double most_exaggeration(const Animation& animation) {
   const auto& g = animation.file.geometry;
   const double pitch_radius = 0.5 * g.pitch_diameter, pocket = 0.5 * g.pocket_clearance_1;
@@ -218,7 +218,7 @@ double automatic_exaggeration(const Animation& animation);
 double used_exaggeration(const Animation& animation, const ViewOptions& options) {
   if (!(options.exaggeration > 0.0)) return automatic_exaggeration(animation);
   if (!animation.has_cage || options.exaggeration <= 1.0) return options.exaggeration;
-  // What is chosen from the geometry can be shown, whatever the limits say.
+  // Values chosen from the geometry are always allowed.
   return std::min(options.exaggeration,
                   std::max(most_exaggeration(animation), automatic_exaggeration(animation)));
 }

@@ -23,10 +23,10 @@ enum class View : unsigned char {
   Solid     ///< in space
 };
 
-/// By what the elements of the bearing view are coloured: the larger of both contacts.
+/// By what the elements of the bearing view are colored: the larger of both contacts.
 enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
 
-/// How the scale of colours is chosen.
+/// How the scale of colors is chosen.
 enum class ColourScale : unsigned char {
   Usual,   ///< what 19 of 20 values of the run stay below: a short peak hides no differences
   Run,     ///< to the largest of the run
@@ -64,12 +64,12 @@ struct ViewOptions {
   bool moving = false;                  ///< a quick picture of the 3D view is enough
   /// What is to be repeated, as the time line shows it [s]; none: to that end of the run.
   std::optional<double> span_from, span_to;
-  bool one_of_several = false;        ///< beside others: smaller ones share a key below them
-  std::vector<SideView> beside = {};  ///< drawn beside the first, at the same frame
+  bool one_of_several = false;        ///< one of several: smaller pictures share a key below them
+  std::vector<SideView> beside = {};  ///< additional views of the same frame
 
   WarnedBodies warned = {};  ///< get a ring in the bearing view
 
-  /// The options of one of the pictures: 0 is the first view, others are those beside it.
+  /// The options of one of the pictures: 0 is the first view, others are additional ones.
   [[nodiscard]] ViewOptions tile(std::size_t number) const;
 };
 

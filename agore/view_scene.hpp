@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-/// What the sources of the views share: one frame of an animation, and where its bodies are drawn.
+/// Shared by the sources of the views: one frame of an animation, and the drawn positions of its
+/// bodies.
 namespace adore::agore {
 
 inline constexpr double kPi = std::numbers::pi;
@@ -40,7 +41,7 @@ struct Scene {
   }
   [[nodiscard]] const results::Sol8Body& cage() const { return animation.part(index, segment()); }
   [[nodiscard]] double cage_angle() const { return animation.part_angle(index, segment()); }
-  /// Azimuth of the centre of an element's pocket.
+  /// Azimuth of the center of an element's pocket.
   [[nodiscard]] double pocket_azimuth(std::size_t k) const {
     return animation.part_angle(index, animation.pocket_part[k]) + animation.pocket_angle[k];
   }
@@ -53,26 +54,26 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 [[nodiscard]] std::array<double, 3> mark_from_outside(const results::Sol8Element& element,
                                                       double angle);
 
-/// Length of the arrow of the file's largest race load: `wanted`, or what lies between the elements
-/// and the circle of radius `edge`, where the words of a picture begin.
+/// Length of the arrow of the largest race load of the file: `wanted`, or the distance between the
+/// elements and the circle of radius `edge`, where the texts of a picture begin.
 [[nodiscard]] double longest_load_arrow(const Scene& scene, double wanted, double edge);
 
-/// Element centre (y, z) as drawn: its pocket's centre plus the exaggerated way out of it, or its
+/// Element center (y, z) as drawn: its pocket's center plus the exaggerated way out of it, or its
 /// own place when there is no cage.
 [[nodiscard]] QPointF element_centre(const Scene& scene, std::size_t k);
-/// The way of an element's centre as drawn, from now back over nearly a pitch; x along the axis.
+/// The way of an element's center as drawn, from now back over nearly a pitch; x along the axis.
 struct TrailPoint {
   QPointF centre;
   double x = 0.0;
   bool joined = false;  ///< is the way to the point before, which is a later frame, known?
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
-/// Lands that guide the cage, in whatever view.
+/// Name of the lands that guide the cage, in all views.
 inline constexpr const char* kGuideLands = "guide lands";
-/// Says which arm of the frames is z, where they are without names.
+/// Names the z arm of frames without names.
 void name_arms(const Scene& scene, bool named, std::vector<KeyEntry>& key);
-/// What the run has and this frame may not have: named `there` with its mark, or `none` without, in
-/// the same place, so that no key jumps.
+/// An entry for something that not all frames have: text `there` with its mark, or `none` without,
+/// in the same place, so that the key does not jump.
 [[nodiscard]] KeyEntry now_and_then(const QColor& colour, bool now, const QString& there,
                                     const QString& none, KeyMark mark = KeyMark::Line);
 /// Names the mark that turns with an element, or with all of them, where it is drawn: where a run
@@ -85,11 +86,11 @@ void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
 /// Of a way in a key; `what`: "path" or the like, `places`: what its marks are where it is unknown.
 [[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
                                  const QString& places);
-/// What the key adds then.
-inline constexpr const char* kTooSmall = ", arrow too small to draw";
+/// Addition to the key in this case.
+inline constexpr const char* kTooSmall = ", arrow too small";
 /// Of the ways that element_trail() makes, if there are any.
 [[nodiscard]] KeyEntry trail_entry(const Scene& scene, bool any);
-/// Told apart from loads, frames and marks with every colour vision.
+/// Told apart from loads, frames and marks with every color vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
 
 /// ", up to 390 N" in the run, for a key: all arrows of loads are on one scale, and that one may
@@ -102,15 +103,15 @@ bool load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& col
 
 /// Of the largest load of the run: smaller ones of many elements have no arrow.
 inline constexpr double kLeastLoad = 0.01;
-/// A load of which an arrow would be too short: as long as its scale says, and 3 pixels at least,
-/// so that no element which is loaded seems to be free.
+/// A load whose arrow would be too short: length from its scale, at least 3 pixels, so that a
+/// loaded element does not look unloaded.
 void load_stub(QPainter& painter, QPointF tail, QPointF tip, const QColor& colour,
                const QColor& casing);
 
 /// Seen along the bearing axis; `tint` invalid: steel.
 void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {}, bool marked = true);
-/// All of them, coloured as the options ask, with the scale. Where paths are to run over them,
-/// without the marks that turn with them, which would lie below.
+/// All elements, colored according to the options, with the scale. Without their rotation marks if
+/// paths are drawn over them.
 void draw_elements(const Scene& scene);
 /// Those marks.
 void draw_turning_marks(const Scene& scene);
@@ -118,19 +119,19 @@ void draw_turning_marks(const Scene& scene);
 void draw_contact_marks(const Scene& scene);
 struct DrawnOrbit {
   double enlargement = 0.0;  ///< 0: the body stands still
-  QPointF now{0.0, 0.0};     ///< where its centre is in the picture
+  QPointF now{0.0, 0.0};     ///< where its center is in the picture
 };
-/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths. Without a reference
+/// Orbit of a body's center, enlarged to `radius` of the picture's lengths. Without a reference
 /// length it is drawn about its middle, which is not magnified: only motion is. A body that moves
 /// less than an atom's size stands still.
 DrawnOrbit draw_orbit(const Scene& scene, double radius, double reference,
                       std::vector<QPointF> orbit);
-/// Where the centre is now, over the frame that turns about it.
+/// Current position of the center, over its frame.
 void draw_centre(const Scene& scene, const DrawnOrbit& orbit);
 
 class SolidLayer;
 
-/// What stands still from frame to frame while the races do, under the rest of a view.
+/// Constant parts of a view while the races do not move, below the rest.
 void bearing_rings(const Scene& scene);
 void element_rings(const Scene& scene);
 void race_ring(const Scene& scene);
@@ -149,35 +150,36 @@ void flange_view(const Scene& scene);
 [[nodiscard]] double flange_picture_radius(const Animation& animation);
 [[nodiscard]] double solid_picture_radius(const Animation& animation);
 
-/// A quantity of an element as a colour: where the value is between the ends of the scale.
+/// A quantity of an element as a color: where the value is between the ends of the scale.
 struct Colouring {
   std::string title, unit;
   double low = 0.0, high = 0.0;  ///< ends of the scale
   bool above = false;            ///< the run has values beyond its upper end
   bool below = false;            ///< beyond its lower end
-  std::string scale;             ///< which scale it is, and what the run has beyond
-  std::vector<double> value;     ///< of each element at the frame; empty: nothing to colour by
-  std::vector<bool> touches;     ///< a race: what does not has a colour of its own
+  std::string scale;             ///< type of the scale, and largest value of the run
+  std::vector<double> value;     ///< of each element at the frame; empty: nothing to color by
+  std::vector<bool>
+      touches;  ///< has contact with a race: elements without contact have a special color
   std::string why_none;
   [[nodiscard]] bool any() const { return !value.empty() && high > low; }
-  /// Colour of an element; invalid: steel.
+  /// Color of an element; invalid: steel.
   [[nodiscard]] QColor of(std::size_t element) const;
-  /// Names of the scale's ends, with the sign of what lies beyond.
+  /// Names of the ends of the scale, with a sign for values outside.
   [[nodiscard]] std::string low_end() const;
   [[nodiscard]] std::string high_end() const;
 };
 [[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
                                   const ScaleChoice& scale = {});
-/// Of an element that touches no race: a grey, which no scale has.
+/// Of an element that touches no race: a gray, which no scale has.
 [[nodiscard]] QColor no_contact_colour();
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);
-/// Bar with its ends, and what lies beyond them, in the upper right corner of the picture. One of
-/// several small pictures has no room for it: the key below them names its ends.
+/// Bar with its ends and values outside, in the upper right corner of the picture. Small pictures
+/// have no space for it: the common key names its ends.
 void draw_scale(const Scene& scene, const Colouring& colouring);
-/// Of forces of flanges, in whatever view.
+/// Color of flange forces, in all views.
 [[nodiscard]] QColor flange_colour(const desktop::Theme& theme);
-/// Of the frame of a race, and of what turns with it, in whatever view.
+/// Color of the frame of a race and of its marks, in all views.
 [[nodiscard]] QColor race_colour(const desktop::Theme& theme, std::size_t race);
 /// Of the race loads on all elements, if there are any arrows of them.
 [[nodiscard]] KeyEntry loads_entry(const Scene& scene, std::size_t race, bool any);

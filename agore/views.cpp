@@ -34,7 +34,7 @@ Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animati
           head};
 }
 
-/// A picture that is whole ends in its area by itself.
+/// A complete picture needs no clipping.
 bool is_clipped(const ViewOptions& options) { return options.zoom != 1.0 || !options.pan.isNull(); }
 
 void paint_still(const Scene& scene) {

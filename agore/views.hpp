@@ -13,8 +13,7 @@ namespace adore::agore {
 
 struct Kept;
 
-/// Of a picture: what lies below and stays as it is from frame to frame while the races do not
-/// move, and what moves over it.
+/// Layers of a picture: the lower one is constant while the races do not move, the other one moves.
 enum class Layers : unsigned char { All, Still, Moving };
 
 /// Draws the picture area of one frame into `area`. `kept` may be nothing: then all is made anew.
@@ -22,9 +21,9 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
                    std::size_t frame, const ViewOptions& options, Kept* kept = nullptr,
                    Layers layers = Layers::All);
 
-/// What the still layer of a picture depends on: where its sketch is and how large it draws, which
-/// every option may change that changes the key's room, and the places of the races to a quarter
-/// of a pixel.
+/// Dependencies of the constant layer of a picture: position and scale of its sketch, which change
+/// with every option that changes the height of the key, and the positions of the races to a
+/// quarter of a pixel.
 struct StillKey {
   QRectF area;
   QPointF centre;
@@ -37,10 +36,10 @@ struct StillKey {
 StillKey still_key(const QRectF& area, const Animation& animation, std::size_t frame,
                    const ViewOptions& options);
 
-/// Where in `area` the middle of the picture is drawn that is neither zoomed nor moved.
+/// Position in `area` of the center of a picture without zoom or displacement.
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area);
 
-/// What the data area beside the picture plots over time.
+/// Content of the data area over time.
 desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options);
 
 /// The theme that the options ask for.

@@ -18,8 +18,7 @@ struct WayPoint {
   bool frame = true;    ///< of a frame, or where a body begins to hide the way
 };
 
-/// How a way is drawn: in which colour, how wide, with an edge of `casing` where it lies on bodies,
-/// in dashes where bodies hide it.
+/// Appearance of a path: color, width, edge of `casing` over bodies, dashes behind bodies.
 struct WayLook {
   QColor colour;
   double width = 2.0;

@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-/// What the window shows: opening, reading again, following a running solver.
+/// Opening, reloading, following a running solver.
 namespace adore::agore {
 namespace {
 
@@ -54,11 +54,11 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
                     &gaps = picture_->animation().file.gaps;
   QStringList told;
   if (!note.empty())
-    told << tr("The file is incomplete: %1. Shown: %2.")
+    told << tr("Incomplete file: %1. Shown: %2.")
                 .arg(QString::fromStdString(note))
                 .arg(QString::fromStdString(counted(frameCount(), "complete frame")));
   else if (!gaps.empty())
-    told << tr("Of the file %1.").arg(QString::fromStdString(gaps));
+    told << tr("File: %1.").arg(QString::fromStdString(gaps));
   if (const std::string& why = picture_->animation().unused; !why.empty())
     told << tr("RESULTS.h5 is not used: %1.").arg(QString::fromStdString(why));
   if (!told.isEmpty()) desktop::show_message(this, told.join(' '));
@@ -73,7 +73,7 @@ void AgoreWindow::reload() {
   if (!openFile(path, most_frames_)) return;
   options_.span_from = from, options_.span_to = to;
   setFrame(picture_->frameAt(moment));
-  desktop::tell_in_foot(this, tr("Read again: %1 to %2.")
+  desktop::tell_in_foot(this, tr("Reloaded: %1 to %2.")
                                   .arg(QString::fromStdString(counted(frameCount(), "frame")))
                                   .arg(QString::fromStdString(desktop::pretty_quantity(
                                       picture_->animation().time.back(), "s", 5))));
@@ -138,7 +138,7 @@ void AgoreWindow::lookForGrowth() {
   const bool at_end = frame_ + 1 == frameCount() && !playing();
   const double moment = picture_->animation().time[frame_];
   adopt(std::move(*fresh));
-  seen_ = now;  // what came while it was read is found at the next look
+  seen_ = now;  // steps that arrive while reading are found at the next check
   frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
   refresh();
   // Reading a long file takes its time, of which the solver wants most.
@@ -146,13 +146,13 @@ void AgoreWindow::lookForGrowth() {
   growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
 }
 
-/// The number first, as the classic tool has it. Nobody who only wants to see a run loses steps by
-/// it: all that can be held is what is offered, whatever was asked for before.
+/// The number first, as in the classic tool. The default is the largest possible number, whatever
+/// was entered before, so that no steps are lost by accident.
 void AgoreWindow::askForFile() {
   desktop::ask_number(
-      this, tr("Open: steps, then the file"),
-      tr("Most time steps to animate. Of a run with more, every 2nd, 3rd ... is shown.\n"
-         "The file is chosen next."),
+      this, tr("Open animation"),
+      tr("Largest number of time steps. Of longer runs every 2nd, 3rd ... is shown.\nSelect the "
+         "file next."),
       static_cast<int>(results::MotionFile::kMostFrames), 1, 100'000'000, [this](int steps) {
         desktop::ask_file(
             this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",

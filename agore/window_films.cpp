@@ -82,7 +82,8 @@ RenderOptions AgoreWindow::filmOptions() const {
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
   pause();
-  // One picture tells how long all will take; setting it in a file takes 30 ms (picture-speed.md).
+  // The time for all pictures is estimated from one; writing to a file takes 30 ms
+  // (picture-speed.md).
   constexpr double kInFile = 0.03;  // [s]
   const RenderOptions render = filmOptions();
   QElapsedTimer clock;
@@ -99,7 +100,7 @@ void AgoreWindow::saveFilm() {
         return QString::fromStdString(desktop::pretty_quantity(value, "s", 2));
       };
       return std::pair{
-          tr("%1, %2 a second: a film of %3. Writing takes roughly %4.")
+          tr("%1, %2 per second, length %3. Writing takes about %4.")
                   .arg(QString::fromStdString(counted(pictures, "picture")))
                   .arg(filmRate())
                   .arg(seconds(pictures / filmRate()), seconds(each * pictures)) +
@@ -119,15 +120,15 @@ void AgoreWindow::saveFilm() {
 }
 
 void AgoreWindow::askForFilmName(int first, int last) {
-  const QString missing = tr(" after ffmpeg is installed");
-  auto* dialog = new QFileDialog(this, tr("Save Film"), proposedName("gif"),
+  const QString missing = tr(" (needs ffmpeg)");
+  auto* dialog = new QFileDialog(this, tr("Save Movie"), proposedName("gif"),
                                  tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
                                     "folder (*)")
                                      .arg(desktop::ffmpeg_found() ? QString() : missing));
   dialog->setObjectName("film");
   desktop::delete_when_done(*dialog);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
+  // The selected file type determines the name: "film" and GIF give film.gif, not a folder.
   const auto name_as = [this, dialog](const QString& filter) {
     const QString suffix = QRegularExpression("\\*\\.(\\w+)").match(filter).captured(1);
     const QString base =
@@ -147,13 +148,13 @@ void AgoreWindow::askForFilmName(int first, int last) {
 }
 
 bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
-  writing_ = true;  // what is drawn stays until the film is there
+  writing_ = true;  // the picture stays unchanged until the movie is written
   const auto written = qScopeGuard([this] { writing_ = false; });
   RenderOptions render = filmOptions();
   render.first = first, render.last = last;
   QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
                            static_cast<int>(frameCount()), this);
-  progress.setWindowTitle(tr("Save Film"));
+  progress.setWindowTitle(tr("Save Movie"));
   progress.setWindowModality(Qt::WindowModal);
   progress.setMinimumDuration(500);
   long pictures = 0;
@@ -175,7 +176,7 @@ bool AgoreWindow::writeFilm(const QString& path, int first, int last) {
           folder ? tr("Stopped: %1 in %2.")
                        .arg(QString::fromStdString(counted(pictures, "picture is", "pictures are")))
                        .arg(path)
-                 : tr("Stopped: no film was saved."));
+                 : tr("Stopped: no movie was saved."));
     else
       desktop::tell_in_foot(
           this, folder

@@ -56,7 +56,7 @@ QWidget* AgoreWindow::makeButtons() {
   layout->addWidget(new QLabel(tr("Slow motion"), column));
   slow_motion_ = new QComboBox(column);
   slow_motion_->setObjectName("slow");
-  desktop::name_box(*slow_motion_, tr("Slow motion against real time"));
+  desktop::name_box(*slow_motion_, tr("Slow motion"));
   slow_motion_->setFocusPolicy(Qt::NoFocus);
   slow_motion_->addItem(tr("by frames"), 0.0);
   for (const int part : {10, 100, 1000, 5000, 20000})
@@ -102,7 +102,7 @@ void AgoreWindow::makeMenus() {
           [](bool on) { QSettings("Adore", kApp).setValue(kFollow, on); });
   file->addSeparator();
   add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
-  file->addAction(tr("Save Fil&m..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  file->addAction(tr("Save &Movie..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
   add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
   file->addSeparator();
   add(file, tr("&Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
@@ -110,38 +110,36 @@ void AgoreWindow::makeMenus() {
   makeMotionMenu(menuBar()->addMenu(tr("&Motion")));
   desktop::add_help_menu(
       *this, "AGORE",
-      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5.\nThe lowest program version "
-         "whose data sets are accepted is %1.")
+      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5\n(written by program version "
+         "%1 or later).")
           .arg(kLowestVersion),
-      {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
-       {tr("P"), tr("pauses")},
-       {tr("Right, Left"), tr("one frame on, back; held down: on and on")},
-       {tr("Home, End"), tr("first and last frame")},
-       {tr("Up, Down"), tr("next and previous element or pocket, and the segment that holds it")},
-       {tr("[, ]"), tr("plays slower, faster")},
-       {tr("S"), tr("the next slow motion of the list")},
-       {tr("R"), tr("repeats for ever")},
-       {tr("A, B, X"), tr("marks where what is repeated begins and ends; takes the marks away")},
-       {tr("Shift+drag in the time bar or a curve"), tr("marks it from there to there")},
-       {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
-       {tr("V"), tr("four views side by side, and one again")},
-       {tr("L, T"), tr("race loads and paths of all elements")},
-       {tr("C, Shift+C"), tr("the next colouring of the elements, its next scale")},
-       {tr("+ or =, -, 0"), tr("zooms the first picture, shows all of it")},
-       {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
-       {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
-       {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
-       {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
-       {tr("hollow end of a line that turns with a ball"), tr("it is on the far side")},
-       {tr("pale areas of a curve"),
-        tr("from the lowest to the highest value between stored steps")},
-       {tr("Ctrl+E"), tr("saves a film")},
-       {tr("F5, F"), tr("reads the file again, as far as a run has come; does so while it goes "
-                        "on")}});
+      {{tr("Space, Shift+Space"), tr("play or pause, play backward")},
+       {tr("P"), tr("pause")},
+       {tr("Right, Left"), tr("next, previous frame (hold to repeat)")},
+       {tr("Home, End"), tr("first, last frame")},
+       {tr("Up, Down"), tr("next, previous element or pocket and its segment")},
+       {tr("[, ]"), tr("slower, faster")},
+       {tr("S"), tr("next slow motion")},
+       {tr("R"), tr("repeat")},
+       {tr("A, B, X"), tr("set start, end of the repeated range; remove both")},
+       {tr("Shift+drag in the time bar or a curve"), tr("set the repeated range")},
+       {tr("1 to 9, Ctrl+7"), tr("views of the menu")},
+       {tr("V"), tr("four views or one view")},
+       {tr("L, T"), tr("race loads, paths of all elements")},
+       {tr("C, Shift+C"), tr("next element coloring, next color scale")},
+       {tr("+ or =, -, 0"), tr("zoom the first picture, show all")},
+       {tr("Ctrl+arrow key"), tr("move the first picture or rotate the 3D view")},
+       {tr("click or drag in the time bar or a curve"), tr("go to this time")},
+       {tr("wheel, drag, double click on a picture"), tr("zoom, move, show all")},
+       {tr("drag, Shift+drag in the 3D view"), tr("rotate, move")},
+       {tr("hollow end of the rotation mark of a ball"), tr("the end is on the far side")},
+       {tr("band around a curve"), tr("minimum to maximum between stored steps")},
+       {tr("Ctrl+E"), tr("save a movie")},
+       {tr("F5, F"), tr("reload the file; reload while a run is active")}});
 }
 
 void AgoreWindow::makeMotionMenu(QMenu* menu) {
-  add(menu, tr("&Play, or Pause"), "play", Qt::Key_Space, [this] {
+  add(menu, tr("&Play or Pause"), "play", Qt::Key_Space, [this] {
     playing() ? pause() : playForward();
   })->setAutoRepeat(false);
   add(menu, tr("Play &Backward"), "playBack", Qt::SHIFT | Qt::Key_Space, [this] {
@@ -179,10 +177,10 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   connect(repeat_, &QAction::toggled, this, &AgoreWindow::setLoop);
   menu->addAction(tr("Repeat From &Here"), Qt::Key_A, this, [this] { markEnd(true); });
   menu->addAction(tr("Repeat to H&ere"), Qt::Key_B, this, [this] { markEnd(false); });
-  menu->addAction(tr("Take the Marks A&way"), Qt::Key_X, this, [this] { setSpan({}, {}); });
+  menu->addAction(tr("&Delete Marks"), Qt::Key_X, this, [this] { setSpan({}, {}); });
 }
 
-/// What the wheel and the pointer do, by keys, for the first picture.
+/// Key commands for mouse wheel and pointer, for the first picture.
 void AgoreWindow::addZoomKeys(QMenu* menu) {
   static constexpr double kZoom = 1.25, kMostZoom = 200.0, kWay = 0.1, kTurn = 10.0;
   const auto zoom = [this](double factor) {
@@ -236,7 +234,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
       if (picture_ && !has_flange(picture_->animation(), race_index, 0) &&
           !has_flange(picture_->animation(), race_index, 1) &&
           why_not(View::Flange, picture_->animation()).empty())
-        return desktop::show_message(this, tr("This race has no flange; the other one has."));
+        return desktop::show_message(this, tr("This race has no flange."));
       askForElement(View::Flange, race_index);
     });
   menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
@@ -252,7 +250,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
   connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
-  auto* trails = menu->addAction(tr("Pat&hs of the Elements"));
+  auto* trails = menu->addAction(tr("Element Pat&hs"));
   trails->setObjectName("trailsAction");
   trails->setCheckable(true);
   trails->setShortcut(Qt::Key_T);
@@ -276,7 +274,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
 }
 
 void AgoreWindow::makeColourMenus(QMenu* menu) {
-  auto* colours = menu->addMenu(tr("C&olour Elements by"));
+  auto* colours = menu->addMenu(tr("C&olor Elements by"));
   colours->setObjectName("colourMenu");
   auto* colour_group = new QActionGroup(this);
   for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
@@ -291,16 +289,16 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
     colour_group->addAction(action);
   }
   colours->addSeparator();
-  colours->addAction(tr("The Ne&xt of These"), Qt::Key_C, this, [colour_group] {
+  colours->addAction(tr("Ne&xt Color"), Qt::Key_C, this, [colour_group] {
     const auto all = colour_group->actions();
     all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
   });
-  auto* scales = menu->addMenu(tr("Scale of the Colo&urs"));
+  auto* scales = menu->addMenu(tr("Ran&ge of Colors"));
   scales->setObjectName("scaleMenu");
   auto* scale_group = new QActionGroup(this);
-  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "19 of 20 Val&ues of the Run"},
+  for (const auto& [kind, name] : {std::pair{ColourScale::Usual, "95 % of the Val&ues"},
                                    {ColourScale::Run, "Largest of the &Run"},
-                                   {ColourScale::Moment, "Largest of This &Moment"}}) {
+                                   {ColourScale::Moment, "Largest of This Fra&me"}}) {
     auto* action = scales->addAction(tr(name), this, [this, kind = kind] {
       chooseScale({kind, 0.0, 0.0});
     });
@@ -313,7 +311,7 @@ void AgoreWindow::makeColourMenus(QMenu* menu) {
   limits->setData(static_cast<int>(ColourScale::Typed));
   scale_group->addAction(limits);
   scales->addSeparator();
-  scales->addAction(tr("The Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
+  scales->addAction(tr("Ne&xt Scale"), Qt::SHIFT | Qt::Key_C, this, [this] {
     constexpr int kWithoutAsking = 3;
     chooseScale(
         {static_cast<ColourScale>((static_cast<int>(options_.scale.kind) + 1) % kWithoutAsking),
@@ -332,7 +330,7 @@ void AgoreWindow::makeBesideMenu(QMenu* menu) {
             [this, view](bool shown) { setBeside(view, shown); });
   }
   menu->addSeparator();
-  menu->addAction(tr("&Four Views, or One"), Qt::Key_V, this, [this] {
+  menu->addAction(tr("&Four Views or One"), Qt::Key_V, this, [this] {
     if (!picture_) return askForFile();
     const bool one = options_.beside.empty();
     options_.beside.clear();

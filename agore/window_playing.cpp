@@ -47,7 +47,7 @@ void AgoreWindow::markEnd(bool first) {
 void AgoreWindow::play(int direction) {
   if (!picture_) return askForFile();
   direction_ = direction;
-  // Play at the end starts over, and so it does beside what is marked.
+  // At the end, and outside the marked range, playing starts over.
   const auto [first, last] = playedFrames();
   const bool within = frame_ >= first && frame_ <= last;
   if (direction > 0 && (!within || frame_ == last)) setFrame(first);
@@ -68,7 +68,7 @@ void AgoreWindow::advance() {
                           : direction_ > 0 ? last
                                            : first;
   if (slow_ > 0.0) {
-    // In the simulation's own time, however unequal the frames lie in it.
+    // In simulated time, also for unequal intervals between frames.
     const auto& time = picture_->animation().time;
     film_time_ += direction_ * slow_ * seconds;
     bool over = direction_ > 0 ? film_time_ >= time[end] : film_time_ <= time[end];

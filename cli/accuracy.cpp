@@ -43,7 +43,7 @@ std::vector<double> parse_tolerances(const std::string& text) {
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc() || end != item.data() + item.size() || !(value > 0.0))
       throw InputError(fmt::format(
-          "--tols: \"{}\" is no tolerance; give positive numbers, e.g. 1e-4,1e-6,1e-8", item));
+          "--tols: \"{}\" is not a tolerance; give positive numbers, e.g. 1e-4,1e-6,1e-8", item));
     check_range("--tols", value);
     out.push_back(value);
   }
@@ -59,7 +59,7 @@ struct Options : DeckOptions {
 
 std::string contents(const std::filesystem::path& path) { return read_text_file(path); }
 
-/// Rows are said as they come.
+/// Print rows as they arrive.
 class Reporter {
  public:
   void operator()(const facade::AccuracyRow& row, const facade::AccuracyStudy& study) {
@@ -79,7 +79,7 @@ class Reporter {
 /// Puts the recommended settings into the deck.
 void apply(const Options& options, const facade::AccuracyStudy& study) {
   const auto sets = facade::recommended_sets(study);
-  if (sets.empty()) throw InputError("--apply: nothing is recommended, so the deck stays as it is");
+  if (sets.empty()) throw InputError("--apply: no setting is recommended; the deck is unchanged");
   const std::filesystem::path path = facade::deck_path(std::filesystem::path(options.deck));
   const std::string before = contents(path);
   const deck::KeptText text = deck::with_values(before, sets);
@@ -90,10 +90,11 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
   for (const auto& [name, value] : sets)
     said += fmt::format("{}{} = {}", said.empty() ? "" : ", ", name, value);
   print("{}: {}{}\n", path.string(), said,
-        text.kept ? ""
-                  : fmt::format(" (written anew, without remarks behind the values; {} is the "
-                                "deck as it was)",
-                                backup.string()));
+        text.kept
+            ? ""
+            : fmt::format(
+                  " (rewritten without the comments after the values; the previous deck is {})",
+                  backup.string()));
 }
 
 /// Into the folder of --out or, without it, next to the deck, where runs and forms look for it.
@@ -101,8 +102,8 @@ int run_models(const Options& options, bool out_given) {
   constexpr double kTurns = 2.0;
   if (options.apply || options.go_on || !options.methods.empty() || !options.tolerances.empty())
     throw InputError(
-        "--models changes the model and keeps the deck's own settings; leave out --apply, "
-        "--continue, --methods and --tols");
+        "--models changes the model and keeps the deck's settings; leave out --apply, --continue, "
+        "--methods and --tols");
   check_range("--turns", options.turns);
   check_range("--budget", options.budget);
   facade::DeckRequest request;
@@ -131,10 +132,10 @@ int run(const Options& options) {
   options.fill(request);
   if (options.apply && request.text)
     throw InputError(
-        "--apply changes the deck, and this one comes from standard input; name a file");
+        "--apply changes the deck file, but the deck comes from standard input; name a file");
   if (options.apply && !request.sets.empty())
     throw InputError(
-        "--apply writes what was found for the deck as it is, and --set changes it for this study; "
+        "--apply writes settings for the unchanged deck, but --set changes it for this study; "
         "leave one of them out");
   if (!options.methods.empty()) request.methods = split_list(options.methods);
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
@@ -154,7 +155,7 @@ int run(const Options& options) {
           fmt::format("--continue: there is no {}; leave it out to begin a study", json.string()));
     earlier = facade::read_accuracy(contents(json), json.string());
   }
-  // Where results cannot go is said before they are made.
+  // Check the output location before computing.
   check_export(folder / "ACCURACY.csv", facade::accuracy_csv(earlier), {options.deck});
   check_export(json, facade::accuracy_json(earlier), {options.deck});
   const auto write = [&](const facade::AccuracyStudy& study) {
@@ -171,12 +172,11 @@ int run(const Options& options) {
       },
       watch.token(), earlier);
   if (options.go_on && study.digest != earlier.digest)
-    tell(fmt::format(
-        "adore: note: {} is of another deck, or of other options; nothing was taken from it\n",
-        json.string()));
+    tell(fmt::format("adore: note: {} is from another deck or other options; it was not used\n",
+                     json.string()));
   write(study);
   if (!study.complete) {
-    tell(fmt::format("\ninterrupted; go on with the same command and --continue ({})\n",
+    tell(fmt::format("\ninterrupted; repeat the command with --continue to resume ({})\n",
                      json.string()));
     return 130;
   }
@@ -195,7 +195,7 @@ int run(const Options& options) {
 void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "accuracy",
-      "what accuracy costs in time: the deck's run with other integrators, tolerances and steps");
+      "compare integrators, tolerances and step sizes for a deck: error against computing time");
   auto options = std::make_shared<Options>();
   options->add_to(*command);
   command
@@ -205,25 +205,26 @@ void add_accuracy(CLI::App& app, int& exit_code) {
       ->add_option("--tols", options->tolerances,
                    "tolerances, separated by commas (default: 1e-4 to 1e-7)")
       ->type_name("LIST");
-  CLI::Option* turns = command
-                           ->add_option("--turns", options->turns,
-                                        "turns of the shaft that the best settings are judged over")
-                           ->capture_default_str();
+  CLI::Option* turns =
+      command
+          ->add_option("--turns", options->turns,
+                       "shaft revolutions over which the best settings are compared")
+          ->capture_default_str();
   command
       ->add_option("--budget", options->budget,
-                   "processor time of the study [s]; fewer turns if need be")
+                   "processor time of the study [s]; limits the revolutions")
       ->capture_default_str();
   command
-      ->add_option("--accuracy", options->accuracy, "what is asked of speeds, loads, heat and life")
+      ->add_option("--accuracy", options->accuracy, "target error of speeds, loads, heat and life")
       ->capture_default_str()
       ->type_name("PERCENT");
   command->add_flag("--apply", options->apply, "write the recommended settings into the deck");
-  command->add_flag("--continue", options->go_on, "go on with a study that was broken off");
-  command->add_flag("--models", options->models,
-                    "model errors instead: damping, traction law, cage friction, nodes or slices, "
-                    "mode and thermal model, each changed within its uncertainty (2 revolutions "
-                    "unless --turns is given); MODELS.json next to the deck, which PRINT.txt and "
-                    "AdrInput show");
+  command->add_flag("--continue", options->go_on, "resume an interrupted study");
+  command->add_flag(
+      "--models", options->models,
+      "estimate model errors instead: damping, traction law, cage friction, nodes or slices, mode "
+      "and thermal model are each varied within their uncertainty (2 revolutions unless --turns is "
+      "given); writes MODELS.json next to the deck for PRINT.txt and AdrInput");
   CLI::Option* out =
       command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
           ->type_name("DIR")

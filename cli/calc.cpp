@@ -62,7 +62,7 @@ enum class Detail : unsigned char { Totals, Failures, Cases, Json };
 int validate(const std::vector<std::string>& files, const std::string& report_file, Detail detail) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const auto piped = std::count(files.begin(), files.end(), kStream);
-  if (piped > 1) throw InputError("standard input can be read once; give - once");
+  if (piped > 1) throw InputError("standard input can be read only once; give - once");
   const reference::ValidateReport report = reference::validate_files(
       paths,
       [&](const reference::FileResult& file) {
@@ -83,7 +83,7 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   return report.fail > 0 ? 1 : 0;
 }
 
-/// Exit 0 whatever the figures say: the page shows misses, it does not judge them.
+/// Exit code 0 in any case: the page shows deviations but does not judge them.
 void experiments(const std::string& only, const std::string& report_file, bool json,
                  bool markdown) {
   const std::vector<facade::Experiment> all =
@@ -134,11 +134,11 @@ void add_calc(CLI::App& app, int& exit_code) {
               *as_json = true;
               if (!given.empty() && !given.front().empty()) *source = given.front();
             },
-            "--list or --describe as JSON (results always are); a FILE after it is the input")
+            "print --list or --describe as JSON; an optional FILE is the input")
         ->expected(0, 1)
         ->type_name("FILE");
     command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
-    command->add_flag("--markdown", *markdown, "--list with all inputs, as a page in Markdown");
+    command->add_flag("--markdown", *markdown, "with --list: all inputs, in Markdown");
     command->footer(
         "Examples\n"
         "  adore calc --list\n"
@@ -147,7 +147,7 @@ void add_calc(CLI::App& app, int& exit_code) {
         "  echo '{\"code\": 100}' | adore calc material");
     command->callback([=] {
       if (*markdown) {
-        if (!*list) throw InputError("--markdown belongs to --list");
+        if (!*list) throw InputError("--markdown needs --list");
         print("{}", calculators::calculators_markdown());
         return;
       }
@@ -157,8 +157,8 @@ void add_calc(CLI::App& app, int& exit_code) {
     });
   }
   {
-    CLI::App* command =
-        app.add_subcommand("validate", "run reference cases and print error against tolerance");
+    CLI::App* command = app.add_subcommand(
+        "validate", "run reference cases and print each error with its tolerance");
     auto files = std::make_shared<std::vector<std::string>>();
     auto report = std::make_shared<std::string>();
     auto quiet = std::make_shared<bool>(false);
@@ -167,23 +167,23 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto markdown = std::make_shared<bool>(false);
     auto only = std::make_shared<std::string>();
     command->add_option("files", *files, "case files, or - for standard input")->type_name("FILE");
-    CLI::Option* experiments_flag = command->add_flag(
-        "--experiments", *published, "instead: published experiments, our figures beside theirs");
-    command->add_option("--only", *only, "one of the experiments, by its id")
+    CLI::Option* experiments_flag = command->add_flag("--experiments", *published,
+                                                      "compare with published experiments instead");
+    command->add_option("--only", *only, "run only the experiment with this id")
         ->type_name("ID")
         ->needs(experiments_flag);
     auto torques = std::make_shared<bool>(false);
     command
         ->add_flag("--torque", *torques,
-                   "instead: friction torque of three bearings beside a catalogue formula")
+                   "compare the friction torque of three bearings with a catalog formula instead")
         ->excludes(experiments_flag);
-    command->add_flag("--markdown", *markdown, "experiments or torques as a page");
+    command->add_flag("--markdown", *markdown, "print --experiments or --torque in Markdown");
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
-    command->add_flag("--json", *json, "the results as JSON on standard output");
+    command->add_flag("--json", *json, "print the results as JSON");
     auto verbose = std::make_shared<bool>(false);
-    command->add_flag("--quiet", *quiet, "only the totals");
-    command->add_flag("--verbose", *verbose, "a line for each case, with all its quantities")
+    command->add_flag("--quiet", *quiet, "print only the totals");
+    command->add_flag("--verbose", *verbose, "print each case with all quantities")
         ->excludes("--quiet")
         ->excludes("--json");
     command->footer(
@@ -194,13 +194,13 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->callback([=, &exit_code] {
       if (*published || *torques) {
         if (!files->empty())
-          throw InputError("--experiments and --torque bring their own decks; give no files");
+          throw InputError("--experiments and --torque use built-in decks; give no files");
         return *torques ? torque(*report, *json, *markdown)
                         : experiments(*only, *report, *json, *markdown);
       }
       if (files->empty())
         throw InputError("give files of reference cases, --experiments or --torque");
-      if (*markdown) throw InputError("--markdown belongs to --experiments or --torque");
+      if (*markdown) throw InputError("--markdown needs --experiments or --torque");
       exit_code = validate(*files, *report,
                            *json      ? Detail::Json
                            : *quiet   ? Detail::Totals

@@ -181,7 +181,7 @@ void examples(const std::string& name, bool json) {
   } else {
     for (const deck::TemplateInfo& info : deck::templates())
       print("{:<20} {}\n", info.name, info.description);
-    print("\n`adore examples NAME` says what a deck does; `adore new NAME --out FILE` writes it\n");
+    print("\n`adore examples NAME` describes a deck; `adore new NAME --out FILE` writes it\n");
   }
 }
 
@@ -195,13 +195,13 @@ std::vector<std::string> template_names() {
 
 void add_deck_commands(CLI::App& app, int& exit_code) {
   {
-    CLI::App* command = app.add_subcommand("check", "list every error and warning of a deck");
+    CLI::App* command = app.add_subcommand("check", "list all errors and warnings of a deck");
     auto options = std::make_shared<DeckOptions>();
     auto json = std::make_shared<bool>(false);
     options->add_to(*command);
     auto codes = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "as JSON");
-    command->add_flag("--codes", *codes, "list the codes of all findings, as Markdown");
+    command->add_flag("--codes", *codes, "list all finding codes, as Markdown");
     command->footer(
         "Examples\n"
         "  adore check DATA.txt\n"
@@ -216,23 +216,23 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
   }
   {
     CLI::App* command = app.add_subcommand(
-        "plan", "show what a deck would simulate, why, and at what cost in time and disk");
+        "plan", "show which effects a deck simulates, with reasons, computing time and disk space");
     auto options = std::make_shared<PlanOptions>();
     options->add_to(*command);
     command->add_flag("--json", options->json, "as JSON");
     command
         ->add_option("--until", options->until,
-                     "end of the run: 5rev, 0.02s or a dimensionless time; replaces fTime and "
+                     "simulated length: 5rev, 0.02s or a dimensionless time; replaces fTime and "
                      "maxStps")
         ->type_name("END");
     command
         ->add_option("--pilot", options->pilot,
-                     "processor time of the motion that is run to measure the cost [s]; 0: none")
+                     "processor time of the trial run that measures the cost [s]; 0: no trial run")
         ->capture_default_str();
     CLI::Option* what_if = command->add_flag(
         "--what-if", options->what_if,
-        "run a short span without each effect: what it changes, and its share of the cost");
-    command->add_option("--turns", options->turns, "turns of the shaft of these runs")
+        "switch off each effect in a short run: change of the results, share of the cost");
+    command->add_option("--turns", options->turns, "shaft revolutions of these runs")
         ->needs(what_if)
         ->capture_default_str();
     command->footer(
@@ -247,7 +247,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("schema", "print the record schema of the deck");
     auto format = std::make_shared<std::string>("tsv");
     auto json = std::make_shared<bool>(false);
-    command_line::one_of(command->add_option("--format", *format, "form of the table")
+    command_line::one_of(command->add_option("--format", *format, "table format")
                              ->capture_default_str()
                              ->type_name("FORM"),
                          {"tsv", "json", "md"});
@@ -262,8 +262,7 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     });
   }
   {
-    CLI::App* command =
-        app.add_subcommand("new", "write a complete, runnable deck and say what it does");
+    CLI::App* command = app.add_subcommand("new", "write and describe a complete, runnable deck");
     auto type = std::make_shared<std::string>();
     auto out = std::make_shared<std::string>();
     auto designation = std::make_shared<std::string>();
@@ -275,9 +274,9 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     command_line::offer(name->type_name("NAME"), template_names());
     command
         ->add_option("--catalogue", *designation,
-                     "a bearing by its designation (6205, 7208 B, NU209, 30208, 22210) or outside "
-                     "('deep-groove 25x52x15' in mm): standard boundary dimensions, the inside "
-                     "estimated")
+                     "bearing designation (6205, 7208 B, NU209, 30208, 22210) or type and size "
+                     "('deep-groove 25x52x15' in mm): standard boundary dimensions, estimated "
+                     "internal geometry")
         ->type_name("BEARING")
         ->excludes(name);
     command->add_option("--out", *out, "file or folder to write (standard output unless given)")
@@ -296,12 +295,11 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     });
   }
   {
-    CLI::App* command =
-        app.add_subcommand("examples", "list the example decks, or say what one does");
+    CLI::App* command = app.add_subcommand("examples", "list the example decks, or describe one");
     auto name = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command_line::offer(
-        command->add_option("name", *name, "the one to describe")->type_name("NAME"),
+        command->add_option("name", *name, "example to describe")->type_name("NAME"),
         template_names());
     command->add_flag("--json", *json, "as JSON");
     command->footer("Example\n  adore examples deep-groove-6205");

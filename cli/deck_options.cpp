@@ -43,8 +43,7 @@ std::vector<std::string> option_words() {
 }  // namespace
 
 void add_deck(CLI::App& command, std::string& deck) {
-  command
-      .add_option("deck", deck, "deck file, a folder that holds DATA.txt, or - for standard input")
+  command.add_option("deck", deck, "deck file, folder with DATA.txt, or - for standard input")
       ->type_name("DECK")
       ->default_str("DATA.txt here");
 }
@@ -53,8 +52,7 @@ void add_sets(CLI::App& command, std::vector<std::string>& sets) {
   // One value each: what follows the value is the deck.
   command_line::offer(
       command
-          .add_option("--set", sets,
-                      "change a deck variable, in the deck's units; repeat it for more")
+          .add_option("--set", sets, "change a deck variable, in the deck's units; may be repeated")
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
       variable_words());
@@ -65,17 +63,15 @@ void DeckOptions::add_to(CLI::App& command) {
   add_sets(command, sets);
   command_line::offer(
       command
-          .add_option(
-              "--opt", options,
-              "set a run option (`adore run --list-options` lists them); repeat it for more")
+          .add_option("--opt", options,
+                      "set a run option (`adore run --list-options` lists them); may be repeated")
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
       option_words());
   command
-      .add_option(
-          "--user", user,
-          "routines of the user: a shared object (`adore user new` writes an example), or a "
-          ".json file of formulas and tables; its code runs")
+      .add_option("--user", user,
+                  "user routines: a shared library (`adore user new` writes an example) or a .json "
+                  "file of formulas and tables; their code is executed")
       ->type_name("PLUG-IN")
       ->allow_extra_args(false);
 }
@@ -88,10 +84,9 @@ facade::DeckRequest deck_request(const std::string& deck) {
     request.deck = deck;
   std::error_code error;
   if (deck.find('=') != std::string::npos && !std::filesystem::exists(deck, error))
-    throw InputError(
-        fmt::format("\"{}\" stands where the deck does; write --set (or --opt) before "
-                    "every name=value",
-                    deck));
+    throw InputError(fmt::format(
+        "\"{}\" is in the place of the deck; write --set (or --opt) before every name=value",
+        deck));
   return request;
 }
 

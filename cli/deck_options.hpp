@@ -28,7 +28,7 @@ struct DeckOptions {
 void add_sets(CLI::App& command, std::vector<std::string>& sets);
 /// The positional DECK alone.
 void add_deck(CLI::App& command, std::string& deck);
-/// What DECK means: a file or folder, or for "-" what stands on standard input.
+/// Meaning of DECK: a file, a folder, or "-" for standard input.
 [[nodiscard]] facade::DeckRequest deck_request(const std::string& deck);
 
 /// Warnings to stderr, one a line.

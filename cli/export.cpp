@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How exports of one kind begin: the heading of a CSV file, the first key of a JSON file.
+/// Beginning of exports of one kind: heading of a CSV file, first key of a JSON file.
 std::string_view beginning(std::string_view text) {
   if (text.substr(0, 1) != "{") return text.substr(0, text.find('\n'));
   return text.substr(0, text.find(':'));
@@ -60,7 +60,7 @@ void check_place(const fs::path& path, std::string_view start,
   for (const fs::path& input : inputs)
     if (fs::equivalent(input, path, error))
       throw InputError(
-          fmt::format("--out {}: this is the file that is read; name another one", path.string()));
+          fmt::format("--out {}: this is the input file; name another one", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
   if (write_protected(path))
     throw InputError(fmt::format(
@@ -72,10 +72,10 @@ void check_place(const fs::path& path, std::string_view start,
     stream.read(old.data(), static_cast<std::streamsize>(old.size()));
     old.resize(static_cast<std::size_t>(stream.gcount()));
     if (start.empty() || beginning(old) != start)
-      throw InputError(fmt::format(
-          "--out {}: the file exists and is no export of this kind; name another one, or remove it "
-          "first",
-          path.string()));
+      throw InputError(
+          fmt::format("--out {}: the file exists and is not an export of this type; name another "
+                      "one, or remove it first",
+                      path.string()));
   } else if (fs::is_symlink(status)) {
     throw InputError(fmt::format("--out {}: this is a symbolic link to {}; name the file itself",
                                  path.string(), fs::read_symlink(path, error).string()));
@@ -122,7 +122,8 @@ void print_export(const std::function<void(std::ostream&)>& produce) {
 void write_export(const fs::path& path, const std::function<void(std::ostream&)>& produce,
                   const std::vector<fs::path>& inputs) {
   write_file_atomically(path, [&](const TextSink& write) {
-    // Its beginning tells whether it may go there: before it is there in full, nothing is written.
+    // The first bytes decide whether the file may be replaced. Nothing is written before the export
+    // is complete.
     std::string start;
     bool checked = false;
     const auto check = [&] {
@@ -137,7 +138,7 @@ void write_export(const fs::path& path, const std::function<void(std::ostream&)>
     });
     std::ostream out(&buffer);
     out.imbue(std::locale::classic());
-    out.exceptions(std::ios::badbit);  // what a sink throws goes on to the caller
+    out.exceptions(std::ios::badbit);  // exceptions of a sink propagate to the caller
     produce(out);
     out.flush();
     if (!checked) check();

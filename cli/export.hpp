@@ -21,7 +21,7 @@ void write_export(const std::filesystem::path& path,
 /// The same text to standard output.
 void print_export(const std::function<void(std::ostream&)>& produce);
 
-/// Refuses what write_export would. @throws InputError
+/// Throws if write_export would reject the target. @throws InputError
 void check_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);
 

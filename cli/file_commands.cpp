@@ -63,7 +63,7 @@ int verify(const std::string& name, bool json) {
   const std::filesystem::path folder(name);
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))
-    throw InputError(name + ": this is not a folder; give the folder of a run, a sweep or a study");
+    throw InputError(name + ": this is not a folder; give the folder of a run, sweep or study");
   const bool study = std::filesystem::exists(folder / "job.json", error);
   const std::vector<results::FileCheck> files =
       study ? studies::verify_study(folder) : results::verify_run(folder);
@@ -90,25 +90,21 @@ int verify(const std::string& name, bool json) {
 void add_file_commands(CLI::App& app, int& exit_code) {
   {
     CLI::App* command = app.add_subcommand(
-        "verify", "compare the files of a run, a sweep or a study with their checksums");
+        "verify", "check the files of a run, sweep or study against their checksums");
     auto folder = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    command->add_option("folder", *folder, "folder of a run, a sweep or a study")
+    command->add_option("folder", *folder, "folder of a run, sweep or study")
         ->required()
         ->type_name("FOLDER");
     command->add_flag("--json", *json, "as JSON");
     command->footer(
-        "Exit code 1: a file is damaged or missing. A run that was not finished is compared up to\n"
-        "its last checkpoint.\n"
-        "\n"
-        "Examples\n"
-        "  adore verify RUN\n"
-        "  adore verify clearance.study --json");
+        "Exit code 1: a file is damaged or missing. An unfinished run is checked up to its "
+        "last\ncheckpoint.\n\nExamples\n  adore verify RUN\n  adore verify clearance.study --json");
     command->callback([=, &exit_code] { exit_code = verify(*folder, *json); });
   }
   {
     CLI::App* command =
-        app.add_subcommand("show", "look into a SOL, FINAL, MASTER, RUN.json or RESULTS.h5 file");
+        app.add_subcommand("show", "describe a SOL, FINAL, MASTER, RUN.json or RESULTS.h5 file");
     auto file = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("file", *file, "result file")->required()->type_name("FILE");
@@ -129,7 +125,7 @@ void add_file_commands(CLI::App& app, int& exit_code) {
     auto out = std::make_shared<std::string>();
     command->add_option("file", *file, "result file")->required()->type_name("FILE");
     command_line::one_of(
-        command->add_option("--to", *format, "form of the table")->required()->type_name("FORM"),
+        command->add_option("--to", *format, "table format")->required()->type_name("FORM"),
         {"csv", "json"});
     command->add_option("--out", *out, "file or folder to write (standard output unless given)")
         ->type_name("FILE");

@@ -24,18 +24,15 @@ int main(int argc, char** argv) {
           argv = run_here.data();
       }
     const auto app = command_line::make_program(
-        "Adore: dynamics of rolling bearings, from a deck of records to listings, result files and "
+        "Adore: dynamics of rolling bearings. Reads a deck; writes listings, result files and "
         "pictures.",
         "adore");
     app->footer(
-        "First steps\n"
-        "  adore new ball --out DATA.txt    a complete deck\n"
-        "  adore plan                       what it would simulate, why, and at what cost\n"
-        "  adore run                        simulate it\n"
-        "  adore COMMAND --help             options of a command, with examples\n"
-        "\n"
-        "Exit codes: 0 done, 1 a bug, a failed reference case or a damaged file, 2 wrong input,\n"
-        "3 the numerics gave up, 130 interrupted.");
+        "First steps\n  adore new ball --out DATA.txt    write a complete deck\n  adore plan       "
+        "                show its effects, computing time and disk space\n  adore run              "
+        "          simulate it\n  adore COMMAND --help             show options and examples of a "
+        "command\n\nExit codes: 0 success; 1 program error, failed reference case or damaged file; "
+        "2 wrong input;\n3 the computation failed; 130 interrupted.");
     app->require_subcommand(1);
     int exit_code = 0;
     cli::add_run(*app, exit_code);

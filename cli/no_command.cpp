@@ -13,7 +13,7 @@ namespace adore::cli {
 NoCommand ask_for_run() {
   std::error_code none;
   if (!std::filesystem::is_regular_file("DATA.txt", none)) return NoCommand::NoDeck;
-  tell("This folder has a deck (DATA.txt). The command that runs it is\n  adore run\n");
+  tell("This folder has a deck (DATA.txt). To run it:\n  adore run\n");
   const std::optional<bool> answer = ask("Run it now?");
   if (answer) return *answer ? NoCommand::Run : NoCommand::Declined;
   tell("adore: name a command\n");

@@ -28,7 +28,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--fps", 1, 240, ""},
     OptionRange{"--slow", 1e-12, 1e6, "simulated seconds per second"},
     OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
-    OptionRange{"--tols", 1e-14, 0.01, "coarser ones follow no motion"},
+    OptionRange{"--tols", 1e-14, 0.01, "above 0.01 the motion is not resolved"},
     OptionRange{"--turns", 0.01, 1e6, "of the shaft"},
     OptionRange{"--pilot", 0, 1e4, "seconds of processor time; 0: no pilot"},
     OptionRange{"--budget", 1, 1e6, "seconds of processor time"},

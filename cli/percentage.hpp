@@ -15,7 +15,8 @@ inline double parse_percentage(std::string_view option, const std::string& text)
   const auto [end, error] = std::from_chars(text.data(), last, value);
   const bool percent = end != last && *end == '%' && end + 1 == last;
   if (error != std::errc() || (end != last && !percent))
-    throw InputError(fmt::format("{}: \"{}\" is no share; give e.g. 1% or 0.01", option, text));
+    throw InputError(
+        fmt::format("{}: \"{}\" is not a percentage; give e.g. 1% or 0.01", option, text));
   if (percent) value *= 0.01;
   check_range(option, value);
   return value;

@@ -14,7 +14,7 @@ std::vector<std::string> view_names() {
 }
 
 void add_progress(CLI::App& command, std::string& style) {
-  command_line::one_of(command.add_option("--progress", style, "how progress is shown on stderr")
+  command_line::one_of(command.add_option("--progress", style, "progress display on stderr")
                            ->capture_default_str()
                            ->type_name("STYLE"),
                        {"auto", "plain", "json", "none"});
@@ -30,47 +30,45 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       ->add_option("files", request->files,
                    "SOL1-SOL7, RUN.json, SWEEP.csv, ACCURACY.json, or folders of runs")
       ->type_name("PATH");
-  CLI::Option* lubricant =
-      command
-          ->add_option("--lubricant", request->lubricant,
-                       "instead of files: traction, viscosity, film and lambda of this kTrac")
-          ->type_name("CODE");
+  CLI::Option* lubricant = command
+                               ->add_option("--lubricant", request->lubricant,
+                                            "instead of files: charts of the lubricant with this "
+                                            "kTrac (traction, viscosity, film, lambda)")
+                               ->type_name("CODE");
   CLI::Option* temperature =
       command
           ->add_option("--temperature", request->temperature,
-                       "of the lubricant and the surfaces in kelvin (350 unless given)")
+                       "lubricant and surface temperature [K] (350 unless given)")
           ->type_name("K")
           ->needs(lubricant);
   command_line::one_of(
-      command->add_option("--format", request->format, "form of the lubricant's pictures")
+      command->add_option("--format", request->format, "format of the lubricant charts")
           ->capture_default_str()
           ->type_name("FORM")
           ->needs(lubricant),
       {"png", "svg"});
-  command->add_option("--out", request->out, "folder of the pictures")
+  command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
       ->default_str("here");
-  CLI::Option* page = command->add_option("--page", request->page, "one page (all unless given)");
+  CLI::Option* page =
+      command->add_option("--page", request->page, "page number (all unless given)");
   command->add_option("--from", request->range.from, "first stored step, counted from 1")
       ->capture_default_str();
   CLI::Option* to =
       command->add_option("--to", request->range.to, "last stored step")->default_str("the last");
-  command->add_option("--every", request->range.every, "interval of stored steps")
+  command->add_option("--every", request->range.every, "every n-th stored step")
       ->capture_default_str();
-  command_line::one_of(command->add_option("--abscissa", request->abscissa, "revolutions or time")
+  command_line::one_of(command->add_option("--abscissa", request->abscissa, "horizontal axis")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"rev", "time"});
-  command_line::one_of(command
-                           ->add_option("--domain", request->domain,
-                                        "what is drawn of the curves: history, spectrum, waterfall")
+  command_line::one_of(command->add_option("--domain", request->domain, "chart type")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"history", "spectrum", "waterfall"});
   command
       ->add_option("--curve", request->curve,
-                   "what a waterfall is of: a curve by its name or a part of that, or its number "
-                   "on the page")
+                   "curve of the waterfall: its name, part of its name, or its number on the page")
       ->type_name("CURVE")
       ->default_str("the first one");
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
@@ -95,79 +93,78 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
 }
 
 void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>& draw) {
-  CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8 or RESULTS.h5");
+  CLI::App* command =
+      app.add_subcommand("animate", "draw frames or a movie from SOL8 or RESULTS.h5");
   auto request = std::make_shared<AnimateRequest>();
   command->add_option("file", request->file, "SOL8, RESULTS.h5, or the folder of a run")
       ->required()
       ->type_name("PATH");
-  command_line::one_of(command->add_option("--view", request->view, "what is looked at")
+  command_line::one_of(command->add_option("--view", request->view, "view to draw")
                            ->capture_default_str()
                            ->type_name("VIEW"),
                        view_names());
   command
       ->add_option("--beside", request->beside,
-                   "further views at the same frame, separated by commas")
+                   "additional views of the same frame, separated by commas")
       ->type_name("LIST");
-  command->add_option("--yaw", request->yaw, "where the 3d view is seen from, in degrees from +X")
+  command->add_option("--yaw", request->yaw, "viewing direction of the 3d view [deg from +X]")
       ->capture_default_str()
       ->type_name("NUMBER");
   command
       ->add_option("--elevation", request->elevation,
-                   "the same, in degrees above the bearing's plane")
+                   "viewing direction of the 3d view [deg above the bearing plane]")
       ->capture_default_str()
       ->type_name("NUMBER");
-  command_line::one_of(
-      command
-          ->add_option("--race", request->race,
-                       "race of the race view (the inner one unless given) and of the flange view "
-                       "(one that has a flange)")
-          ->type_name("RACE"),
-      {"outer", "inner"});
+  command_line::one_of(command
+                           ->add_option("--race", request->race,
+                                        "race of the race view (default: inner) and of the flange "
+                                        "view (default: one with a flange)")
+                           ->type_name("RACE"),
+                       {"outer", "inner"});
   command
       ->add_option("--element", request->element, "element or pocket of the single-element views")
       ->capture_default_str();
   CLI::Option* frame = command->add_option("--frame", request->frame,
-                                           "one stored frame, counted from 1 (all unless given)");
+                                           "frame number, counted from 1 (all unless given)");
   CLI::Option* every =
       command->add_option("--every", request->every, "every n-th frame")->capture_default_str();
   CLI::Option* movie = command
                            ->add_option("--movie", request->movie,
-                                        "film to write: NAME.avi, NAME.gif, NAME.mp4 (where ffmpeg "
-                                        "is), or a folder of numbered pictures")
+                                        "movie to write: NAME.avi, NAME.gif, NAME.mp4 (needs "
+                                        "ffmpeg), or a folder of numbered pictures")
                            ->type_name("FILE");
-  command->add_option("--fps", request->frames_per_second, "pictures per second of the film")
+  command->add_option("--fps", request->frames_per_second, "movie frames per second")
       ->capture_default_str();
-  CLI::Option* slow =
-      command
-          ->add_option("--slow", request->slow,
-                       "simulated seconds per second of the film, such as 0.001, with the frames "
-                       "at their own times (a picture for each frame unless given)")
-          ->type_name("NUMBER")
-          ->needs(movie)
-          ->excludes(every);
+  CLI::Option* slow = command
+                          ->add_option("--slow", request->slow,
+                                       "slow motion: simulated seconds per second of the movie, "
+                                       "e.g. 0.001 (one picture per stored frame unless given)")
+                          ->type_name("NUMBER")
+                          ->needs(movie)
+                          ->excludes(every);
   frame->excludes(every)->excludes(movie);
   CLI::Option* first = command->add_option("--from", request->first, "first frame, counted from 1")
                            ->capture_default_str()
                            ->excludes(frame);
   CLI::Option* last =
-      command->add_option("--to", request->last, "last frame (that of the file unless given)")
+      command->add_option("--to", request->last, "last frame (end of the file unless given)")
           ->excludes(frame);
-  command->add_option("--out", request->out, "folder of the pictures")
+  command->add_option("--out", request->out, "output folder")
       ->type_name("DIR")
       ->default_str("here");
-  command_line::one_of(command->add_option("--colour", request->colour, "what colours the elements")
+  command_line::one_of(command->add_option("--colour", request->colour, "color elements by")
                            ->capture_default_str()
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
   command
       ->add_option("--scale", request->scale,
-                   "scale of the colours: usual (what 19 of 20 values of the run stay below), run "
-                   "(its largest), moment, or limits such as 0:0.02 in the file's unit")
+                   "color scale: usual (95 % of the values of the run), run (largest of the run), "
+                   "moment (this frame), or limits such as 0:0.02 in the file's unit")
       ->capture_default_str()
       ->type_name("SCALE");
-  command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
+  command->add_flag("--contacts", request->contacts, "race load arrows on all elements");
   command->add_flag("--trails", request->trails,
-                    "the path of every element, back over 0.8 of their spacing");
+                    "recent path of every element (0.8 of the spacing)");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(
@@ -189,14 +186,14 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
 }
 
 void add_gallery(CLI::App& app, const std::function<void(const GalleryRequest&)>& draw) {
-  CLI::App* command = app.add_subcommand(
-      "gallery", "draw every page and every view of runs as PNG files, with a list of them");
+  CLI::App* command =
+      app.add_subcommand("gallery", "draw all pages and views of runs as PNG files, with an index");
   auto request = std::make_shared<GalleryRequest>();
   command
       ->add_option("runs", request->runs,
-                   "folders of runs; without any, the example decks of all types are run")
+                   "folders of runs (the example decks of all types are run unless given)")
       ->type_name("FOLDER");
-  command->add_option("--out", request->out, "folder of the pictures")
+  command->add_option("--out", request->out, "output folder")
       ->capture_default_str()
       ->type_name("DIR");
   command->add_option("--size", request->size, "picture size in pixels, WIDTHxHEIGHT")

@@ -23,17 +23,17 @@ std::string program_path() {
 }
 
 [[noreturn]] void refuse(const std::string& program, int error) {
-  throw InputError(fmt::format(
-      "pictures are drawn by {}, which does not start: {}; install it beside `adore`, or use "
-      "`adore convert FILE --to csv` and a plotter of your own",
-      program, std::strerror(error)));
+  throw InputError(
+      fmt::format("the drawing program {} does not start: {}; install it next to `adore`, or use "
+                  "`adore convert FILE --to csv` and another plotting program",
+                  program, std::strerror(error)));
 }
 
 void become(char** argv) {
   if (!has_pictures())
     throw InputError(
-        "this program was built without Qt, which draws; build with ADORE_WITH_QT=ON (preset "
-        "release), or use `adore convert FILE --to csv` and a plotter of your own");
+        "this program was built without Qt and cannot draw; build with ADORE_WITH_QT=ON (preset "
+        "release), or use `adore convert FILE --to csv` and another plotting program");
   const std::string program = program_path();
   (void)std::fflush(nullptr);
   // An interrupt that comes while the other program is loaded waits until that one listens.
@@ -76,10 +76,10 @@ bool run_picture_program(const std::vector<std::string>& words) {
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status)) return WEXITSTATUS(status) == 0;  // it has said why
-  tell(fmt::format(
-      "adore: {} was ended by signal {} ({}) while it drew. Its pictures are missing or "
-      "incomplete; all other results are written.\n",
-      program, WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+  tell(
+      fmt::format("adore: {} ended by signal {} ({}) while drawing. Pictures are missing or "
+                  "incomplete; all other results are written.\n",
+                  program, WTERMSIG(status), ::strsignal(WTERMSIG(status))));
   return false;
 }
 

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-/// The program that draws, beside this one: `adore-pictures`.
+/// The drawing program in the same folder: `adore-pictures`.
 namespace adore::cli {
 
 /// Whether this build draws pictures.
 [[nodiscard]] bool has_pictures() noexcept;
 
-/// Actions that become that program, with the same command line. In a build without Qt they throw
-/// an InputError that says so. @param argv of main, ended by a null pointer
+/// Actions that replace the process with that program, with the same command line. Without Qt they
+/// throw an InputError. @param argv of main, null-terminated
 [[nodiscard]] PictureActions handed_over(char** argv);
 
 /// Starts it with these words and waits. @return true when it ended with 0; false without Qt.

@@ -54,7 +54,7 @@ nlohmann::ordered_json json_of(const facade::Progress& p) {
 std::string progress_line(const facade::Progress& p, std::size_t width) {
   const std::string share = fmt::format("{:3.0f}%", 100.0 * p.fraction);
   const std::string left = duration_text(p.remaining);
-  // Nothing is known of the rest before one of them was computed.
+  // The remaining time is unknown before the first one is computed.
   if (p.runs > 0 && p.step < p.runs && !(p.remaining > 0.0))
     return fitting({fmt::format("{}  {} {} of {}", share, p.piece, p.step, p.runs), share}, width);
   if (p.runs > 0)
@@ -62,7 +62,7 @@ std::string progress_line(const facade::Progress& p, std::size_t width) {
                     fmt::format("{}  {}/{}", share, p.step, p.runs), share},
                    width);
   const std::string turns = fmt::format("{}  {:.3f} rev", share, p.revolutions);
-  // What will end the run: its time or its most steps.
+  // The limit that ends the run: its time or its number of steps.
   const std::string goal =
       p.last_step > 0
           ? fmt::format("{}  t = {:.4e} s  step {} of {}", turns, p.time, p.step, p.last_step)

@@ -5,9 +5,8 @@
 #include <functional>
 #include <string>
 
-/// What a command says on stderr while it works. A terminal gets one line that is written over and
-/// never wider than it is; a file or pipe gets plain lines. Nothing here fails: a stream that
-/// cannot be written is no reason to end a run.
+/// Progress messages on stderr. On a terminal one line is overwritten and never longer than the
+/// terminal is wide; files and pipes get plain lines. Write errors are ignored.
 namespace adore::cli {
 
 /// @param style "auto", "plain", "json" or "none"

@@ -37,7 +37,7 @@ struct RunOptions : DeckOptions {
   bool quiet = false, list_options = false, json = false, reproducible = false, go_on = false,
        overwrite = false, verify = false, extend = false;
 
-  /// The command that goes on with this run, to its own end or to another one.
+  /// The command that continues this run to its end or to another end.
   [[nodiscard]] std::string continuation(bool tolerance_given, const std::string& to) const {
     std::string line = deck == "-" ? "cat DECK | adore run -" : "adore run " + quoted(deck);
     const auto add = [&](const char* name, const std::string& value) {
@@ -68,7 +68,7 @@ void list_options(bool json) {
   write_text("", "", dump_json(list, 2) + "\n");
 }
 
-/// Runs, and once more when what stands in the way may go.
+/// Runs; runs again if the user allows existing results to be replaced.
 template <class Run>
 auto run_asking(facade::RunRequest& request, Run&& run_it) {
   try {
@@ -90,10 +90,9 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
     return 0;
   }
   if (outcome.status == facade::RunStatus::Interrupted)
-    tell(
-        fmt::format("\ninterrupted; the files are valid up to the last stored step. Go on with\n"
-                    "  {}\n",
-                    options.continuation(tolerance_given, options.until)));
+    tell(fmt::format(
+        "\ninterrupted; the files are valid up to the last stored step. Continue with\n  {}\n",
+        options.continuation(tolerance_given, options.until)));
   if (options.json)
     write_text("", "", dump_json(summary_json(outcome), 2) + "\n");
   else if (!options.quiet)
@@ -128,11 +127,11 @@ facade::AccuracyStatement state(const facade::RunRequest& request,
   return out;
 }
 
-/// The statement covers the run itself. Settings whose numerical part is too large are tightened;
-/// with --extend a run whose means scatter too much goes on.
+/// The statement covers the run itself. Settings with a too large numerical part are tightened;
+/// with --extend a run with too much scatter in its means is continued.
 int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
                     const facade::ProgressSink& sink, InterruptWatch& watch) {
-  constexpr int kMostTighter = 2, kMostExtended = 2;
+  constexpr int kMaxTightenings = 2, kMaxExtensions = 2;
   const double target = parse_percentage("--accuracy", options.accuracy);
   facade::ChosenSettings chosen =
       facade::choose_settings(request, target, watch.token(), facade::asked_turns(request));
@@ -146,7 +145,7 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
       facade::RunRequest as_run = request;
       facade::add_choice(as_run, chosen);
       stated = state(as_run, outcome, target, watch);
-      if (stated->numerical() > target && tighter < kMostTighter && !request.go_on) {
+      if (stated->numerical() > target && tighter < kMaxTightenings && !request.go_on) {
         ++tighter;
         tell(fmt::format("numerical part {:.2g} %: the run is repeated with tighter settings\n",
                          100.0 * stated->numerical()));
@@ -155,9 +154,9 @@ int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
         continue;
       }
       if (const double turns = stated->needed_turns(target);
-          options.extend && turns > 0.0 && extended < kMostExtended) {
+          options.extend && turns > 0.0 && extended < kMaxExtensions) {
         ++extended;
-        tell(fmt::format("the means need about {}: the run goes on\n",
+        tell(fmt::format("the mean values need about {}: the run continues\n",
                          counted(fmt::format("{:.3g}", turns), "revolution")));
         request.until = given.until = fmt::format("{:.6g}rev", turns);
         request.go_on = true;
@@ -189,22 +188,22 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.overwrite = options.overwrite;
   check_range("--threads", options.threads);
   if (options.extend && options.accuracy.empty())
-    throw InputError("--extend prolongs a run until --accuracy is reached; add --accuracy");
+    throw InputError("--extend extends a run until --accuracy is reached; add --accuracy");
   if (!options.accuracy.empty() && (options.go_on || !options.integrator.empty()))
-    throw InputError(fmt::format("--accuracy chooses the integrator of a new run; leave out {}",
+    throw InputError(fmt::format("--accuracy selects the integrator of a new run; leave out {}",
                                  options.go_on ? "--continue" : "--integrator"));
   const facade::ProgressSink sink = make_progress(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {
     if (options.verify || !options.accuracy.empty())
       throw InputError(
-          "--verify and --accuracy look at one run, and this is a sweep; leave them out, or give "
+          "--verify and --accuracy need a single run, but this is a sweep; leave them out, or give "
           "one value to --set");
     const facade::SweepOutcome sweep = run_asking(
         request, [&] { return facade::run_sweep(request, options.threads, sink, watch.token()); });
     print_warnings(sweep.warnings);
     if (watch.token().stop_requested())
-      tell(fmt::format("\ninterrupted; run what is missing with\n  {}\n",
+      tell(fmt::format("\ninterrupted; run the missing values with\n  {}\n",
                        options.continuation(tolerance_given, options.until)));
     if (options.json)
       write_text("", "", dump_json(summary_json(sweep), 2) + "\n");
@@ -217,8 +216,8 @@ int run(const RunOptions& options, bool tolerance_given) {
   }
   if (options.threads > 0)
     tell(
-        "adore: note: --threads plays no part: one run takes one core; a sweep "
-        "(--set variable=first:last:count) takes more\n");
+        "adore: note: --threads has no effect: a single run uses one core; a sweep (--set "
+        "variable=first:last:count) uses more\n");
   if (!options.accuracy.empty()) return run_to_accuracy(options, request, sink, watch);
   const facade::RunOutcome outcome =
       run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
@@ -241,41 +240,41 @@ void add_run(CLI::App& app, int& exit_code) {
   options->add_to(*command);
   command
       ->add_option("--out", options->out,
-                   "folder of the output files (beside the deck unless given)")
+                   "folder of the output files (that of the deck unless given)")
       ->type_name("DIR");
   command
       ->add_option(
           "--until", options->until,
-          "end of the run: 5rev, 0.02s or a dimensionless time; replaces fTime and maxStps")
+          "simulated length: 5rev, 0.02s or a dimensionless time; replaces fTime and maxStps")
       ->type_name("END");
   command_line::offer(
       command
           ->add_option("--integrator", options->integrator,
-                       "rkf1-7, rk4, pece1-8, cvode-adams, cvode-bdf, arkode-erk, "
+                       "integrator: rkf1-7, rk4, pece1-8, cvode-adams, cvode-bdf, arkode-erk, "
                        "arkode-dirk or arkode-imex; replaces intMet")
           ->type_name("NAME"),
       {"rkf1",  "rkf2",        "rkf3",      "rkf4",       "rkf5",        "rkf6",        "rkf7",
        "pece1", "pece2",       "pece3",     "pece4",      "pece5",       "pece6",       "pece7",
        "pece8", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "arkode-imex", "rk4"});
   CLI::Option* tolerance =
-      command->add_option("--tol", options->tolerance, "local error limit; replaces tol");
+      command->add_option("--tol", options->tolerance, "local error tolerance; replaces tol");
   command
-      ->add_option(
-          "--accuracy", options->accuracy,
-          "choose integrator, tolerance, longest step and the nodes or slices of contacts by a "
-          "short study, and state the intervals of speeds, loads, heat and life over the whole "
-          "run; target of these intervals, e.g. 1%")
+      ->add_option("--accuracy", options->accuracy,
+                   "target error, e.g. 1%: a short study selects integrator, tolerance, longest "
+                   "step and the nodes or slices of contacts so that errors in speed, load, heat "
+                   "and life stay below it; the run reports confidence intervals")
       ->type_name("PERCENT")
       ->excludes(tolerance);
   command->add_flag("--verify", options->verify,
-                    "repeat the run with tighter settings and under loads changed by 1e-6: "
-                    "differences and intervals of its results (RUN.json, PRINT.txt)");
-  command->add_flag("--extend", options->extend,
-                    "with --accuracy: run beyond --until where the means need more revolutions");
+                    "repeat the run with tighter settings and with loads changed by 1e-6; report "
+                    "differences and confidence intervals (RUN.json, PRINT.txt)");
+  command->add_flag(
+      "--extend", options->extend,
+      "with --accuracy: extend the run beyond --until until the mean values are accurate");
   command->add_option("--threads", options->threads,
-                      "runs of a sweep at a time (all cores unless given)");
+                      "number of parallel runs in a sweep (all cores unless given)");
   command_line::one_of(
-      command->add_option("--progress", options->progress, "how progress is shown on stderr")
+      command->add_option("--progress", options->progress, "progress display on stderr")
           ->capture_default_str()
           ->type_name("STYLE"),
       {"auto", "plain", "json", "none"});
@@ -284,14 +283,14 @@ void add_run(CLI::App& app, int& exit_code) {
                         "replace the results of an earlier run in the output folder");
   command
       ->add_flag("--continue", options->go_on,
-                 "go on with the run whose results are in the output folder, interrupted, killed "
-                 "or complete; of a sweep, run what is missing and what failed")
+                 "continue the run in the output folder (interrupted, killed or complete); in a "
+                 "sweep, run missing and failed values")
       ->excludes(overwrite);
   command->add_flag(
       "--reproducible", options->reproducible,
-      "the same bytes on any x86-64 processor; without AVX, so two to three times slower");
-  command->add_flag("--json", options->json, "the summary as JSON");
-  command->add_flag("--quiet", options->quiet, "no progress and no summary");
+      "bit-identical results on all x86-64 processors; no AVX, two to three times slower");
+  command->add_flag("--json", options->json, "print the summary as JSON");
+  command->add_flag("--quiet", options->quiet, "print neither progress nor summary");
   command->add_flag("--list-options", options->list_options,
                     "list the run options of --opt and ADORE.json");
   command->footer(

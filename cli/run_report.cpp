@@ -108,7 +108,7 @@ std::string summary_text(const facade::RunOutcome& outcome, const std::string& c
   for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
   text += picture_lines(outcome);
   if (outcome.results.empty() && !continuation.empty())
-    text += fmt::format("go on:     {}\n", continuation);
+    text += fmt::format("continue:  {}\n", continuation);
   return text;
 }
 
@@ -119,7 +119,7 @@ std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& a
     text += fmt::format("pictures:  adore plot {} --out {}\n", table,
                         quoted_path(outcome.table.parent_path() / "pictures"));
   if (outcome.failed > 0 && !again.empty())
-    text += fmt::format("again:     {} no result; make {} again with\n           {}\n",
+    text += fmt::format("repeat:    {} no result; run {} again with\n           {}\n",
                         counted(outcome.failed, "run has", "runs have"),
                         outcome.failed == 1 ? "it" : "them", again);
   return text;

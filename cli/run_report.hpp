@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-/// What `adore run` says when it is over.
+/// Final report of `adore run`.
 namespace adore::cli {
 
 /// A word of a command line as a shell reads it back.
@@ -16,15 +16,15 @@ namespace adore::cli {
 /// Of a file, which is not to look like an option.
 [[nodiscard]] std::string quoted_path(const std::filesystem::path& path);
 
-/// The summary, its files, how to get pictures of them and how to go on.
-/// @param continuation the command that goes on; empty: none
+/// Summary, files, and commands for pictures and continuation.
+/// @param continuation the command that continues the run; empty: none
 [[nodiscard]] std::string summary_text(const facade::RunOutcome& outcome,
                                        const std::string& continuation);
 
 /// An end for --until that is twice as far as the run came.
 [[nodiscard]] std::string twice_as_far(const facade::RunOutcome& outcome);
 
-/// @param again the command that makes failed runs again; empty: it is told elsewhere
+/// @param again the command that repeats failed runs; empty: reported elsewhere
 [[nodiscard]] std::string sweep_text(const facade::SweepOutcome& outcome, const std::string& again);
 /// The same as one JSON object.
 [[nodiscard]] nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome);

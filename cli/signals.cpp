@@ -15,7 +15,7 @@ constexpr int kInterrupted = 130;
 
 extern "C" void on_signal(int signal) {
   asked = true;
-  // A closing terminal may send SIGHUP several times, and SIGTERM beside it.
+  // A closing terminal may send SIGHUP several times, followed by SIGTERM.
   if (signal != SIGHUP && asked_by_user.exchange(true)) _exit(kInterrupted);
 }
 

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <thread>
 
-/// What ends a run from outside.
+/// Signals that end a run.
 namespace adore::cli {
 
 /// A file that grows beyond the limit of its process is a full disk, not the end of the program.

@@ -57,7 +57,7 @@ int close_output(int code) noexcept {
   const int error = errno;
   tell(std::string("adore: standard output cannot be written") +
        (error != 0 ? std::string(": ") + std::strerror(error) : std::string()) +
-       "; free some disk space, or send it elsewhere\n");
+       "; free some disk space, or redirect the output\n");
   return code == 0 ? 2 : code;
 }
 

@@ -10,12 +10,12 @@ namespace adore::cli {
 /// no result file gets its number. Call first.
 void keep_stream_numbers();
 
-/// Writes to standard error, and goes on whatever becomes of it. `patient` false: only if that
-/// needs no waiting (progress on a full pipe or a stopped terminal).
+/// Writes to standard error; ignores errors. `patient` false: only if no waiting is needed
+/// (progress on a full pipe or a stopped terminal).
 void tell(std::string_view text, bool patient = true) noexcept;
 
-/// Asks `question` on standard error, with "[y/N]" behind it, and reads a line from standard input.
-/// @return whether the answer begins with y; nothing when either stream is no terminal
+/// Asks `question` on standard error, followed by "[y/N]", and reads a line from standard input.
+/// @return true if the answer begins with y; no value if either stream is not a terminal
 [[nodiscard]] std::optional<bool> ask(std::string_view question);
 
 /// Hands everything on standard output to the system and says when that failed.

@@ -144,15 +144,15 @@ int run(const StudyOptions& options, bool resume) {
         request, [&](const studies::StudyProgress& p) { line(p); }, watch.token());
   } catch (const InputError& error) {
     if (const std::string text = error.what(); text.find("disk space") != std::string::npos)
-      throw InputError(
-          fmt::format("{}\nFinished runs are recorded; when there is room, go on with\n  {}", text,
-                      command_of("resume", options)));
+      throw InputError(fmt::format(
+          "{}\nFinished runs are recorded. Free some disk space, then continue with\n  {}", text,
+          command_of("resume", options)));
     throw;
   }
   const bool written = write_results(request.study, options.quiet);
   if (!options.quiet) print("{}\n", studies::outcome_text(outcome));
   if (!outcome.complete) {
-    tell(fmt::format("\ninterrupted; finished runs are recorded. Go on with\n  {}\n",
+    tell(fmt::format("\ninterrupted; finished runs are recorded. Continue with\n  {}\n",
                      command_of("resume", options)));
     return 130;
   }
@@ -174,9 +174,9 @@ int status(const StudyOptions& options) {
     return 0;
   }
   print("{} of {} runs done, {} of them failed; {}\n", status.done, status.runs, status.failed,
-        status.at_work               ? "at work"
+        status.at_work               ? "running"
         : status.done == status.runs ? "complete"
-                                     : "stopped: go on with " + command_of("resume", options));
+                                     : "stopped: continue with " + command_of("resume", options));
   for (const std::string& text : status.diagnoses) print("  {}\n", text);
   return 0;
 }
@@ -186,13 +186,14 @@ void add_file(CLI::App& command, StudyOptions& options) {
 }
 
 void add_engine(CLI::App& command, StudyOptions& options) {
-  command_line::one_of(
-      command.add_option("--engine", options.engine, "who computes: processes here, or a cluster")
-          ->capture_default_str()
-          ->type_name("ENGINE"),
-      {"local", "slurm"});
+  command_line::one_of(command
+                           .add_option("--engine", options.engine,
+                                       "compute with local processes or on a Slurm cluster")
+                           ->capture_default_str()
+                           ->type_name("ENGINE"),
+                       {"local", "slurm"});
   command.add_option("--workers", options.workers,
-                     "runs at a time (as many as cores and memory allow unless given)");
+                     "number of parallel runs (limited by cores and memory unless given)");
 }
 
 void add_run_like(CLI::App& study, const char* name, const char* text, bool resume,
@@ -200,19 +201,19 @@ void add_run_like(CLI::App& study, const char* name, const char* text, bool resu
   CLI::App* command = study.add_subcommand(name, text);
   add_file(*command, *options);
   add_engine(*command, *options);
-  command->add_flag("--retry-failed", options->retry_failed, "run those again that failed");
+  command->add_flag("--retry-failed", options->retry_failed, "repeat failed runs");
   command->add_flag("--over-budget", options->over_budget,
-                    "start although the plan exceeds the study's budget");
+                    "run even if the plan exceeds the budget of the study");
   command_line::one_of(
-      command->add_option("--progress", options->progress, "how progress is shown on stderr")
+      command->add_option("--progress", options->progress, "progress display on stderr")
           ->capture_default_str()
           ->type_name("STYLE"),
       {"auto", "plain", "json", "none"});
-  command->add_flag("--quiet", options->quiet, "no progress and no report");
+  command->add_flag("--quiet", options->quiet, "print neither progress nor report");
   command->callback([=, &exit_code] { exit_code = run(*options, resume); });
 }
 
-/// What engines start; nobody types it.
+/// Started by engines, not typed by users.
 void add_work(CLI::App& study, int& exit_code) {
   CLI::App* command = study.add_subcommand("work", "the worker's side of an engine");
   command->group("");
@@ -234,12 +235,13 @@ void add_work(CLI::App& study, int& exit_code) {
 
 void add_study(CLI::App& app, int& exit_code) {
   CLI::App* study = app.add_subcommand(
-      "study", "many runs: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
+      "study",
+      "run many cases: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
   study->require_subcommand(1);
   auto options = std::make_shared<StudyOptions>();
 
   CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
-  command_line::one_of(make->add_option("kind", options->kind, "what is studied")->required(),
+  command_line::one_of(make->add_option("kind", options->kind, "study type")->required(),
                        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"});
   make->add_option("--out", options->out,
                    "file to write, NAME.json or NAME.toml; - for standard output")
@@ -247,24 +249,24 @@ void add_study(CLI::App& app, int& exit_code) {
   make->callback([=, &exit_code] { exit_code = new_study(*options); });
 
   CLI::App* look = study->add_subcommand(
-      "plan", "how many runs, how long, how much disk: from a few pilot runs, which are kept");
+      "plan",
+      "estimate number of runs, computing time and disk space from a few pilot runs (kept)");
   add_file(*look, *options);
   add_engine(*look, *options);
   look->add_flag("--json", options->json, "as JSON");
   look->callback([=, &exit_code] { exit_code = plan(*options); });
 
-  add_run_like(*study, "run", "make all runs that have no result yet; then tables and report",
-               false, options, exit_code);
-  add_run_like(*study, "resume", "go on with a study that was broken off", true, options,
-               exit_code);
+  add_run_like(*study, "run", "run all cases without a result, then write tables and report", false,
+               options, exit_code);
+  add_run_like(*study, "resume", "resume an interrupted study", true, options, exit_code);
 
-  CLI::App* state = study->add_subcommand("status", "how far it is, and what failed");
+  CLI::App* state = study->add_subcommand("status", "show progress and failed runs");
   add_file(*state, *options);
   state->add_flag("--json", options->json, "as JSON");
   state->callback([=, &exit_code] { exit_code = status(*options); });
 
   CLI::App* report =
-      study->add_subcommand("report", "tables, report and pictures of the runs that are finished");
+      study->add_subcommand("report", "write tables, report and pictures of the finished runs");
   add_file(*report, *options);
   report->callback([=, &exit_code] {
     exit_code = write_results(studies::open_study(options->file), false) ? 0 : 2;
@@ -272,15 +274,10 @@ void add_study(CLI::App& app, int& exit_code) {
   add_work(*study, exit_code);
 
   study->footer(
-      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
-      "NAME.study beside it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n"
-      "\n"
-      "Examples\n"
-      "  adore new ball --out DATA.txt\n"
-      "  adore study new sweep --out sweep.json\n"
-      "  adore study plan sweep.json\n"
-      "  adore study run sweep.json\n"
-      "  adore study resume sweep.json --engine slurm");
+      "A study file is JSON, or TOML when its name ends in .toml. Results are in the "
+      "folder\nNAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\nExamples\n  "
+      "adore new ball --out DATA.txt\n  adore study new sweep --out sweep.json\n  adore study plan "
+      "sweep.json\n  adore study run sweep.json\n  adore study resume sweep.json --engine slurm");
 }
 
 }  // namespace adore::cli

@@ -78,7 +78,7 @@ std::string makefile(const std::string& name, const std::string& lang) {
       cpp ? "$(CXX)" : "$(CC)", cpp ? "cpp" : "c");
 }
 
-/// What the deck of an example needs beside the routine: options, and lines that it reads.
+/// Requirements of an example in addition to the routine: options, and lines that it reads.
 struct NeededByDeck {
   std::string_view options, lines;
 };
@@ -97,14 +97,15 @@ NeededByDeck needed_by(int hook) {
   return kNeeded[static_cast<std::size_t>(hook)];
 }
 
-void tell_what_the_deck_needs(int hook, bool python) {
+void print_deck_requirements(int hook, bool python) {
   const NeededByDeck needed = needed_by(hook);
   if (!needed.options.empty())
-    tell(fmt::format("it is asked where the deck says so: {}\n", needed.options));
+    tell(fmt::format("enable it in the deck, e.g. with {}\n", needed.options));
   if (!needed.lines.empty() && !python)
-    tell(fmt::format(
-        "at the end of DATA.txt (record 12) it reads what its first lines explain, as\n{}\n",
-        needed.lines));
+    tell(
+        fmt::format("it reads values at the end of DATA.txt (record 12), explained in its first "
+                    "lines, e.g.\n{}\n",
+                    needed.lines));
 }
 
 void new_routine(const UserOptions& options) {
@@ -152,14 +153,13 @@ void new_routine(const UserOptions& options) {
   else
     tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
                      (folder / fmt::format("lib{}.so", name)).string()));
-  tell_what_the_deck_needs(hook, python);
+  print_deck_requirements(hook, python);
 }
 
 }  // namespace
 
 void add_user(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("user", "routines of the user, ADRX0 to ADRX9 (run --user)");
+  CLI::App* command = app.add_subcommand("user", "user routines ADRX0 to ADRX9 (run --user)");
   command->require_subcommand(1);
   CLI::App* make = command->add_subcommand("new", "write a complete example with its makefile");
   auto options = std::make_shared<UserOptions>();
@@ -168,7 +168,7 @@ void add_user(CLI::App& app, int& exit_code) {
                            ->capture_default_str()
                            ->type_name("LANG"),
                        {"c", "cpp", "fortran", "python"});
-  make->add_option("--out", options->out, "folder of the files (this one unless given)")
+  make->add_option("--out", options->out, "output folder (current folder unless given)")
       ->type_name("DIR");
   make->callback([=, &exit_code] {
     new_routine(*options);

@@ -32,7 +32,7 @@ int guarded(const std::function<int()>& body) {
     // Writing to a standard stream: said once, when it is closed.
     return std::ferror(stdout) != 0 ? 2 : report(error.what(), 1);
   } catch (const std::bad_alloc&) {
-    return report("out of memory: the deck asks for more than this machine has", 3);
+    return report("out of memory: the deck needs more memory than this machine has", 3);
   } catch (const std::exception& error) {
     return report(error.what(), 1);
   }

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-/// What both programs of the command line are around their commands.
+/// Common start and end of both programs of the command line.
 namespace adore::cli {
 
 /// Keeps the standard streams in order, and turns what `body` throws into a sentence on stderr and

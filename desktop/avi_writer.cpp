@@ -39,7 +39,7 @@ constexpr qint64 kLargestFile = 2'000'000'000;
 AviWriter::AviWriter(const std::filesystem::path& path, QSize size, int frames_per_second)
     : path_(path), file_(path), size_(size), rate_(frames_per_second) {
   demand(size.width() > 0 && size.height() > 0 && rate_ > 0,
-         "a film needs a size and a frame rate");
+         "a movie needs a size and a frame rate");
   check_replaceable(path_);
   write(header());
 }
@@ -86,8 +86,8 @@ void AviWriter::add(const QImage& image) {
   demand(writer.write(sized), "JPEG encoder failed");
   const auto size = static_cast<quint32>(jpeg.size());
   if (movie_bytes_ + size > kLargestFile)
-    throw InputError("the film " + path_.string() +
-                     " would exceed 2 GB; take fewer frames (--every) or a smaller size (--size)");
+    throw InputError("the movie " + path_.string() +
+                     " would exceed 2 GB; use fewer frames (--every) or a smaller size (--size)");
   if (jpeg.size() % 2 != 0) jpeg.append('\0');  // chunks start at even offsets
   index_.push_back({static_cast<quint32>(movie_bytes_), size});
   largest_ = std::max(largest_, size);
@@ -97,8 +97,8 @@ void AviWriter::add(const QImage& image) {
 
 void AviWriter::finish() {
   if (index_.empty())
-    throw InputError("the film " + path_.string() +
-                     " would hold no picture; choose at least one frame");
+    throw InputError("the movie " + path_.string() +
+                     " would have no pictures; select at least one frame");
   constexpr quint32 kKeyFrame = 0x10;
   QByteArray entries;
   for (const auto& entry : index_)

@@ -16,7 +16,7 @@ struct Prefix {
 constexpr std::array<Prefix, 8> kPrefixes{
     {{-12, "p"}, {-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}}};
 
-/// Largest exponent that a unit's prefix may have; nobody reads "km" or "ks" in a bearing.
+/// Largest exponent of the prefix of a unit: "km" and "ks" are not used for bearings.
 int largest_prefix(std::string_view unit) {
   if (unit == "m" || unit == "s" || unit == "m/s") return 0;
   return 9;
@@ -93,7 +93,7 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
   const double size = std::max(std::abs(limits.low), std::abs(limits.high));
   double shown_size = size;
   if (span < 2e-3 * size) {
-    const double coarse = nice_step(span, 1);  // no longer than the range: the base lies in it
+    const double coarse = nice_step(span, 1);  // at most the range: it contains the base
     axis.offset = std::round(0.5 * (limits.low + limits.high) / coarse) * coarse;
     axis.offset_text = pretty_quantity(axis.offset, unit, 7);
     shown_size = std::max(std::abs(limits.low - axis.offset), std::abs(limits.high - axis.offset));
@@ -158,7 +158,7 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
     axis.decimals = decimals_for(axis.step);
     round_out();
   }
-  // A part of the axis that next to no value is in says nothing: -2 µm of a gap need no -100 µm.
+  // A part of the axis with almost no values is not useful: a gap of -2 µm needs no -100 µm.
   constexpr double kLittle = 0.15;
   const double second = axis.min + axis.step, second_last = axis.max - axis.step;
   if (data_min < second && second - data_min < kLittle * axis.step &&
@@ -208,8 +208,8 @@ void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all) {
 
 namespace {
 
-/// The prefix in which a range of decades has few digits: 10 kHz and more are no 10000 Hz, unless
-/// the small numbers got so long then.
+/// The prefix for a range of decades with few digits: 10 kHz and more instead of 10000 Hz, unless
+/// small numbers get too long then.
 Multiple multiple_of_decades(double low, double high, std::string_view unit) {
   constexpr double kLong = 1e4, kShortest = 9e-4;
   Multiple out{1.0, pretty_unit(unit)};

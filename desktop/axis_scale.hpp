@@ -60,14 +60,14 @@ struct Extent {
   [[nodiscard]] bool empty() const { return low > high; }
 };
 
-/// Smallest range that an axis of a unit of the result files shows: below it stands rounding, not a
-/// result. A ten-billionth of a metre is an atom; 0 for a unit that has no such size.
+/// Smallest range of an axis for a unit of the result files: smaller changes are rounding. A
+/// ten-billionth of a meter is the size of an atom; 0 for a unit without such a limit.
 double least_span_of(std::string_view unit);
 
 /// The largest of 1, 2, 5 times a power of ten that divides `span` into at least `parts` parts.
 double nice_step(double span, int parts);
 
-/// Scale whose range [min, max] is the data's range rounded outwards to ticks. `unit` is a unit
+/// Scale whose range [min, max] is the data's range rounded outward to ticks. `unit` is a unit
 /// string of the result files
 /// ("m/s^2", "N.m", ""). `parts` is the number of intervals to aim for. Non-finite limits count as
 /// the range 0 to 1.

@@ -17,7 +17,8 @@ bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
   auto* window = static_cast<QWidget*>(object);
   if (event->type() == QEvent::Polish) {  // before it is shown
     window->setAttribute(Qt::WA_ShowWithoutActivating);
-    // One that was made before, when its place was restored, is told itself what Qt tells others.
+    // A window created before, when its position was restored, needs the notification that Qt sends
+    // to others.
     if (QWindow* made = window->windowHandle()) made->setProperty("_q_showWithoutActivating", true);
   }
   if (event->type() == QEvent::Show) {

@@ -54,9 +54,7 @@ std::string beyond_log_axes(const ChartPage& page) {
   std::string out;
   const std::vector<Share> shares = shares_of(page);
   if (!shares.empty()) {
-    out =
-        "Values at or below 0 have no place on a logarithmic axis, lines leave it at its foot: "
-        "these are ";
+    out = "Not shown on the logarithmic axis (values at or below 0): ";
     const auto most =
         std::max_element(shares.begin(), shares.end(),
                          [](const Share& a, const Share& b) { return a.part < b.part; });
@@ -77,9 +75,9 @@ std::string beyond_log_axes(const ChartPage& page) {
                                                        [](double x) { return x <= 0.0; }),
                                          page.x_unit, 3));
     else if (before > 1)
-      out += fmt::format(
-          "{}{} of {} places of the abscissa are at or below 0 and not drawn: it is logarithmic.",
-          gap, before, page.x.size());
+      out +=
+          fmt::format("{}{} of {} points at or below 0 are not drawn: the abscissa is logarithmic.",
+                      gap, before, page.x.size());
   }
   return out;
 }

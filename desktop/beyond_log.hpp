@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-/// What has no place on logarithmic axes.
+/// Values that cannot be shown on logarithmic axes.
 namespace adore::desktop {
 
-/// Of which curves that are shown, and how many of their values: a sentence, empty where all have a
-/// place. A curve without any has its own words in its legend; that an abscissa which begins at 0
-/// begins after it is seen.
+/// Curves with such values and their fraction, as a sentence; empty if all values can be shown. A
+/// curve without positive values is described in its legend; an abscissa that begins at 0 needs no
+/// note.
 [[nodiscard]] std::string beyond_log_axes(const ChartPage& page);
 
 /// The values as a logarithmic axis draws them: those of 0 and less stand at `below`, beyond the

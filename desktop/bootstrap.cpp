@@ -24,7 +24,7 @@ void set_up(const QString& name) {
   QLocale::setDefault(QLocale::c());
   QApplication::setOrganizationName("Adore");
   QApplication::setApplicationName(name);
-  // What the desktop knows the windows of this program by, and their picture.
+  // Window class and icon of this program for the desktop.
   QGuiApplication::setDesktopFileName(name);
   QApplication::setWindowIcon(QIcon(":/adore/icons/" + name + ".png"));
   for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
@@ -61,9 +61,9 @@ std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std
     qInstallMessageHandler(quiet_about_session);
   }
   if (!has_display())
-    throw InputError(name +
-                     " has no display to open a window on; start it in a desktop session, or use "
-                     "--render DIR to write pictures");
+    throw InputError(
+        name +
+        " has no display; start it in a desktop session, or use --render DIR to write pictures");
   auto app = std::make_unique<QApplication>(argc, argv);
   // Qt takes the user's locale for the whole process; C functions in libraries and in users'
   // routines would then read 7.5 as 7 and write 7,5.
@@ -77,7 +77,8 @@ void ensure_headless_application() {
   static int argc = 1;
   static char program[] = "adore";
   static char* argv[] = {program, nullptr};
-  // Lives as long as the process: Qt's own statics may not outlive a static application object.
+  // Exists as long as the process: static objects of Qt must not outlive a static application
+  // object.
   static const QApplication* const app =
       make_application(argc, argv, "adore", Display::Headless).release();
   demand(app != nullptr, "no application object");

@@ -13,9 +13,9 @@ enum class Display : unsigned char {
   Headless  ///< pictures only: never asks for a display
 };
 
-/// The application object with organisation, shipped fonts and theme set. Headless uses the
-/// offscreen platform. Numbers keep the decimal point whatever the user's locale says.
-/// @throws InputError when a window is wanted but the session has no display.
+/// The application object with organization, shipped fonts and theme. Without a display it uses the
+/// offscreen platform. Numbers have a decimal point in all locales.
+/// @throws InputError if a window is needed but the session has no display.
 std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std::string& name,
                                                Display display);
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-/// Which curves of a panel lie on another one, where, and what is said of it.
+/// Finds the curves of a panel that cover each other, the ranges, and the texts in the legend.
 namespace adore::desktop {
 namespace {
 
-/// Which points of `line` lie on the way of `other`: within `same` of where that passes a pixel to
-/// either side. Both go to the right. With `stop` the first one that does not is the last.
+/// Points of `line` on the path of `other`: within `same` of its range in a pixel to either side.
+/// Both have increasing x. With `stop` the first point outside is the last one.
 std::vector<bool> points_on(const QPolygonF& line, const QPolygonF& other, qreal same,
                             bool stop = false) {
   const auto height = [&other](qsizetype i, qreal x) {  // of the stroke that ends at point i
@@ -48,8 +48,8 @@ std::vector<Extent> extents_of(const std::vector<QPolygonF>& lines) {
   return out;
 }
 
-/// Is nothing to be seen of the lines `a` beside the lines `b`, nor of `b` beside `a`? Curves that
-/// run to and fro within the same bounds cover each other, whatever their values are.
+/// Do the lines `a` hide the lines `b` completely, or vice versa? Dense oscillations within equal
+/// bounds hide each other for any values.
 bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
   const std::vector<QPolygonF>&a = one.lines, &b = other.lines;
   if (a.empty() || a.size() != b.size()) return false;
@@ -66,7 +66,7 @@ bool coincide(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& o
   return true;
 }
 
-/// Does every part of a curve lie on another one?
+/// Is every part of a curve on another one?
 bool within(const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
   return !one.lines.empty() &&
          std::all_of(one.lines.begin(), one.lines.end(), [&](const QPolygonF& line) {
@@ -87,8 +87,8 @@ bool covered(const ChartScene::ShownCurve& below, const ChartScene::ShownCurve& 
   return within(below, above, same);
 }
 
-/// Is a curve a dense run to and fro, in more than a twentieth of the columns of pixels that it
-/// passes? Of such a one only the bounds are seen; of any other every value.
+/// Is a curve a dense oscillation in more than a twentieth of its columns of pixels? Then only its
+/// bounds are visible; otherwise every value.
 bool runs_to_and_fro(const ChartScene::ShownCurve& one, qreal same) {
   constexpr qreal kMost = 0.05;
   qreal columns = 0.0, dense = 0.0;
@@ -111,7 +111,7 @@ bool runs_to_and_fro(const ChartScene::ShownCurve& one, qreal same) {
 /// values, wherever both have one?
 struct Agreement {
   bool agree = true;
-  bool gaps = false;  ///< a value of one beside none of the other
+  bool gaps = false;  ///< a value of one without a value of the other
 };
 template <class Same>
 Agreement agreement(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
@@ -142,8 +142,8 @@ bool bands_agree(const ChartCurve& a, const ChartCurve& b, std::size_t from, std
   return true;
 }
 
-/// When two values are the same for a picture: where a stretch begins, and while it goes on. With
-/// one bound for both what lies near it would be cut to pieces, others in every size of a picture.
+/// Tolerance of equal values in a picture: at the start of a range, and within it. A single
+/// tolerance would split ranges of nearly equal values, differently for each picture size.
 template <class Begins, class Goes>
 struct Sameness {
   Begins begins;
@@ -175,9 +175,9 @@ Stretches stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t fro
   return out;
 }
 
-/// The same of very many values: a look at some thousand of them finds where they differ, and only
-/// what lies between two of those and is `long_enough` is looked at whole. No stretch that is
-/// `long_enough` is missed, for every value of it agrees.
+/// The same for very many values: a few thousand samples find the differences, and only intervals
+/// that are `long_enough` are compared completely. No range that is `long_enough` is missed,
+/// because all of its values agree.
 template <class Same, class Long>
 Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_t from,
                             std::size_t to, Same same, Long long_enough) {
@@ -244,8 +244,8 @@ std::vector<std::pair<std::size_t, std::size_t>> without_gaps(
   return out;
 }
 
-/// Parts of a picture across which a curve lies on another one, as lines are seen; and does all of
-/// it?
+/// Intervals of a picture in which a curve is on another one, as drawn lines; and whether all of it
+/// is.
 std::pair<std::vector<std::pair<qreal, qreal>>, bool> common_ways(
     const ChartScene::ShownCurve& one, const ChartScene::ShownCurve& other, qreal same) {
   constexpr qreal kColumn = 1.5;  // as below, of thinned lines
@@ -311,8 +311,8 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
       shown.lines.push_back(placed(piece, area, x_axis_, y_axis));
     shown.extents = extents_of(shown.lines);
     const bool compared = rising_ && !panel.one_colour;
-    const qreal same = m.line;  // two lines no farther apart cover each other in part
-    // Bands that curves fill by running to and fro have no values to compare: their edges are.
+    const qreal same = m.line;  // distance of two lines that partly cover each other
+    // Dense oscillations have no values to compare: their edges are compared.
     const qreal edges = std::min(same, area.height() / 300.0);
     const auto hide = [&](ShownCurve& before) {
       shown.hides = before.curve;
@@ -327,8 +327,7 @@ std::vector<ChartScene::ShownCurve> ChartScene::shownCurves(std::size_t index, c
     for (std::size_t i = 0; compared && !panel.log && !shown.hides && i < out.size(); ++i)
       if (!out[i].hides && findStretches(index, out[i], shown, area, y_axis, same)) break;
     for (ShownCurve& before : out) {
-      // A later curve that is on the earlier one wherever that is, hides it there; where it goes
-      // ways of its own it is whole.
+      // A later curve hides an earlier one where it is on it, and is complete elsewhere.
       if (!compared || shown.hides || before.hides ||
           !(covered(before, shown, edges) ||
             (panel.curves[c].y.size() == panel.curves[before.curve].y.size() &&
@@ -379,8 +378,8 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
     // differs behind it.
     constexpr qreal kColumn = 1.5;
     over.emplace_back(place(first) + kColumn, place(last) - kColumn);
-    // Which values near an end still belong to a stretch depends on the size of a picture: where
-    // the two part soon, what they have in common is the equal values.
+    // The ends of a range depend on the picture size: for curves that separate soon, the equal
+    // values are the common range.
     std::size_t begun = first;
     for (std::size_t i = first; i <= last; ++i) {
       if (!is_drawable(one.y[i]) || !is_drawable(other.y[i])) continue;
@@ -411,7 +410,7 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
   const ChartPanel& panel = page_.panels[index];
   const ChartCurve &one = panel.curves[a], &other = panel.curves[shown.curve];
   const auto [known, unknown] = equal_runs_.try_emplace({index, a, shown.curve}, false);
-  // What is 0 but for rounding is 0.
+  // Values that are 0 except for rounding are 0.
   const double nothing = 1e-3 * std::max(panel.least_span, least_span_of(panel.unit));
   const auto equal = [nothing](double p, double q) {
     return equal_values(p, q) || std::abs(p - q) <= nothing;
@@ -436,7 +435,7 @@ void ChartScene::tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, 
   };
   shown.partly =
       seen_alike.agree && seen_alike.gaps && unlike_gaps(one, other, from, to, place) > kLeast;
-  // On a steep way lines that lie on each other have values that differ by more than a line.
+  // On a steep path the values of lines that cover each other differ by more than a line width.
   const auto near_by_ways = [&] {
     return !runs_to_and_fro(shown, same) &&
            bands_agree(one, other, from, to, seen * std::abs(y_axis.factor));

@@ -25,10 +25,10 @@ class BandItem : public QGraphicsPolygonItem {
 
 }  // namespace
 
-/// The extremes between the values, as a pale area over each interval from one stored value to the
-/// next: from the lowest to the highest of both and of what lies between them. Intervals of one
-/// column of pixels are one piece, a pixel wide, for what is narrower would fade; blocks of a long
-/// curve that stand in one column are taken whole.
+/// The extremes between values, as a min-max band over each interval from one stored value to the
+/// next: from the minimum to the maximum of both values and those between. Intervals within one
+/// column of pixels are one piece, a pixel wide, because narrower ones would fade; blocks of a long
+/// curve within one column are used as a whole.
 void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& area,
                          const AxisScale& y_axis, int colour, std::vector<QPolygonF>& drawn) {
   const ChartCurve& curve = page_.panels[panel].curves[which];
@@ -119,7 +119,7 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
 
 namespace {
 
-/// What lines cover of each column of pixels from `left` on, downwards.
+/// Covered range of each column of pixels from `left` on, downward.
 std::vector<Extent> columns_of(const std::vector<QPolygonF>& lines, const QRectF& area) {
   const auto count = static_cast<std::ptrdiff_t>(std::ceil(area.width())) + 1;
   std::vector<Extent> out(static_cast<std::size_t>(count));

@@ -9,7 +9,7 @@
 namespace adore::desktop {
 namespace {
 
-/// Does the stroke touch the rectangle? It does not when all corners lie on one side of it.
+/// Does the stroke touch the rectangle? Not if all corners are on one side of it.
 bool touches(const QPointF& a, const QPointF& b, const QRectF& box) {
   if (std::max(a.x(), b.x()) < box.left() || std::min(a.x(), b.x()) > box.right() ||
       std::max(a.y(), b.y()) < box.top() || std::min(a.y(), b.y()) > box.bottom())

@@ -50,7 +50,7 @@ class GridItem : public QGraphicsItem {
   QPen grid_, frame_;
 };
 
-/// Where the ticks of an axis of so many pixels stand along it.
+/// Positions of the ticks along an axis with that many pixels.
 std::vector<qreal> places(const std::vector<AxisTick>& ticks, const AxisScale& axis, qreal length) {
   std::vector<qreal> out;
   for (const AxisTick& tick : ticks)
@@ -101,7 +101,7 @@ void ChartScene::addScaleBar(const ChartPanel& panel, const QRectF& area, const 
   auto* name = addSimpleText(text, font);
   name->setBrush(theme_->text);
   name->setRotation(-90);
-  // Beside its middle, not below the panel.
+  // At its middle, not below the panel.
   name->setPos(
       x - kEnd - metrics.height() - 2.0,
       std::min(area.bottom() - 0.5 * (length - metrics.horizontalAdvance(text)), area.bottom()));

@@ -71,7 +71,7 @@ QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_ax
 /// The parts of a line inside `area`.
 std::vector<QPolygonF> parts_inside(const QPolygonF& line, const QRectF& area) {
   std::vector<QPolygonF> out;
-  bool joined = false;  // the last part goes on
+  bool joined = false;  // the last part continues
   for (qsizetype i = 1; i < line.size(); ++i) {
     const QPointF p = line[i - 1], way = line[i] - p;
     double from = 0.0, to = 1.0;
@@ -99,7 +99,7 @@ namespace {
 /// Height of a bend of the stripes below [px].
 constexpr qreal kBend = 18.0;
 
-/// To and fro with the height: 0 to kBend.
+/// Oscillates with the height: 0 to kBend.
 qreal bent(qreal y) {
   const qreal part = y / (2.0 * kBend);
   return 2.0 * kBend * std::abs(part - std::round(part));
@@ -122,10 +122,10 @@ QPolygonF with_bends(const QPolygonF& line) {
   return out;
 }
 
-/// The parts of a line that are left to the curve that lies above: every `of`-th of stripes across
-/// the picture, so that a spike, which goes its way twice, shows both. The stripes are bent to and
-/// fro, for along straight ones a line of their own direction would be of one colour. They stand
-/// upright where the line is so long, a dense run back and forth, that its parts were very many.
+/// Stripes of a line that are left to the curve above it: every `of`-th stripe across the picture,
+/// so that both are visible along a spike. The stripes are bent, because a line parallel to
+/// straight ones would have a single color. They are vertical for dense oscillations, which would
+/// have too many parts.
 std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& area) {
   constexpr qreal kWide = 9.0, kLong = 20000.0;
   const std::vector<QPolygonF> lines = parts_inside(whole, area);
@@ -254,8 +254,8 @@ void ChartScene::addLongWay(std::size_t curve, const WayPlace& place, QPen pen) 
 
 QPolygonF ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                                const AxisScale& y_axis, QPen pen) {
-  // Where much is outside what is seen, its way is cut at the frame: numbers too large for the
-  // painter would have to be changed, and with them the direction of what crosses the frame.
+  // A line that extends far outside the frame is clipped: numbers too large for the painter would
+  // have to be changed, and with them the direction of lines that cross the frame.
   QPolygonF points = placed(line, area, x_axis, y_axis, false);
   constexpr qreal kMargin = 1000.0;
   const QRectF around = area.adjusted(-kMargin, -kMargin, kMargin, kMargin);

@@ -13,7 +13,7 @@
 namespace adore::desktop {
 namespace {
 
-/// Between two names, between two leaders, and between a leader and its name beside it.
+/// Between two names, between two leaders, and between a leader and its name.
 constexpr qreal kApart = 8.0, kLeaders = 5.0, kBeside = 3.0;
 
 /// Height of a row of names.
@@ -34,7 +34,7 @@ struct MarkName {
   }
 };
 
-/// Names whose lines are so near that nobody could tell which of them a leader meets.
+/// Names of lines that are too close to distinguish their leaders.
 constexpr qreal kOneLine = 3.0;
 
 /// A text for all names of `name`, which counts those that it has no room for.
@@ -93,7 +93,7 @@ bool arrange_in_stairs(std::vector<MarkName>& names, std::size_t rows, qreal lef
         behind = std::max(behind, foot[first] + kBeside + names[first].width + kApart);
     foot[i] = std::max({names[i].line, behind, i > 0 ? foot[i - 1] + kLeaders : left});
   }
-  qreal next = right + kApart;  // where the stair behind begins
+  qreal next = right + kApart;  // start of the next step of the leader
   for (std::size_t i = n; i-- > 0;) {
     foot[i] = std::min(foot[i], next - kApart - names[i].width - kBeside);
     if (i + 1 < n) foot[i] = std::min(foot[i], foot[i + 1] - kLeaders);
@@ -202,7 +202,7 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
       names.push_back({.all = {text_of(mark.label)}, .line = x});
       continue;
     }
-    // What leaves the view at a side is named over its last place in it.
+    // A mark that leaves the view at a side is named at its last visible position.
     std::optional<qreal> last;
     for (const QPolygonF& part : parts_inside(way_of(mark, area, x_axis_, y_axis), area)) {
       QPainterPath path;

@@ -120,9 +120,9 @@ std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
 
 namespace {
 
-/// The values from `first` to before `last`; of whole blocks only the ends and the extremes of as
-/// many together as are no wider than `width`: of a wider one every peak is seen. Blocks of what
-/// `wraps` are together while their values lie within a wrap.
+/// The values from `first` to before `last`; of whole blocks only the ends and extremes, combined
+/// up to `width`, so that all peaks remain visible. Blocks of values that wrap (`wraps`) are
+/// combined only within one period.
 Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
                  std::size_t last, double width, bool wraps, const CurveBlocks& blocks) {
   Polyline out;
@@ -180,7 +180,7 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
   bool open = false;
   double last = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    // One neighbour beyond each end keeps the line running to the edge of a zoomed view.
+    // One neighbor beyond each end keeps the line running to the edge of a zoomed view.
     const bool needed = (x[i] >= low && x[i] <= high) ||
                         (i + 1 < count && x[i] < low && x[i + 1] >= low) ||
                         (i > 0 && x[i] > high && x[i - 1] <= high);

@@ -16,15 +16,15 @@ struct ChartCurve {
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
   bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
-  bool heavy = false;     ///< drawn thick: what the picture is about
-  /// Extremes between the values, drawn as a pale area; empty: not known. As long as y.
+  bool heavy = false;     ///< drawn thick: the main curve
+  /// Extremes between the values, drawn as a min-max band; empty: unknown. As long as y.
   std::vector<double> low = {}, high = {};
   /// Which values a file holds, as long as y: the others are read off straight lines between them.
   /// Empty: all of them.
   std::vector<bool> stored = {};
   bool hidden = false;     ///< by its entry in the legend
-  std::string brief = {};  ///< the whole of what readouts call it; empty: title and name
-  /// What y holds beside the values, so that lines stand above each other.
+  std::string brief = {};  ///< complete name for readouts; empty: title and name
+  /// Offset contained in y, so that lines are drawn above each other.
   double lift = 0.0;
   double foot = 0.0;  ///< the value at which such a line begins, and is named
   /// A value as readouts and tables tell it.
@@ -35,13 +35,13 @@ struct ChartPanel {
   std::string title;  ///< "Contact load"
   std::string unit;   ///< unit string of the result files, "" for a pure number
   std::vector<ChartCurve> curves;
-  bool wraps = false;  ///< an angle in degrees: jumps by more than half a turn are not joined
+  bool wraps = false;  ///< an angle in degrees: jumps by more than half a revolution are not joined
   double least_span =
       0.0;  ///< smallest range of the vertical axis, where finer detail is the data's rounding
   std::string message = {};  ///< a sentence in place of curves without any value
   bool one_colour = false;   ///< curves of one family, without a legend
-  /// Its lines stand above each other, each with its name beside it: in place of numbers that would
-  /// count their distances a bar shows how high a value is.
+  /// Its lines are drawn above each other, each with its name next to it: instead of numbers on the
+  /// axis, a bar shows the scale.
   bool scale_bar = false;
   bool log = false;  ///< logarithmic axis; values of 0 and less have no place on it
 };
@@ -49,15 +49,15 @@ struct ChartPanel {
 struct ChartMark {
   double x = 0.0;
   std::string label;
-  /// Of one that moves: abscissa and height in the page's first panel, from the bottom up; it
-  /// stands upright below the first of them and above the last, which is `x`. Empty: upright at x.
+  /// For a moving mark: abscissa and height in the first panel of the page, from the bottom up; it
+  /// is vertical below the first point and above the last, which is `x`. Empty: vertical at x.
   std::vector<std::pair<double, double>> way = {};
 };
 
 /// A remark at a point of a page with equal axes.
 struct ChartLabel {
   double x = 0.0, y = 0.0;
-  double towards_x = 0.0, towards_y = 0.0;  ///< where the text stands from there: -1, 0 or 1
+  double towards_x = 0.0, towards_y = 0.0;  ///< direction of the text from there: -1, 0 or 1
   std::string text;
 };
 
@@ -68,7 +68,7 @@ struct ChartPage {
   std::shared_ptr<const StudyChart> study = nullptr;
   std::string title, subtitle;
   std::string note;            ///< a sentence below the title, or, without panels, instead of them
-  std::string band_note = {};  ///< what pale areas are: said where some of one is seen
+  std::string band_note = {};  ///< note on min-max bands: shown if a band is visible
   std::string x_title, x_unit;
   std::vector<double> x;
   std::vector<ChartPanel> panels;
@@ -88,7 +88,7 @@ struct ChartPage {
   /// Curves of which this page could be as well, and its own among them; empty: no such choice.
   std::vector<std::string> choices = {};
   std::size_t chosen = 0;
-  std::string about = {};  ///< the body, for what stands without a subtitle: a table
+  std::string about = {};  ///< the body, for tables without a subtitle
 };
 
 /// Extremes, mean and root mean square of the values of a curve between two places of its abscissa,

@@ -44,13 +44,13 @@ AxisScale ChartScene::findAxis(std::size_t index, const QRectF& area, bool& any)
   }
   const double least = std::max(panel.least_span, least_span_of(panel.unit));
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
-    // Beside a larger value such noise is a constant; about zero the axis shows how small it is.
+    // Next to a larger value such noise is a constant; around zero the axis shows its size.
     constexpr double kSeen = 0.03;  // of an axis as short as the noise: less is a straight line
     const double middle = 0.5 * (extent.low + extent.high);
     const bool nothing = std::max(std::abs(extent.low), std::abs(extent.high)) < kSeen * least;
     const double half = std::abs(middle) > 500.0 * least ? 0.0 : 0.5 * least;
     extent = {middle - half, middle + half};
-    // What is 0 but for rounding gets a scale that bearings have, not one of atoms.
+    // Values that are 0 except for rounding get a scale for bearings, not for atoms.
     if (nothing) extent = {-1e4 * least, 1e4 * least};
   }
   const int parts = std::clamp(static_cast<int>(area.height() / 38), 2, 8);
@@ -90,7 +90,7 @@ bool one_message(const ChartPage& page) {
          });
 }
 
-/// Lengths are no vector: a radius stands beside micrometres of an axial position.
+/// Lengths are not a vector: a radius may be next to micrometers of an axial position.
 bool shares_unit(const ChartPanel& panel) {
   return !panel.log && !panel.unit.empty() && panel.unit != "m";
 }
@@ -108,7 +108,8 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     lines_.push_back(0);
     return;
   }
-  // Panels of one unit are compared: N beside kN are all drawn in N where that is no long number.
+  // Panels with the same unit are comparable: if all are in N or kN, N is used unless the numbers
+  // get too long.
   std::vector<AxisScale> alike;
   for (std::size_t i = 0; any && shares_unit(panel) && i < page_.panels.size(); ++i) {
     if (page_.panels[i].unit != panel.unit || !shares_unit(page_.panels[i])) continue;
@@ -126,7 +127,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const bool scaled = any && !log_of_none;
   const QRectF below_legend = area.adjusted(
       0.0, names_above ? -mark_rise(page_, m.tick_font, size_.width()) : 0.0, 0.0, 0.0);
-  // Low panels of a small picture have no room for the same names twice.
+  // Low panels of a small picture have no space for repeated names.
   const bool named_before =
       style_ == ChartStyle::Compact && size_.height() < kLowCompact && index > 0 &&
       std::equal(panel.curves.begin(), panel.curves.end(), page_.panels.front().curves.begin(),
@@ -157,7 +158,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   addFrame(area, x_axis_, y_axis, x_title, y_title, bottom, numbered, m);
   if (scaled && panel.scale_bar) addScaleBar(panel, area, y_axis, m);
   std::vector<QPolygonF> drawn;
-  for (const ShownCurve& one : shown)  // below all curves: none has the colour of another's area
+  for (const ShownCurve& one : shown)  // below all curves: none has the color of another's area
     if (!panel.curves[one.curve].low.empty())
       addBand(index, one.curve, area, y_axis, one.colour, drawn);
   if (!page_.band_note.empty() && !bands_seen_) bands_seen_ = bandsSeen(drawn, shown, area, m.line);
@@ -166,11 +167,9 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     drawn.insert(drawn.end(), one.lines.begin(), one.lines.end());
   }
   if (!any)
-    addMessage(
-        area,
-        panel.message.empty() ? tr("There are no values in the file.") : text_of(panel.message), m);
-  if (log_of_none)
-    addMessage(area, tr("No value is above 0, and a logarithmic axis shows no others."), m);
+    addMessage(area, panel.message.empty() ? tr("The file has no values.") : text_of(panel.message),
+               m);
+  if (log_of_none) addMessage(area, tr("No value is above 0 (logarithmic axis)."), m);
   if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);

@@ -14,10 +14,11 @@ namespace adore::desktop {
 
 namespace {
 
-/// Part of the picture's height within which outlines lie on one another, as curves do.
+/// Fraction of the picture height within which outlines are considered equal, as for curves.
 constexpr double kSameOutline = 1.0 / 300.0;
 
-/// Has a curve more points than a line is stroked by? Then it is drawn by what is seen of it.
+/// Does a curve have more points than a line is stroked with? Then only its visible parts are
+/// drawn.
 bool is_long(const ChartCurve& curve) {
   constexpr std::size_t kLong = 4096;
   return std::min(curve.x.size(), curve.y.size()) > kLong;
@@ -93,7 +94,7 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   }
   const QSizeF most(space.width(), space.height() - m.legend);
   const qreal scale = std::min(most.width() / out.half_x, most.height() / out.half_y);
-  if (page_.fitted) {  // remarks beside the curves, as far as there is room
+  if (page_.fitted) {                                 // remarks next to the curves, if they fit
     constexpr qreal kRemark = 180.0, kBeside = 45.0;  // dot, leader and gaps
     qreal remark = kRemark;
     const QFontMetricsF metrics(ui_font(m.text_font));
@@ -117,7 +118,7 @@ ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
   if (std::none_of(curves.begin(), curves.end(), is_long)) return out;
   const auto on_pixels = [](double middle, double anchor, double place, double per) {
     const double at = place + (anchor - middle) * per, aside = at - std::round(at);
-    return std::abs(aside) < 1e-6 ? middle : middle + aside / per;  // what stands there stays
+    return std::abs(aside) < 1e-6 ? middle : middle + aside / per;  // the fixed ends
   };
   out.middle_x = on_pixels(out.middle_x, whole.middle_x, out.area.center().x(),
                            out.area.width() / (2.0 * out.half_x));
@@ -126,8 +127,8 @@ ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
   return out;
 }
 
-/// Both axes at one scale, whatever the two ranges are: what they hold is seen, and as much beside
-/// it as the frame needs; never anything beyond the whole.
+/// Both axes at one scale, for any two ranges: both ranges are visible, extended as the frame
+/// needs, never beyond the whole.
 ChartScene::Plane ChartScene::chosenPlane(const Plane& whole) const {
   constexpr double kMost = 1.0 / kLeastPart;
   if (panel_views_.size() != 2 || !panel_views_[0] || !panel_views_[1]) return whole;
@@ -179,7 +180,7 @@ std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qr
   return out;
 }
 
-/// The stored point beside the pointer and when it was there, else the pointer's own place.
+/// The stored point near the pointer and its time, else the position of the pointer.
 QStringList ChartScene::planeReadout(QPointF position) const {
   constexpr qreal kBeside = 20.0;
   if (!panelAt(position)) return {};
@@ -243,7 +244,7 @@ void ChartScene::addOrbit(const Metrics& m) {
       ++colour;
       continue;
     }
-    // An outline that lies on another one is dashed over it, and its name says so.
+    // An outline on another one is drawn dashed over it, and its name says so.
     bool on_another = false;
     if (page_.closed_outline) {
       ShownCurve one{.curve = static_cast<std::size_t>(colour), .colour = colour};
@@ -317,7 +318,7 @@ void ChartScene::addOrbit(const Metrics& m) {
                                             (y_axis.max - y_axis.min) * area.height();
       return QPointF(px, py);
     };
-    // Of two shapes: who does not see green and red apart sees which is which.
+    // Distinguished by shape, for color-blind users.
     const auto mark = [&](const QPointF& at, const QColor& fill, bool square) {
       if (!area.adjusted(-1, -1, 1, 1).contains(at)) return;
       const QPen edge(theme_->surface, 1.5);
@@ -382,7 +383,7 @@ void ChartScene::addRemark(const ChartLabel& label, QPointF at, const QRectF& ar
                                              : end.x() - 0.5 * width;
   auto* item = addSimpleText(text, font);
   item->setBrush(theme_->text);
-  // Not over what stands around the picture.
+  // Not over the surroundings of the picture.
   const qreal most_left = std::max(4.0, area.right() - width - 4.0),
               lowest = std::max(area.top(), area.bottom() - height - 2.0);
   item->setPos(std::clamp(left, std::min(area.left() + 4.0, most_left), most_left),

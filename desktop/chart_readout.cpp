@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What the scene of charts tells of the place under the pointer.
+/// Values of the chart scene under the pointer.
 namespace adore::desktop {
 
 namespace {
@@ -69,10 +69,9 @@ QString ChartScene::bandAt(std::size_t panel, std::size_t index, std::size_t pla
 
 QStringList ChartScene::readoutParts(QPointF position) const {
   if (const std::vector<long> runs = runsAt(position); !runs.empty())
-    return {
-        runs.size() == 1
-            ? tr("run %1: a click shows it").arg(runs.front())
-            : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front())};
+    return {runs.size() == 1
+                ? tr("run %1. Click to open.").arg(runs.front())
+                : tr("%1 runs (first: %2). Click to open.").arg(runs.size()).arg(runs.front())};
   if (isPlane()) return planeReadout(position);
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
   return storedParts(0, nearest_index(page_.x, abscissaAt(position.x())));

@@ -245,8 +245,8 @@ std::vector<long> ChartScene::runsAt(QPointF position) const {
 
 namespace {
 
-/// Is anything written above a panel? Lines of one family have their names beside them, and a
-/// title of theirs that is not too long stands beside, too.
+/// Is there text above a panel? Lines of one family have their names next to them, and so has a
+/// title that is not too long.
 bool has_heads(const ChartPage& page) {
   constexpr qreal kShort = 200.0;
   const QFontMetricsF metrics(ui_font(13));
@@ -260,7 +260,7 @@ bool has_heads(const ChartPage& page) {
 void ChartScene::rebuild() {
   build();
   if (page_.band_note.empty() || bands_seen_ == bands_told_) return;
-  // The sentence takes some of the panels' height: what is seen without it alone is told.
+  // The note needs some of the height of the panels: only what is visible without it is described.
   bands_told_ = !bands_told_;
   build();
   if (bands_told_ || !bands_seen_) return;
@@ -282,7 +282,7 @@ void ChartScene::build() {
     addItem(new StudyPicture(page_.study, *theme_, size_));
     return;
   }
-  constexpr qreal kLabelWidth = 45.0;  // of a number beside others [px]
+  constexpr qreal kLabelWidth = 45.0;  // width of a number next to others [px]
   Metrics m = metrics();
   addHeading(m);
   const QRectF space = this->space(m);

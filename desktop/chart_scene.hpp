@@ -22,11 +22,11 @@ class QImage;
 /// area and by every headless picture.
 namespace adore::desktop {
 
-/// Sizes of a page in pixels: the full page of AdrPlot, or the small one beside AGORE's picture.
+/// Sizes of a page in pixels: the full page of AdrPlot, or the small one in AGORE.
 enum class ChartStyle : unsigned char { Page, Compact };
 
-/// What of a page is looked at: a part of the abscissa, and of the panels' own axes where somebody
-/// chose it. Of a page with equal axes: its own axis, and then the one across, or neither.
+/// Visible part of a page: a range of the abscissa, and ranges of the panel axes that the user has
+/// chosen. For a page with equal axes: its own axis and then the other one, or neither.
 struct ChartZoom {
   double low = 0.0, high = 1.0;
   std::vector<std::optional<std::pair<double, double>>> panels;  ///< missing: follows the curves
@@ -51,11 +51,11 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] const ChartPage& page() const { return page_; }
   void setTheme(const Theme& theme);
   void setPageSize(QSizeF size);
-  /// Is the scene before somebody who can point at it? Then what has no room can be read there; a
-  /// saved picture has to tell all, in small letters if need be.
+  /// Can the user point at the scene? Then texts that do not fit are shown in a tooltip; a saved
+  /// picture has to show everything, in small letters if necessary.
   void setPointed(bool pointed);
   [[nodiscard]] bool pointed() const { return pointed_; }
-  /// Height below which the panels of the page cannot be read, beside two lines of a note.
+  /// Height below which the panels of the page are not readable, with two lines of a note.
   [[nodiscard]] qreal leastHeight() const;
 
   /// Visible part of the abscissa, in the page's units; limited to the data. Vertical axes follow.
@@ -69,8 +69,8 @@ class ChartScene : public QGraphicsScene {
   void setZoom(const ChartZoom& zoom);
   /// Range of one panel's own axis, in its unit; none: it follows its curves again.
   void setPanelView(std::size_t panel, std::optional<std::pair<double, double>> range);
-  /// What is seen of a page with equal axes, in scene coordinates of now: the picture keeps its
-  /// shape and shows all of `part`, no more than everything and no less than a ten-thousandth.
+  /// Visible part of a page with equal axes, in current scene coordinates: the picture keeps its
+  /// aspect ratio and shows all of `part`, at most everything and at least a ten-thousandth.
   void setPlaneView(const QRectF& part);
   /// Is this a page with equal axes that has places to look at more closely?
   [[nodiscard]] bool isPlane() const;
@@ -100,12 +100,12 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] std::optional<std::size_t> panelAt(QPointF scene_position) const;
   /// "12.3 rev: outer 412 N, inner 398 N" for a scene position, empty outside the panels.
   [[nodiscard]] QString readout(QPointF scene_position) const;
-  /// The same, each value a part with what stands before it.
+  /// The same, each value as a part with its label.
   [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
   /// The same of a stored place: of the abscissa, or of a curve of an orbit.
   [[nodiscard]] QStringList storedParts(std::size_t curve, std::size_t index) const;
-  /// Digits that tell what a curve varies by, and what its panel resolves as it is drawn: 30.005 mm
-  /// tells nothing of a motion of 1 µm about it.
+  /// Number of digits that resolve the variation of a curve and the resolution of its panel: 30.005
+  /// mm does not show a motion of 1 µm.
   [[nodiscard]] int digitsOf(std::size_t panel, std::size_t curve) const;
   /// The stored point of an orbit that is drawn nearest to a place, and where; none farther away
   /// than `reach` pixels.
@@ -114,13 +114,13 @@ class ChartScene : public QGraphicsScene {
     QPointF at;
   };
   [[nodiscard]] std::optional<PlanePoint> pointNear(QPointF scene_position, qreal reach) const;
-  /// Where a point of an orbit is drawn; none outside what is seen.
+  /// Position of a point of an orbit; none outside the visible range.
   [[nodiscard]] std::optional<QPointF> planePlace(double across, double up) const;
 
   /// Numbers of the runs behind a place in a picture of a study; empty: none.
   [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
 
-  /// Are pale areas seen in the picture, so that the page's sentence on them is told?
+  /// Are min-max bands visible, so that the note on them is shown?
   [[nodiscard]] bool tellsOfBands() const { return bands_told_ && !page_.band_note.empty(); }
 
   void paintPage(QPainter& painter, const QRectF& target);
@@ -138,12 +138,12 @@ class ChartScene : public QGraphicsScene {
     int font = 13;
     bool more = false;  ///< not all of it has room
   };
-  /// The page's note, what its pale areas are, and what its logarithmic axes leave out.
+  /// The notes of the page: text, min-max bands, and values that logarithmic axes cannot show.
   [[nodiscard]] std::string noteText() const;
   [[nodiscard]] const NoteLines& noteLines(qreal right) const;
   [[nodiscard]] NoteLines findNoteLines(qreal right) const;
   [[nodiscard]] qreal noteHeight(qreal right) const;
-  /// Draws the page; what pale areas are is said where some of one is seen.
+  /// Draws the page; adds the note on min-max bands if a band is visible.
   void rebuild();
   void build();
   void addHeading(const Metrics& m);
@@ -151,15 +151,15 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] AxisScale findAxis(std::size_t index, const QRectF& area, bool& any) const;
   /// The same, once for a picture; panels are of one size.
   [[nodiscard]] AxisScale panelAxis(std::size_t index, const QRectF& area, bool& any);
-  /// What is drawn of a panel's curves; who would hide whom is found out.
+  /// Draws the curves of a panel and finds curves that would hide others.
   [[nodiscard]] std::vector<ShownCurve> shownCurves(std::size_t index, const QRectF& area,
                                                     const AxisScale& y_axis, const Metrics& m);
-  /// What to say of a curve of a panel which would hide the curve `a` in the view; lines no farther
-  /// apart than `same` pixels are not told apart.
+  /// Legend text for a curve of a panel that would hide the curve `a` in the view; lines closer
+  /// than `same` pixels are considered equal.
   void tellAlike(std::size_t index, std::size_t a, ShownCurve& shown, const QRectF& area,
                  const AxisScale& y_axis, qreal same);
-  /// The stretches of the view in which the later of two curves lies on the earlier one. Are there
-  /// any?
+  /// Ranges of the view in which the later of two curves is on the earlier one; false if there are
+  /// none.
   bool findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown, const QRectF& area,
                      const AxisScale& y_axis, qreal same) const;
   /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
@@ -170,28 +170,28 @@ class ChartScene : public QGraphicsScene {
   /// In place of the numbers of a panel's own axis: a value with few digits as a bar, and its text.
   void addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
                    const Metrics& m);
-  /// Names of lines of one family beside their panel, as many as have room.
+  /// Names of lines of one family next to their panel, as many as fit.
   void addLineNames(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
                     const Metrics& m);
   /// Appends the outlines that it has drawn.
   void addBand(std::size_t panel, std::size_t curve, const QRectF& area, const AxisScale& y_axis,
                int colour, std::vector<QPolygonF>& drawn);
-  /// Is some of these bands seen beside the lines of a panel's curves?
+  /// Is one of these bands visible next to the lines of a panel?
   [[nodiscard]] static bool bandsSeen(const std::vector<QPolygonF>& bands,
                                       const std::vector<ShownCurve>& shown, const QRectF& area,
                                       qreal line);
-  /// The value that the numbers of the axis are counted from: beside the legend, shorter where
-  /// there is little room, else in the corner of the panel that hides least of what is drawn.
+  /// Reference value of the numbers of the axis: next to the legend, shorter if there is little
+  /// space, else in the corner of the panel that hides the least.
   void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
                const std::vector<QPolygonF>& drawn, const Metrics& m);
   /// A page with equal axes as a whole: its frame, and what that holds.
   struct Plane {
     QRectF area;
     double middle_x = 0.0, middle_y = 0.0, half_x = 1.0, half_y = 1.0;
-    double enlarged = 1.0;  ///< of what is seen of it
+    double enlarged = 1.0;  ///< fraction of the visible range
   };
   [[nodiscard]] QRectF space(const Metrics& m) const;
-  /// Beside panels whose lines have names there; 0: none.
+  /// Width of names next to panels; 0: none.
   [[nodiscard]] qreal lineNamesWidth(const Metrics& m) const;
   /// Goes through a page with equal axes once.
   void studyPlane();
@@ -214,13 +214,13 @@ class ChartScene : public QGraphicsScene {
   /// Upper end of the labels of a panel's own axis.
   [[nodiscard]] qreal labelsTop(const QRectF& area, const AxisScale& y_axis,
                                 const Metrics& m) const;
-  /// Names stand above the panel, as near to their lines as they have room; a step between the two
-  /// leads from a name to a line that is not below it.
+  /// Names are above the panel, as close to their lines as possible; a step connects a name with a
+  /// line that is not below it.
   void addMarks(const QRectF& area, const AxisScale& y_axis, bool names, bool lines,
                 const Metrics& m);
   [[nodiscard]] bool panelsWhole() const;
   [[nodiscard]] std::pair<double, double> wholeRange() const;
-  /// What the page begins with.
+  /// Heading of the page.
   [[nodiscard]] std::pair<double, double> firstRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   void addFrame(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
@@ -257,7 +257,7 @@ class ChartScene : public QGraphicsScene {
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<int> lines_;
-  /// What was found last, and for which note, width, height, right margin and use.
+  /// Last result, with its note, width, height, right margin and use.
   using NoteKey = std::tuple<std::string, qreal, qreal, qreal, bool>;
   mutable std::optional<std::pair<NoteKey, NoteLines>> note_lines_;
   bool rising_ = false;          ///< the abscissa
@@ -281,7 +281,7 @@ class ChartScene : public QGraphicsScene {
     WayTiles tiles;
   };
   std::vector<PlaneCurve> plane_curves_;
-  /// Are two curves of a panel equal over the whole run? Of the pairs that were asked for.
+  /// Are two curves of a panel equal over the whole run? Cached for compared pairs.
   std::map<std::array<std::size_t, 3>, bool> equal_runs_;
 };
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// What the sources of ChartScene share.
+/// Shared by the sources of ChartScene.
 namespace adore::desktop {
 
 inline QString text_of(const std::string& text) { return QString::fromStdString(text); }
@@ -23,7 +23,7 @@ inline QString with_unit(const QString& title, const AxisScale& axis) {
   return text;
 }
 
-/// An abscissa has room for the value that was taken out of its numbers.
+/// Space at an abscissa for the reference value of its numbers.
 inline QString with_unit_and_base(const QString& title, const AxisScale& axis) {
   const QString text = with_unit(title, axis);
   return axis.offset_text.empty() ? text : text + " from " + text_of(axis.offset_text);
@@ -45,12 +45,13 @@ struct ChartScene::ShownCurve {
   int colour = 0;
   std::vector<Polyline> pieces = {};
   std::vector<QPolygonF> lines = {};  ///< the same in the scene
-  std::vector<Extent> extents = {};   ///< of each line, downwards
-  /// The first of the curves that this one would hide in the view, and how many others lie between.
+  std::vector<Extent> extents = {};   ///< of each line, downward
+  /// The first of the curves that this one would hide in the view, and the number of curves in
+  /// between.
   std::optional<std::size_t> hides = {};
   int later = 0;
   Alike alike = Alike::Covers;
-  /// Where it would hide that curve, in the scene; empty: everywhere.
+  /// Interval in which it would hide that curve, in the scene; empty: everywhere.
   std::vector<std::pair<qreal, qreal>> over = {};
   bool partly = false;  ///< elsewhere the two differ, or one of them has no value
 };
@@ -71,7 +72,7 @@ struct ChartScene::Metrics {
 /// Height of small pictures below which their panels need the room between words.
 inline constexpr qreal kLowCompact = 190.0;
 
-/// Between a panel and the names of its lines beside it.
+/// Between a panel and the names of its lines.
 inline constexpr qreal kLineNameGap = 6.0;
 
 /// Between a panel and its legend: rows of names of marks, and the steps from these to their lines,
@@ -81,7 +82,7 @@ inline constexpr qreal kLineNameGap = 6.0;
 [[nodiscard]] int mark_rows(const ChartPage& page, int tick_font, qreal width);
 [[nodiscard]] qreal mark_rise(const ChartPage& page, int tick_font, qreal width);
 
-/// Length of a title beside its panel: into the gaps above and below, not up to the next title.
+/// Length of a title next to its panel: into the gaps above and below, up to the next title.
 inline qreal title_room(const QRectF& area, qreal gap) {
   constexpr qreal kApart = 12.0;
   return area.height() + gap - kApart;

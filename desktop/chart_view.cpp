@@ -34,7 +34,7 @@ std::string name_of(const ChartPage& page) {
 
 std::string abscissa_of(const ChartPage& page) { return page.x_title + " [" + page.x_unit + ']'; }
 
-/// What cursors stand on: the abscissa, of an orbit that of its points.
+/// Values of the cursors: the abscissa, for an orbit that of its points.
 const std::vector<double>& cursor_places(const ChartPage& page) {
   return page.equal_axes ? page.along : page.x;
 }
@@ -176,7 +176,7 @@ void ChartView::clearCursors() {
 
 namespace {
 
-/// Lowest and highest of the extremes that lie between two places; none where there are none.
+/// Minimum and maximum of the extremes between two points; no value without extremes.
 std::optional<std::pair<double, double>> band_between(const std::vector<double>& x,
                                                       const ChartCurve& curve, double a, double b) {
   std::optional<std::pair<double, double>> out;
@@ -251,10 +251,9 @@ QString ChartView::cursorReport() const {
         // A curve that ends between the cursors, such as that of a shorter run.
         const auto [from, to] = std::minmax(cursors_[0], cursors_[1]);
         if (s.count > 0 && (s.first > from || s.last < to))
-          line += tr(" (of %1 to %2, where it has values)")
-                      .arg(quantity(s.first, unit), quantity(s.last, unit));
+          line += tr(" (%1 to %2)").arg(quantity(s.first, unit), quantity(s.last, unit));
         if (const auto band = band_between(page.x, curve, cursors_[0], cursors_[1]))
-          line += tr("  between the values %1 to %2")
+          line += tr("  band %1 to %2")
                       .arg(quantity(band->first - curve.lift, panel.unit, digits),
                            quantity(band->second - curve.lift, panel.unit, digits));
       }
@@ -356,7 +355,7 @@ void ChartView::mousePressEvent(QMouseEvent* event) {
       emit runsChosen(runs);
     return;
   }
-  // A cursor's click: what lies under the mouse may just have moved.
+  // Click for a cursor: the content under the mouse may just have moved.
   const bool for_cursor = (event->modifiers() & Qt::ControlModifier) != 0;
   if (!for_cursor && toggleLegend(position)) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
@@ -411,7 +410,7 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
   read();
 }
 
-/// What stands below the pointer now: also where the view has moved below it.
+/// Content under the pointer now, also after the view has moved.
 void ChartView::read() {
   if (reading_ && !sees(*reading_)) endReading();
   if (reading_)

@@ -17,8 +17,8 @@ class QRubberBand;
 
 namespace adore::desktop {
 
-/// What can be done to a chart without a mouse. "Reading" tells the values of one stored place, as
-/// the pointer does.
+/// Commands of a chart without a mouse. "Reading" shows the values of one stored point, as the
+/// pointer does.
 enum class ChartDeed : unsigned char {
   ZoomIn,
   ZoomOut,
@@ -34,7 +34,7 @@ enum class ChartDeed : unsigned char {
   PanelBelow,
   ReadBack,  ///< one stored place
   ReadOn,
-  ReadFarBack,  ///< a twentieth of what is seen
+  ReadFarBack,  ///< a twentieth of the visible range
   ReadFarOn,
   CursorA,  ///< at the place that is read, or away from there
   CursorB,
@@ -43,20 +43,20 @@ enum class ChartDeed : unsigned char {
 inline constexpr int kChartDeeds = static_cast<int>(ChartDeed::ZoomToCursors) + 1;
 
 /// A ChartScene in a window.
-/// - The wheel zooms along the abscissa, with Ctrl along a panel's own axis; dragging moves; with
-///   Shift a box is zoomed into. Of a page with equal axes all three keep these equal. A double
-///   click shows everything again; earlier views come back by zoomBack(), also after other pages:
-///   of those what they have in common, the abscissa.
-/// - Whatever the mouse does here the keys do as deeds (chart_view_keys.cpp).
-/// - A click on a name in a legend hides its curve, or shows it again.
-/// - Ctrl and a click sets cursor A, with Shift cursor B: what lies between them is told.
+/// - The wheel zooms the abscissa, with Ctrl the axis of a panel; dragging moves; Shift+drag zooms
+/// to a box. For a page with equal axes all three keep the scales equal. A double click shows
+/// everything; zoomBack() restores earlier views, also after other pages: then only the common
+/// abscissa.
+/// - The keys have the same commands as the mouse (chart_view_keys.cpp).
+/// - A click on a name in a legend hides or shows its curve.
+/// - Ctrl+click sets cursor A, Ctrl+Shift+click cursor B: statistics between them are shown.
 class ChartView : public QGraphicsView {
   Q_OBJECT
  public:
   explicit ChartView(QWidget* parent = nullptr);
   [[nodiscard]] ChartScene& chartScene() { return *scene_; }
-  /// Keeps zoom and cursors where the new page has the same abscissa. A page that was shown before,
-  /// or is read again, gets the ranges of its own axes back, and its curves stay hidden.
+  /// Keeps zoom and cursors if the new page has the same abscissa. A page that was shown before or
+  /// is reloaded gets its axis ranges back, and its curves stay hidden.
   void showPage(ChartPage page);
 
   /// Abscissa of cursor 0 (A) or 1 (B); NaN takes it away.
@@ -68,7 +68,7 @@ class ChartView : public QGraphicsView {
   [[nodiscard]] QString cursorReport() const;
 
   void perform(ChartDeed deed);
-  /// Why a deed would change nothing now, as a sentence; empty: it does something.
+  /// Reason why a command would change nothing now; empty: it has an effect.
   [[nodiscard]] QString whyNot(ChartDeed deed) const;
   /// Curves that have names in a legend, from the first panel's first one on.
   [[nodiscard]] std::vector<LegendEntry> namedCurves() const;
@@ -84,7 +84,7 @@ class ChartView : public QGraphicsView {
  signals:
   void readoutChanged(const QStringList& parts);
   void cursorsChanged();
-  /// What is seen, or read, may be another part of the page.
+  /// The visible range or the current point may have changed.
   void viewChanged();
   /// A panel was clicked, not dragged.
   void panelClicked(std::size_t panel);
@@ -123,7 +123,7 @@ class ChartView : public QGraphicsView {
   void read();
   void readPointer();
   [[nodiscard]] QString planeReport() const;
-  /// Place of an orbit at a cursor; none without, or outside what is seen.
+  /// Point of an orbit at a cursor; none without a cursor or outside the visible range.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
   bool toggleLegend(QPointF position);
   // Of the keys:
@@ -143,7 +143,7 @@ class ChartView : public QGraphicsView {
   /// Range of the values of the panel that the keys are of, over the whole page.
   [[nodiscard]] const Extent& valuesOfPanel() const;
   [[nodiscard]] std::pair<double, double> valuesAfter(ChartDeed deed) const;
-  /// What is read now, by key or pointer, else the middle of what is seen; none without places.
+  /// Current point, by key or pointer, else the middle of the visible range; none without points.
   [[nodiscard]] std::optional<StoredPlace> placeOfNow() const;
   [[nodiscard]] std::optional<StoredPlace> placeAfter(ChartDeed deed) const;
   [[nodiscard]] std::optional<StoredPlace> nextPlace(StoredPlace at, long by) const;
@@ -168,7 +168,7 @@ class ChartView : public QGraphicsView {
   QPointF last_;                        ///< of a drag over a page with equal axes
   std::optional<QPoint> pointed_at_;    ///< of the viewport; none: not on this page
   double pointer_ = -1.0;               ///< scene x of the pointer's line; negative = none
-  std::optional<QPointF> point_;        ///< stored point of an orbit beside the pointer
+  std::optional<QPointF> point_;        ///< stored point of an orbit near the pointer
   std::optional<StoredPlace> reading_;  ///< by key; none: what the pointer is at
   std::size_t panel_ = 0;               ///< that the keys are of
   mutable std::vector<std::optional<Extent>> values_of_;  ///< by panel, where somebody asked

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-/// What the keys do to a chart: the same as the mouse, from the place that is read or the middle of
-/// what is seen.
+/// Key commands of a chart: the same as those of the mouse, at the current point or the middle of
+/// the visible range.
 namespace adore::desktop {
 namespace {
 
-constexpr double kZoom = 0.5, kMove = 0.1;  ///< parts of what is seen
-constexpr qreal kEdge = 0.5;                ///< less is no way to go [px]
+constexpr double kZoom = 0.5, kMove = 0.1;  ///< fractions of the visible range
+constexpr qreal kEdge = 0.5;                ///< smaller motions are ignored [px]
 
-/// Part of what is seen, by which a deed moves along the abscissa and upwards.
+/// Fraction of the visible range by which a command moves along the abscissa and upward.
 QPointF way_of(ChartDeed deed) {
   switch (deed) {
     case ChartDeed::MoveLeft:
@@ -23,7 +23,7 @@ QPointF way_of(ChartDeed deed) {
     case ChartDeed::FarRight:
       return {1.0, 0.0};
     case ChartDeed::MoveUp:
-      return {0.0, -kMove};  // downwards in the scene
+      return {0.0, -kMove};  // downward in the scene
     case ChartDeed::MoveDown:
       return {0.0, kMove};
     default:
@@ -42,13 +42,13 @@ std::pair<qreal, qreal> inside(qreal low, qreal high, qreal first, qreal last) {
 
 QString ChartView::whyNotAtAll() const {
   const ChartPage& page = scene_->page();
-  if (page.study) return tr("A picture of a study has axes of its own.");
+  if (page.study) return tr("Charts of a study have fixed axes.");
   if (page.panels.empty()) return tr("There are no curves on this page.");
-  if (page.equal_axes && !scene_->isPlane()) return tr("This page is a drawing, shown whole.");
+  if (page.equal_axes && !scene_->isPlane()) return tr("This drawing cannot be zoomed.");
   (void)valuesOfPanel();
   const bool any = std::any_of(values_of_.begin(), values_of_.end(),
                                [](const auto& values) { return !values->empty(); });
-  if (!any || scene_->plotAreas().empty()) return tr("There are no values to look at.");
+  if (!any || scene_->plotAreas().empty()) return tr("There are no values.");
   return {};
 }
 
@@ -86,28 +86,28 @@ QString ChartView::whyNot(ChartDeed deed) const {
 QString ChartView::whyNotZoom(ChartDeed deed) const {
   const QRectF all = scene_->everything(), area = scene_->plotAreas().front();
   if (deed == ChartDeed::ZoomToCursors) {
-    if (scene_->isPlane()) return tr("This page has no abscissa to zoom into: + enlarges it.");
+    if (scene_->isPlane()) return tr("This page has no horizontal axis. Use + to zoom.");
     if (!std::isfinite(cursors_[0]) || !std::isfinite(cursors_[1]))
       return tr("Cursors A and B are not both set.");
-    if (cursors_[0] == cursors_[1]) return tr("A and B stand at one place.");
+    if (cursors_[0] == cursors_[1]) return tr("Cursors A and B are at the same point.");
   }
   const QRectF part = partAfter(deed);
   if (deed == ChartDeed::ZoomOut)
-    return all.width() > area.width() + kEdge ? QString() : tr("All of it is shown.");
+    return all.width() > area.width() + kEdge ? QString() : tr("Everything is shown.");
   const bool closest = scene_->isPlane()
                            ? area.width() < all.width() * ChartScene::kLeastPart * (1.0 + 1e-6)
                            : scene_->abscissaAt(part.right()) - scene_->abscissaAt(part.left()) <
                                  ChartScene::kLeastPart * (scene_->abscissaAt(all.right()) -
                                                            scene_->abscissaAt(all.left()));
-  if (closest || all.width() < 1.0) return tr("There is no closer look than this.");
+  if (closest || all.width() < 1.0) return tr("Maximum zoom reached.");
   if (std::abs(part.left() - area.left()) < kEdge && std::abs(part.right() - area.right()) < kEdge)
-    return tr("This is what is seen now.");
+    return tr("This range is already shown.");
   return {};
 }
 
 QString ChartView::whyNotMove(ChartDeed deed) const {
   const bool upright = way_of(deed).y() != 0.0;
-  const QString nothing = tr("There is nothing farther that way.");
+  const QString nothing = tr("There is nothing in this direction.");
   if (!upright && scene_->everything().width() < scene_->plotAreas().front().width() + kEdge)
     return nothing;
   if (!upright || scene_->isPlane()) {
@@ -116,14 +116,14 @@ QString ChartView::whyNotMove(ChartDeed deed) const {
   }
   const ChartZoom zoom = scene_->zoom();
   if (panel_ >= zoom.panels.size() || !zoom.panels[panel_])
-    return tr("The axis of this panel follows its curves: enlarge its values first.");
+    return tr("Enlarge the values of this panel first.");
   const auto [low, high] = valuesAfter(deed);
   const Extent& all = valuesOfPanel();
   return all.empty() || low > all.high || high < all.low ? nothing : QString();
 }
 
 QString ChartView::whyNotValues(ChartDeed deed) const {
-  if (scene_->isPlane()) return tr("Both axes of this page are equal: + and - are of both.");
+  if (scene_->isPlane()) return tr("This page uses equal axis scales; + and - zoom both axes.");
   const Extent& all = valuesOfPanel();
   if (all.empty()) return tr("This panel has no values.");
   const QRectF& area = scene_->plotAreas().at(panel_);
@@ -137,26 +137,26 @@ QString ChartView::whyNotValues(ChartDeed deed) const {
   const double least = scene_->page().panels[panel_].log ? 0.0 : kLeast * (all.high - all.low);
   const bool closest =
       high - low < std::max(least, kDigits * std::max(std::abs(low), std::abs(high)));
-  return closest ? tr("There is no closer look than this.") : QString();
+  return closest ? tr("Maximum zoom reached.") : QString();
 }
 
 QString ChartView::whyNotRead(ChartDeed deed) const {
   const ChartPage& page = scene_->page();
   const bool cursor = deed == ChartDeed::CursorA || deed == ChartDeed::CursorB;
-  if (page.equal_axes && page.closed_outline) return tr("Outlines have no stored places to read.");
+  if (page.equal_axes && page.closed_outline) return tr("Outlines have no stored points.");
   if (cursor && page.equal_axes && page.along.empty())
-    return tr("Points of this page do not follow each other in time.");
+    return tr("The points of this page have no time order.");
   if (reading_) {
     if (cursor)
       return std::isfinite(abscissaOf(*reading_)) ? QString()
-                                                  : tr("When this point was there is not known.");
-    return placeAfter(deed) ? QString() : tr("There is nothing farther that way.");
+                                                  : tr("The time of this point is unknown.");
+    return placeAfter(deed) ? QString() : tr("There is nothing in this direction.");
   }
   for (StoredPlace at; at.curve < (page.equal_axes ? page.panels.front().curves.size() : 1);
        ++at.curve, at.index = 0)
     for (; at.index < placesOf(at.curve); ++at.index)
       if (hasPlace(at)) return {};
-  return tr("There are no places to read.");
+  return tr("There are no points to read.");
 }
 
 QRectF ChartView::partAfter(ChartDeed deed) const {
@@ -186,7 +186,7 @@ QRectF ChartView::withinAll(const QRectF& part) const {
 
 void ChartView::showPart(const QRectF& part) {
   if (scene_->isPlane()) return scene_->setPlaneView(part);
-  // The very ends, whatever a pixel is rounded to.
+  // The exact ends, without rounding to pixels.
   const QRectF all = scene_->everything();
   const double low = part.left() < all.left() + kEdge ? -std::numeric_limits<double>::infinity()
                                                       : scene_->abscissaAt(part.left());
@@ -236,7 +236,7 @@ std::vector<LegendEntry> ChartView::namedCurves() const {
 void ChartView::toggleCurve(std::size_t panel, std::size_t curve) {
   scene_->showCurve(panel, curve, scene_->page().panels.at(panel).curves.at(curve).hidden);
   emit curvesChanged();
-  emit cursorsChanged();  // what they tell is of the curves that are shown
+  emit cursorsChanged();  // they describe the visible curves
   if (reading_) read();
 }
 

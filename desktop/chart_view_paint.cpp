@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-/// What a view draws over its charts: the place that is read, cursors, and who has the keyboard.
+/// Overlays of a view over its charts: current point, cursors, keyboard focus.
 namespace adore::desktop {
 
 void ChartView::drawForeground(QPainter* painter, const QRectF&) {
@@ -43,7 +43,7 @@ void ChartView::drawForeground(QPainter* painter, const QRectF&) {
   }
 }
 
-/// A frame while the keys are the chart's, and a bar beside the panel that they are of.
+/// A frame while the chart has the focus, and a bar next to the panel of the keys.
 void ChartView::drawFocus(QPainter& painter) const {
   constexpr qreal kWidth = 2.0, kBar = 4.0;
   painter.setPen(QPen(current_theme().accent, kWidth));

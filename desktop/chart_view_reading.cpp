@@ -89,7 +89,7 @@ std::optional<ChartView::StoredPlace> ChartView::placeOfNow() const {
   return on ? on : nextPlace(out, -1);
 }
 
-/// Who reads nothing yet begins in the middle of what is seen, or goes on from the pointer.
+/// Reading begins in the middle of the visible range, or continues from the pointer.
 std::optional<ChartView::StoredPlace> ChartView::placeAfter(ChartDeed deed) const {
   const auto from = placeOfNow();
   const bool pointed = pointed_at_ && scene_->panelAt(mapToScene(*pointed_at_));
@@ -110,11 +110,11 @@ std::optional<ChartView::StoredPlace> ChartView::placeAfter(ChartDeed deed) cons
   return next || reading_ ? next : from;
 }
 
-/// Reads a place; the view moves where it would lie beside it.
+/// Reads a point; the view moves if the point is outside.
 void ChartView::follow(const StoredPlace& place) {
   reading_ = place;
   if (sees(place)) return;
-  constexpr double kRoom = 0.1;  // of what is seen, ahead
+  constexpr double kRoom = 0.1;  // fraction of the visible range, ahead
   const QRectF area = scene_->plotAreas().front();
   const QPointF at = sceneOf(place);
   const auto beyond = [](qreal value, qreal low, qreal high) {

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <tuple>
 
-/// What is written on a page of charts: heading, note, ticks, titles, legends, names of marks.
+/// Texts of a page of charts: heading, note, ticks, titles, legends, names of marks.
 namespace adore::desktop {
 
 namespace {
@@ -61,7 +61,7 @@ QStringList evenly_wrapped(const QStringList& words, const QFontMetricsF& metric
   return out;
 }
 
-/// The words of a note; a number keeps its unit beside it.
+/// The words of a note; a number stays together with its unit.
 QStringList words_of(const QString& note) {
   static const QRegularExpression kBeforeUnit(
       "(?<=[0-9]) "
@@ -82,7 +82,7 @@ QString tooltip_of(const QString& note) { return "<p>" + note.toHtmlEscaped() + 
 /// Between two lines of a note.
 qreal line_pitch(int font) { return font + 5.0; }
 
-// Of a heading any page has room for two lines of a note; the rest of a page beside its panels.
+// A heading always allows two lines of a note, and the rest of the page next to its panels.
 constexpr qreal kLeastNote = 34.0, kHead = 66.0, kFoot = 54.0, kLegend = 22.0, kGap = 34.0;
 /// Height of a panel whose numbers and title are read.
 constexpr qreal kPanelRead = 56.0;
@@ -104,7 +104,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
                                     panels * (panel + kGap) + kGap);
   };
   const qreal room = room_beside(pointed_ ? kPanelRead : kPanel);
-  // A single panel is what the page is of: half of a low picture is its.
+  // A single panel is the main content of a page: it gets at least half of a low picture.
   constexpr qreal kPart = 0.107;
   const qreal few =
       page_.panels.size() == 1 && !page_.equal_axes ? std::min(kFew, kPart * size_.height()) : kFew;
@@ -119,7 +119,7 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
       out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
       if (fits(height)) return out;
     }
-  // Nobody can point at a saved picture: small letters before anything is left out.
+  // A saved picture has no tooltips: smaller letters are used before text is omitted.
   for (out.font = kSmallest; !pointed_ && out.font >= kSmallestSaved; --out.font) {
     out.lines = evenly_wrapped(words, QFontMetricsF(ui_font(out.font)), width);
     if (fits(room_beside(kPanelSaved))) return out;
@@ -129,8 +129,8 @@ ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QStringList sentences = sentences_of(note);
   for (qsizetype told = sentences.size() - 1; told >= 0; --told) {
     const qsizetype left = sentences.size() - told;
-    const QString where = pointed_ ? tr(": point here.") : tr(" for which there is no room.");
-    const QString more = (left == 1 ? tr("(One more sentence%1)").arg(where)
+    const QString where = pointed_ ? tr(": point here.") : tr(" not shown.");
+    const QString more = (left == 1 ? tr("(1 more sentence%1)").arg(where)
                                     : tr("(%1 more sentences%2)").arg(left).arg(where));
     out.lines =
         evenly_wrapped(words_of((sentences.mid(0, told) << more).join(' ')), metrics, width);
@@ -196,7 +196,7 @@ void ChartScene::addHeading(const Metrics& m) {
     line(shown, ui_font(letters, true), theme_->text, 8);
     return;
   }
-  // Nobody can point at a saved title: smaller letters, then two lines, before anything is cut.
+  // A saved title has no tooltip: smaller letters, then two lines, before it is cut.
   const qreal width = size_.width() - 24 - m.right;
   const QString whole = text_of(page_.title);
   constexpr int kLeastTitle = 13, kTwoLines = 12;
@@ -275,8 +275,8 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     add(x_title, title_font, theme_->text,
         {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
   }
-  // A title longer than its panel may use the gaps above and below; then its unit gets a line of
-  // its own, which is never shortened, and its letters get smaller before any are left out.
+  // A title longer than its panel may use the gaps above and below; then its unit gets a separate
+  // line, which is never shortened, and its letters get smaller before any are omitted.
   constexpr int kLeastLetters = 10;
   const qreal room = title_room(area, m.gap);
   const auto write = [&](const QString& text, qreal left, qreal most) {
@@ -313,7 +313,8 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
   if (panel.curves.size() < 2 || panel.one_colour) return area.right();
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
-  // What has no room shares it: first the lines get short, then long names are shortened alike.
+  // Texts that do not fit share the space: first the lines get shorter, then long names are
+  // shortened equally.
   const auto count = static_cast<qreal>(panel.curves.size());
   const auto drawn = [&](std::size_t i) {  // null: not
     const auto found = std::find_if(shown.begin(), shown.end(),
@@ -347,7 +348,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const std::vector<ShownCurv
     return all;
   };
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
-  // Where there is no room to say which curve it hides, its sign stands alone.
+  // If there is no space for the name of the hidden curve, only its sign is shown.
   const bool whole = length(true) + count * (14.0 + 8.0) <= room;
   const qreal names = length(whole);
   const bool narrow = names + count * (24.0 + 16.0) > room;
@@ -395,7 +396,7 @@ void ChartScene::addMessage(const QRectF& area, const QString& text, const Metri
   auto* item = addText(text);
   item->setDefaultTextColor(theme_->muted);
   item->document()->setDefaultTextOption(QTextOption(Qt::AlignCenter));
-  // In a low panel smaller letters, before words lie on the axes.
+  // In a low panel smaller letters, before text overlaps the axes.
   constexpr int kSmallest = 10;
   const qreal margins = 2.0 * item->document()->documentMargin();
   for (int size = m.text_font + 1; size >= kSmallest; --size) {

@@ -9,7 +9,7 @@ class QMainWindow;
 class QMenu;
 class QMenuBar;
 
-/// What the menus of all windows have in common: files used last, help, about.
+/// Common menus of all windows: recent files, help, about.
 namespace adore::desktop {
 
 /// Files opened last by an app, the newest first; at most ten, those that are gone left out.
@@ -26,7 +26,7 @@ void remember_as_folder(const QString& app, const QString& folder,
 /// A submenu "Recent files" that is filled whenever it is opened.
 QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open);
 
-/// A line of the help: what the hand does, and what happens.
+/// A line of the help: key or mouse action, and its effect.
 struct HelpLine {
   QString hand, effect;
 };

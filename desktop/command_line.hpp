@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// What the command lines of the apps and of the pictures have in common.
+/// Common to the command lines of the apps and of the drawing program.
 namespace adore::desktop {
 
 struct PictureSize {

@@ -101,7 +101,7 @@ void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QR
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   const bool as_strokes = paints_pixels(painter) && pen.style() == Qt::SolidLine;
-  constexpr qsizetype kMany = 4000;  // points of ways to and fro
+  constexpr qsizetype kMany = 4000;  // points of dense oscillations
   std::vector<QPolygonF> strokes, ways;
   qsizetype points = 0;
   for (const QPolygonF& line : lines) {

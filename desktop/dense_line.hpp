@@ -16,18 +16,18 @@ namespace adore::desktop {
 
 struct ColumnBar {
   int column = 0;
-  double top = 0.0, bottom = 0.0;  ///< y of the line, downwards; top <= bottom
+  double top = 0.0, bottom = 0.0;  ///< y of the line, downward; top <= bottom
 };
 
-/// Where a line whose x never falls passes the columns [i, i + 1) / `scale` from 0 on, between
-/// `left` and `right`: one bar for each column that it touches, in order.
+/// Range of a line with increasing x in the columns [i, i + 1) / `scale` from 0 on, between `left`
+/// and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
-/// Is the painter one of pixels, which are whole ones of its own?
+/// Does the painter draw on pixels, with whole pixel coordinates?
 [[nodiscard]] bool paints_pixels(const QPainter& painter);
 
-/// Draws lines inside `area`; on a screen those that go to the right by stroke_mask.hpp, ways to
-/// and fro of many points by dense_way.hpp.
+/// Draws lines inside `area`; on a screen those with increasing x by stroke_mask.hpp, oscillating
+/// paths of many points by dense_way.hpp.
 void draw_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QRectF& area,
                 const QPen& pen);
 

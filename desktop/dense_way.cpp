@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kCells = 1.4143;  ///< to a pixel: none is longer than one across
 
-/// Small squares of a picture that were passed. Their edges do not hang on where the picture
-/// begins.
+/// Visited small squares of a picture. Their edges do not depend on the position of the picture.
 class Cells {
  public:
   explicit Cells(const QRectF& area)
@@ -106,7 +105,7 @@ bool cut(QPointF& p, QPointF& q, const QRectF& area) {
 
 std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<double>& y,
                                 const PlaneScale& scale, const QRectF& area) {
-  constexpr double kMargin = 4.0;  // strokes beside the picture reach into it [px]
+  constexpr double kMargin = 4.0;  // strokes outside the picture reach into it [px]
   return seen_way(x, y, {{0, std::min(x.size(), y.size())}}, scale, area, kMargin);
 }
 
@@ -246,7 +245,7 @@ StampImage stamp_image(const std::vector<QPolygonF>& lines, double width, const 
   std::vector<std::uint8_t> cover(static_cast<std::size_t>(columns) *
                                   static_cast<std::size_t>(rows));
   const auto reach = static_cast<float>(stamp_reach(width));
-  // Each thread has rows of its own; few strokes are stamped sooner than a thread begins.
+  // Each thread has separate rows; for few strokes a thread is not worthwhile.
   constexpr qsizetype kMany = 20'000;
   qsizetype points = 0;
   for (const QPolygonF& line : lines) points += line.size();

@@ -15,10 +15,10 @@
 
 class QColor;
 
-/// Ways to and fro of very many points, such as an orbit of a million: what is drawn of them.
+/// Paths of very many points, such as an orbit of a million: selects the strokes to draw.
 namespace adore::desktop {
 
-/// Where values of two axes stand in a picture: x_at + x_per * x, and so upwards.
+/// Mapping of values of two axes to the picture: x_at + x_per * x, and the same upward.
 struct PlaneScale {
   double x_at = 0.0, x_per = 1.0, y_at = 0.0, y_per = 1.0;
   [[nodiscard]] QPointF place(double x, double y) const {
@@ -26,15 +26,15 @@ struct PlaneScale {
   }
 };
 
-/// The parts of a way inside `area` that show something new: a stroke all of whose cells were
-/// passed before is left out, so that every place of the way is within a pixel of one that is
-/// drawn, and all points of what is drawn are stored ones. Broken where a value is missing.
+/// The strokes of a path inside `area` that show something new: a stroke whose cells were all
+/// visited before is omitted, so that every point of the path is within a pixel of a drawn one, and
+/// all drawn points are stored ones. Interrupted at missing values.
 [[nodiscard]] std::vector<QPolygonF> seen_way(const std::vector<double>& x,
                                               const std::vector<double>& y, const PlaneScale& scale,
                                               const QRectF& area);
-/// The same of parts of a way, in order, with all that is up to `margin` pixels outside. Of each
-/// cell there the first stroke that passes it is drawn, so that pictures beside each other show the
-/// same where they meet.
+/// The same for parts of a path, in order, including strokes up to `margin` pixels outside. For
+/// each cell there the first stroke through it is drawn, so that adjacent pictures agree at their
+/// common edge.
 [[nodiscard]] std::vector<QPolygonF> seen_way(const std::vector<double>& x,
                                               const std::vector<double>& y,
                                               const std::vector<Stretch>& stretches,

@@ -34,7 +34,7 @@ bool DialogRoom::eventFilter(QObject* object, QEvent* event) {
   auto* dialog = qobject_cast<QDialog*>(object);
   if (dialog == nullptr || !dialog->isWindow() || dialog->screen() == nullptr) return false;
   if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
-    // The box finds its own size as it is shown, and is laid out while this is told.
+    // The box determines its size when shown, and is laid out during this event.
     if (event->type() == QEvent::Resize && box->height() > room_for(*box).height())
       QMetaObject::invokeMethod(
           box, [box] { letTextScroll(*box); }, Qt::QueuedConnection);

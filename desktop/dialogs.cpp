@@ -45,7 +45,7 @@ QString shown(const QStringList& texts) {
   return out;
 }
 
-/// The box that stands over a window already: keys would not reach the upper one of two.
+/// The existing message box of a window: keys would not reach the upper one of two.
 bool join_message(QWidget* parent, const QString& text, bool error) {
   for (auto* box : parent->findChildren<QMessageBox*>("message", Qt::FindDirectChildrenOnly)) {
     QStringList texts = box->property(kTexts).toStringList();
@@ -95,7 +95,7 @@ void show_help(QWidget* parent, const QString& title, const QString& html) {
 
   const QSize screen = (parent->screen()->availableSize() - kFrame).expandedTo(kLeast);
   const QMargins margins = layout->contentsMargins();
-  // Beside the text: frames, and the bar in case that it does not fit.
+  // In addition to the text: frames, and the scroll bar if it does not fit.
   const int beside = margins.left() + margins.right() + 2 * browser->frameWidth() +
                      browser->verticalScrollBar()->sizeHint().width() + 4;
   const int below = margins.top() + margins.bottom() + layout->spacing() +

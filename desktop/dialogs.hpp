@@ -25,8 +25,8 @@ void delete_when_done(QDialog& dialog);
 /// already, the text joins it.
 void show_message(QWidget* parent, const QString& text, bool error = false);
 
-/// Rich text in a window of its own, a child of `parent` named "help-window": as large as the text
-/// where the screen has room for that, else it scrolls.
+/// Rich text in a separate window, a child of `parent` named "help-window": as large as the text if
+/// the screen allows, else it scrolls.
 void show_help(QWidget* parent, const QString& title, const QString& html);
 
 /// A whole number between `low` and `high`; the dialog is a child of `parent` named "number".
@@ -45,7 +45,7 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
 /// Says for some seconds in the foot of a window, where it has one, what was done.
 void tell_in_foot(QWidget* window, const QString& text);
 
-/// Where to save a picture: the remembered name with a running number, free to edit; then saves it
+/// Dialog to save a picture: the remembered name with a running number, free to edit; then saves it
 /// and reports failure by message. By `draw`, at `size`, also lines and text: SVG or PDF.
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                   std::function<QImage()> picture, QSizeF size,

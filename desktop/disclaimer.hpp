@@ -4,7 +4,7 @@
 
 namespace adore::desktop {
 
-/// What a user accepts once: no warranty (GPL), and an independent implementation.
+/// Accepted once by the user: no warranty (GPL), and an independent implementation.
 class DisclaimerDialog : public QDialog {
   Q_OBJECT
  public:

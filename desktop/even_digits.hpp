@@ -9,8 +9,8 @@
 /// Numbers of a list, all with the same count of digits.
 namespace adore::desktop {
 
-/// pretty_quantity() with the zeros that it leaves out: "272.0 N" beside "312.2 N". Of 0 and of
-/// powers of ten as it is.
+/// pretty_quantity() with trailing zeros: "272.0 N" next to "312.2 N". 0 and powers of ten are
+/// unchanged.
 [[nodiscard]] inline std::string even_quantity(double value, std::string_view unit, int digits) {
   std::string text = pretty_quantity(value, unit, digits);
   std::size_t end = 0;

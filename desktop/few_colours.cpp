@@ -11,7 +11,7 @@
 namespace adore::desktop {
 namespace {
 
-constexpr int kBits = 5;  // of each channel: 32,768 boxes of like colours
+constexpr int kBits = 5;  // of each channel: 32,768 boxes of like colors
 
 int box_of(QRgb c) {
   constexpr int kShift = 8 - kBits;
@@ -35,7 +35,7 @@ int apart(QRgb a, QRgb b) {
 
 namespace {
 
-/// Colours of a picture, each the commonest of its box, chosen where most pixels are furthest from
+/// Colors of a picture, each the commonest of its box, chosen where most pixels are furthest from
 /// those chosen before.
 QList<QRgb> commonest_colours(const QImage& image, std::size_t most) {
   std::unordered_map<QRgb, long> counts;
@@ -70,7 +70,7 @@ QList<QRgb> commonest_colours(const QImage& image, std::size_t most) {
   return out;
 }
 
-/// The nearest colour of a table, looked for once for colours that differ by less than is seen.
+/// The nearest color of a table, looked for once for colors that differ by less than is seen.
 class Nearest {
  public:
   explicit Nearest(const QList<QRgb>& table)
@@ -106,7 +106,7 @@ QImage in_few_colours(const QImage& picture, std::size_t most) {
           box.blue += qBlue(line[x]);
     }
   }
-  // Colour after colour where most pixels are furthest from those chosen before.
+  // Color after color where most pixels are furthest from those chosen before.
   struct Used {
     std::size_t box;
     QRgb mean;
@@ -154,7 +154,7 @@ QImage in_mixed_colours(const QImage& picture) {
   Nearest nearest(table);
   QImage out(image.size(), QImage::Format_Indexed8);
   out.setColorTable(table);
-  // What a pixel is off goes to those to its right and below it, in sixteenths.
+  // The color error of a pixel is distributed to those to its right and below it, in sixteenths.
   using Error = std::array<int, 3>;
   const auto width = static_cast<std::size_t>(image.width());
   std::vector<Error> here(width + 2), below(width + 2);

@@ -6,13 +6,13 @@
 
 namespace adore::desktop {
 
-/// The picture with at most `most` (1 to 256) colours of its own, chosen where its pixels are. A
-/// chart's PNG is a third of its size then; nobody sees a difference.
+/// The picture with at most `most` (1 to 256) colors, chosen from its pixels. The PNG file of a
+/// chart then has a third of its size, without a visible difference.
 [[nodiscard]] QImage in_few_colours(const QImage& picture, std::size_t most = 256);
 
-/// The same of shaded bodies: what lies between the 256 colours is mixed of pixels beside each
-/// other (Floyd and Steinberg), so that shading has no stripes. Pixels of those colours, paper and
-/// most lines and letters, stay what they are.
+/// The same for shaded bodies: intermediate colors are mixed from adjacent pixels (Floyd and
+/// Steinberg), so that shading has no stripes. Pixels of the palette, background and most lines and
+/// letters, are unchanged.
 [[nodiscard]] QImage in_mixed_colours(const QImage& picture);
 
 }  // namespace adore::desktop

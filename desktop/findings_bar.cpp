@@ -153,7 +153,7 @@ void FindingsBar::openList() {
   }
   list_->setFixedHeight(std::min(height, kHighest));
   popup_->adjustSize();
-  // Above the line where there is no room below.
+  // Above the line if there is no space below.
   const QPoint below = mapToGlobal(QPoint(0, this->height()));
   const bool up = below.y() + popup_->height() > window()->frameGeometry().bottom();
   popup_->move(up ? mapToGlobal(QPoint(0, 0)) - QPoint(0, popup_->height()) : below);

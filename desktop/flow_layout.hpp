@@ -5,8 +5,8 @@
 
 namespace adore::desktop {
 
-/// Widgets in a row that goes on below where the window is narrow, as words do. What is left of a
-/// row belongs to those that grow, and to stretches.
+/// Widgets in a row that wraps in a narrow window, like words. The rest of a row is given to
+/// widgets that grow, and to stretches.
 class FlowLayout : public QLayout {
  public:
   explicit FlowLayout(QWidget* parent = nullptr) : QLayout(parent) {}

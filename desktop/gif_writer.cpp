@@ -94,8 +94,8 @@ QByteArray compressed(const QImage& image) {
   return out.blocks();
 }
 
-/// The 256 colours nearest to those of a picture: its colours in 32^3 cells, parted where they
-/// spread most (median cut). A fixed palette paints grey metal teal, which is a colour of scales.
+/// The 256 colors nearest to those of a picture: its colors in 32^3 cells, parted where they
+/// spread most (median cut). A fixed palette paints gray metal teal, which is a color of scales.
 class Palette {
  public:
   explicit Palette(const QImage& image) : cell_(kCells), index_(kCells, 0) {
@@ -205,7 +205,7 @@ GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_p
   QByteArray head("GIF89a");
   append_word(head, size.width());
   append_word(head, size.height());
-  head.append('\x70');  // no colours of its own, eight bits each
+  head.append('\x70');  // no separate palette, eight bits each
   head.append('\0').append('\0');
   head.append("\x21\xff\x0bNETSCAPE2.0\x03\x01", 16);
   append_word(head, 0);
@@ -234,7 +234,7 @@ void GifWriter::add(const QImage& picture) {
   append_word(out, 0);
   append_word(out, size_.width());
   append_word(out, size_.height());
-  out.append('\x87');  // 256 colours of its own
+  out.append('\x87');  // separate palette of 256 colors
   const QList<QRgb> colours = image.colorTable();
   for (qsizetype i = 0; i < 256; ++i) {
     const QRgb c = i < colours.size() ? colours[i] : qRgb(0, 0, 0);
@@ -249,7 +249,7 @@ void GifWriter::add(const QImage& picture) {
 }
 
 void GifWriter::finish() {
-  if (frames_ == 0) throw InputError("a film without pictures is not written: " + path_.string());
+  if (frames_ == 0) throw InputError("a movie without pictures was not written: " + path_.string());
   write(QByteArray(1, '\x3b'));
   file_.commit();
 }

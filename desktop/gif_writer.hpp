@@ -11,7 +11,7 @@ class QImage;
 
 namespace adore::desktop {
 
-/// An animated GIF (89a) that repeats for ever: 256 colours for each picture, LZW. The file appears
+/// An animated GIF (89a) that repeats for ever: 256 colors for each picture, LZW. The file appears
 /// under its name only when finish() succeeds. Pauses are whole hundredths of a second: 50 pictures
 /// a second at most.
 class GifWriter {

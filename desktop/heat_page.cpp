@@ -20,7 +20,7 @@ using results::StaticTables;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHalf = 0.12;  ///< half the side of a node's square
 
-/// Places of the nodes: radius upwards, medium to the right. Nodes of the middle column that the
+/// Places of the nodes: radius upward, medium to the right. Nodes of the middle column that the
 /// table does not have leave no gap.
 struct Place {
   const char* column;  ///< of the table
@@ -127,7 +127,7 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   ChartPage page;
   page.title = "Thermal network";
   page.note =
-      "Schematic: radius upwards, coolant or medium to the right. Arrows point along the heat "
+      "Schematic: radius upward, coolant or medium to the right. Arrows point along the heat "
       "flow.";
   page.equal_axes = true;
   page.closed_outline = true;

@@ -93,7 +93,7 @@ QString free_name(const QString& name) {
   return out;
 }
 
-/// Is it the name that was proposed, with or without its number, in whatever format?
+/// Is it the proposed name, with or without its number, in any format?
 bool is_proposed(const QString& shown, const QString& saved) {
   const QString stem = QFileInfo(shown).completeBaseName();
   const QRegularExpression form("^" + QRegularExpression::escape(stem) + "(-\\d+)?$");

@@ -13,13 +13,14 @@
 /// Pictures on disk and on paper.
 namespace adore::desktop {
 
-/// What a picture may replace: what this program made before, or whatever the user was asked about.
+/// Files that a picture may replace: those written by this program, or any file that the user has
+/// confirmed.
 enum class Replace : unsigned char { OwnPictures, Anything };
 
-/// Writes PNG or JPEG by the name's suffix (.png, .jpg, .jpeg), replacing an old file only when the
-/// new one is complete. The picture says that this program made it.
-/// @throws InputError when the suffix is none of these, the file cannot be written, or another one
-/// is there that may not be replaced.
+/// Writes PNG or JPEG by the suffix of the name (.png, .jpg, .jpeg); replaces an old file only when
+/// the new one is complete. The picture names this program as its source.
+/// @throws InputError if the suffix is none of these, the file cannot be written, or a file exists
+/// that may not be replaced.
 void save_image(const QImage& image, const WritePath& place,
                 Replace replace = Replace::OwnPictures);
 
@@ -35,13 +36,12 @@ void check_replaceable(const std::filesystem::path& path);
 void make_folder(const std::filesystem::path& folder);
 
 /// "plot.jpg" -> "plot-2.jpg" -> "plot-3.jpg": the name to propose after a picture was saved under
-/// `previous`; goes on counting while the file exists already.
+/// `previous`; counts further while the file exists.
 QString next_image_name(const QString& previous);
 
-/// The proposal for a picture of what has the name `shown`, remembered across sessions: that name,
-/// or where it is taken with a number of its own ("SOL1-page-6.jpg", "SOL1-page-6-2.jpg"), in the
-/// folder where pictures of the same folder went last. A name of somebody's own counts on while the
-/// same is shown.
+/// The proposed name for a picture of `shown`, remembered across sessions: that name, or with a
+/// number if it exists ("SOL1-page-6.jpg", "SOL1-page-6-2.jpg"), in the folder of the last pictures
+/// of the same folder. A name chosen by the user is counted on while the same is shown.
 QString proposed_image_name(const QString& app, const QString& shown);
 void remember_image_name(const QString& app, const QString& shown, const QString& saved);
 

@@ -15,7 +15,7 @@ bool start_detached(const QString& path, const QStringList& arguments) {
   QProcess process;
   process.setProgram(path);
   process.setArguments(arguments);
-  // A window that holds a pipe of this program keeps whoever reads it waiting for its end.
+  // A window that holds a pipe of this program would keep its reader waiting.
   process.setStandardInputFile(QProcess::nullDevice());
   process.setStandardOutputFile(QProcess::nullDevice());
   process.setStandardErrorFile(QProcess::nullDevice());
@@ -39,7 +39,7 @@ void start_program(const QString& program, const QStringList& arguments) {
   if (path.isEmpty()) path = QStandardPaths::findExecutable(program);
   if (path.isEmpty())
     throw InputError(program.toStdString() + " is neither in " + here.toStdString() +
-                     " nor in the PATH; install it beside this program");
+                     " nor in the PATH; install it next to this program");
   if (!starter()(path, arguments)) throw InputError(path.toStdString() + " could not be started");
 }
 

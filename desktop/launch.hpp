@@ -8,16 +8,16 @@
 /// Starting another program of the suite.
 namespace adore::desktop {
 
-/// Starts `program` (adrplot, agore, adrinput) as a program of its own that outlives this one and
-/// holds none of its streams. It is looked for beside this program, then in the PATH.
-/// @throws InputError when it is not installed or does not start.
+/// Starts `program` (adrplot, agore, adrinput) as a separate process that outlives this one and
+/// holds none of its streams. It is searched in the folder of this program, then in the PATH.
+/// @throws InputError if it is not installed or does not start.
 void start_program(const QString& program, const QStringList& arguments);
 
 /// Starts the program at a path; false when that failed.
 using Starter = std::function<bool(const QString& path, const QStringList& arguments)>;
 
-/// What start_program() starts by from now on (none: as it does by itself), for tests, which must
-/// leave no windows behind. Gives what it was.
+/// Replaces the function that start_program() uses (none: the default), for tests, which must not
+/// leave windows. Returns the previous one.
 Starter start_programs_by(Starter start);
 
 }  // namespace adore::desktop

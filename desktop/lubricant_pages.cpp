@@ -64,18 +64,18 @@ std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& cont
   // Without limiting shear stress laws reach hundreds: a linear scale would hide the rest.
   pages[0].panels[0].log = largest(all.traction) > 1.0;
   if (largest(all.traction) > kMeasured)
-    add_note(pages[0],
-             "no disc machine has measured coefficients above 0.12 (no limiting shear stress)");
+    add_note(
+        pages[0],
+        "coefficients above 0.12 were never measured on disc machines (no limiting shear stress)");
   add_note(pages[0], all.recommended);
   for (const std::size_t page : {std::size_t{0}, std::size_t{1}})
     add_note(pages[page], all.beyond_range);
   constexpr double kNearGlass = 0.99e12;  // tribology/viscosity/glass.hpp
-  if (largest(all.viscosity) > kNearGlass)
-    add_note(pages[1], "level at 10¹² Pa·s: a glass, where the laws end");
+  if (largest(all.viscosity) > kNearGlass) add_note(pages[1], "limited at 10¹² Pa·s (glass)");
   if (all.beyond_heating)
-    add_note(pages.back(),
-             "the inlet's heating is held at a tenth: films that rise again behind a dip are "
-             "extrapolations");
+    add_note(
+        pages.back(),
+        "inlet heating factor limited to 0.1: films that rise after a minimum are extrapolated");
   return pages;
 }
 

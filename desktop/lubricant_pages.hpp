@@ -6,12 +6,12 @@
 #include <vector>
 
 /// A lubricant of kTrac as charts: traction over slip, viscosity over pressure, film and lambda
-/// over speed. `adore plot --lubricant` draws them, AdrInput shows them beside record 10.
+/// over speed. Used by `adore plot --lubricant` and, for record 10, by AdrInput.
 namespace adore::desktop {
 
 inline constexpr const char* kLubricantPages[] = {"traction", "viscosity", "film"};
 
-/// Titles name the lubricant and, where nothing beside the page says it, what is drawn.
+/// Titles name the lubricant and, if the page does not show it otherwise, the content.
 enum class LubricantTitle : unsigned char { Whole, Lubricant };
 [[nodiscard]] std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact,
                                                      LubricantTitle title = LubricantTitle::Whole);

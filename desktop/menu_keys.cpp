@@ -28,7 +28,7 @@ bool is_stray_letter(const QKeyEvent& key) {
   return held == Qt::AltModifier && !key.text().isEmpty() && key.text().front().isPrint();
 }
 
-/// Menus, which take a letter with Alt themselves, are windows of their own but no dialogs.
+/// Menus, which take letters with Alt themselves, are separate windows but not dialogs.
 bool in_dialog_of(const QWidget& widget, const QWidget& window) {
   const QWidget* top = widget.window();
   if (qobject_cast<const QDialog*>(top) == nullptr) return false;

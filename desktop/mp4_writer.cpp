@@ -18,7 +18,7 @@ Mp4Writer::Mp4Writer(const std::filesystem::path& path, QSize size, int frames_p
   if (program.isEmpty())
     throw InputError(path.string() +
                      " needs the program ffmpeg, which is not in the PATH; install it, or write a "
-                     "film that ends in .avi or .gif");
+                     "movie as .avi or .gif");
   process_.setStandardOutputFile(QProcess::nullDevice());
   process_.start(program, {"-y",
                            "-loglevel",
@@ -51,7 +51,7 @@ Mp4Writer::~Mp4Writer() {
 
 void Mp4Writer::fail() {
   const QByteArray said = process_.readAllStandardError().trimmed();
-  throw InputError(path_.string() + ": ffmpeg could not write the film" +
+  throw InputError(path_.string() + ": ffmpeg could not write the movie" +
                    (said.isEmpty() ? std::string() : ": " + said.toStdString()));
 }
 

@@ -30,7 +30,7 @@ OneWindow::OneWindow(const QString& program, const QString& folder, QObject* par
   server_->setSocketOptions(QLocalServer::UserAccessOption);
   QLocalSocket other;
   other.connectToServer(name);
-  if (other.waitForConnected(kPatience)) return;  // that window goes on being the one
+  if (other.waitForConnected(kPatience)) return;  // the other window stays the only one
   QLocalServer::removeServer(name);               // of a program that was cut off
   if (!server_->listen(name)) return;
   connect(server_, &QLocalServer::newConnection, this, [this, show = std::move(show)] {

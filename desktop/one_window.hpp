@@ -13,8 +13,8 @@ class QLocalServer;
 /// the project already, before it starts another one.
 namespace adore::desktop {
 
-/// Listens for files of the project in a folder. The first window of a folder gets them; when it
-/// is closed, nobody does until the next one opens. Lives as long as its parent.
+/// Listens for files of the project in a folder. The first window of a folder gets them; after it
+/// is closed, no window does until the next one opens. Exists as long as its parent.
 class OneWindow : public QObject {
  public:
   /// @param program "adrplot" or "agore"

@@ -46,15 +46,15 @@ std::string page_csv(const ChartPage& page) {
   for (const ChartPanel& panel : page.panels)
     for (const ChartCurve& curve : panel.curves) {
       std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
-      // "Orbital" of what? A column goes on without its page.
+      // A column needs its full name without the page.
       if (!page.about.empty())
         name = page.about + ": " + (page.title == panel.title ? "" : page.title + ": ") + name;
       if (page.equal_axes)
         columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
       columns.push_back({with_unit(name, panel.unit), &curve.y, curve.lift});
       if (!curve.stored.empty())
-        columns.push_back({field(name + ": stored (1) or read off a straight line (0)"), &curve.y,
-                           0.0, &curve.stored});
+        columns.push_back(
+            {field(name + ": stored (1) or interpolated (0)"), &curve.y, 0.0, &curve.stored});
       if (curve.low.empty()) continue;
       columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
       columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});

@@ -22,7 +22,7 @@ class ChartScene;
 /// come back as they are.
 [[nodiscard]] std::string page_csv(const ChartPage& page);
 
-/// What is seen of a page: the values inside the view, of the curves that are shown.
+/// Visible part of a page: the values inside the view, of the visible curves.
 [[nodiscard]] ChartPage seen_part(const ChartScene& scene);
 
 /// Paints a page, laid out for `page` pixels, as lines and text into `target` of any device.

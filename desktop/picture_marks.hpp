@@ -14,7 +14,7 @@ namespace adore::desktop {
 void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
                 const QColor& colour, const QPen& casing = Qt::NoPen);
 
-/// A round body lit from the upper left: its colours towards the light, in the middle and at the
+/// A round body lit from the upper left: its colors toward the light, in the middle and at the
 /// rim.
 [[nodiscard]] QBrush ball_brush(QPointF centre, double radius, const QColor& lit,
                                 const QColor& middle, const QColor& rim);

@@ -4,9 +4,9 @@
 
 namespace adore::desktop {
 
-/// Fusion with scroll bars whose handle stands out from its track: in Fusion's own a handle lighter
-/// than the track is easily taken for the track. Boxes and rings to be ticked have an edge that is
-/// seen: Fusion's has a contrast of 1.2 in dark colours.
+/// Fusion with scroll bars whose handle is distinct from its track: the original handle, lighter
+/// than the track, looks like the track. Check boxes and radio buttons have a visible edge: in dark
+/// colors that of Fusion has a contrast of 1.2.
 class ScrollStyle : public QProxyStyle {
   Q_OBJECT
  public:

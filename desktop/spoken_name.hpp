@@ -5,8 +5,8 @@ class QString;
 
 namespace adore::desktop {
 
-/// What a screen reader calls a box of choices. Where names of boxes are their present text (Qt on
-/// Linux tells the name by a label alone), the description says it, too.
+/// Accessible name of a combo box. If the name of boxes is their current text (Qt on Linux takes
+/// the name only from a label), the description contains it, too.
 void name_box(QComboBox& box, const QString& name);
 
 }  // namespace adore::desktop

@@ -92,8 +92,8 @@ StaticTable by_azimuth(StaticTable table) {
   return table;
 }
 
-/// A sorted table whose element at 180 degrees stands at -180 too, so that the axis is a whole
-/// turn.
+/// A sorted table whose element at 180 degrees is repeated at -180, so that the axis is a full
+/// circle.
 StaticTable whole_turn(StaticTable table) {
   const StaticColumn* azimuth = table.find("azimuth");
   const double half_turn = std::acos(-1.0);
@@ -108,14 +108,13 @@ StaticTable whole_turn(StaticTable table) {
 }
 
 /// Loads as marks at that distance from the bearing's axis, seen along +x: +z up, azimuth turning
-/// from z towards -y. Marks are not joined: between elements nothing is loaded.
+/// from z toward -y. Marks are not joined: between elements nothing is loaded.
 ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Load around the bearing";
   page.note =
-      "Each mark is an element, and its distance from the centre is the load of the contact: those "
-      "without load are in the centre, and between marks there is none. Up is azimuth 0, and y "
-      "points right.";
+      "One mark per element: the distance from the center is the contact load. Unloaded elements "
+      "are at the center. Up: azimuth 0; right: y.";
   page.equal_axes = true;
   page.closed_outline = true;
   page.points = true;
@@ -151,13 +150,12 @@ ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
   return page;
 }
 
-/// Where the ellipses of all elements lie on their grooves.
+/// Position of the ellipses of all elements on their grooves.
 std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.points = true;
   page.title = "Contact ellipses around the bearing";
-  page.note =
-      "Angles on the groove from its bottom: the ellipse should stay inside the groove's end.";
+  page.note = "Angles from the groove bottom. The ellipse should stay within the groove.";
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
   for (const std::string race : {"outer ", "inner "})
     add(page, panel(all, elements, race == "outer " ? "Outer groove" : "Inner groove",
@@ -230,7 +228,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
       const double out = (label.x - middle) / half_width;
       label.towards_x = ball && std::abs(out) > 0.38 ? std::copysign(1.0, out) : low ? -1.0 : 1.0;
       label.towards_y = up;
-      label.text = !std::isfinite(margin) ? "edge of the groove not given"
+      label.text = !std::isfinite(margin) ? "groove edge not given"
                    : margin > 0.0
                        ? fmt::format("{} to the edge", quantity(margin, results::unit::kLength, 3))
                    : margin == 0.0 ? "reaches the edge"
@@ -269,7 +267,7 @@ std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& e
   for (ChartPanel& each : page.panels)
     if (each.curves.size() == 1 && !each.curves[0].name.empty())
       each.title += ", " + each.curves[0].name;
-  // Millionths of a degree, of a newton or of a newton metre are rounding, not a picture.
+  // Millionths of a degree, of a newton or of a newton meter are rounding, not a picture.
   for (ChartPanel& each : page.panels) each.least_span = 1e-6;
   return page;
 }
@@ -328,8 +326,7 @@ std::string without_steps(const results::SweepTable& sweep) {
     const auto still = std::count(column.values.begin(), column.values.end(), 0.0);
     if (still == 0) return {};
     return fmt::format(
-        "{} of {} made no step (maxStps = 0): loads are those at rest, and means, "
-        "ratios and heat were not computed there.",
+        "{} of {} made no step (maxStps = 0): loads at rest; means, ratios and heat not computed.",
         still, counted(column.values.size(), "run"));
   }
   return {};
@@ -381,7 +378,7 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.x_title = sweep.variable;
       page.x_unit = sweep.unit;
       page.x = sweep.values;
-      page.points = true;  // what was computed; lines only join it
+      page.points = true;  // computed values; lines only join them
       std::string names;
       // Shifts and tilts are both "Displacement", with another unit.
       for (std::size_t k = i; k < std::min(i + kPanelsPerPage, panels.size()); ++k)
@@ -391,10 +388,9 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.note = still;
     }
     if (panels[i].title.starts_with("Life"))
-      pages.back().note =
-          (still.empty() ? "" : still + " ") +
-          "Lives: the original model by a published constant (seen); the others calibrated on it "
-          "by this program; factors recalled (STLE) or derived (Tallian-type).";
+      pages.back().note = (still.empty() ? "" : still + " ") +
+                          "Lives: original model with a published constant (seen), others "
+                          "calibrated to it; factors recalled (STLE) or derived (Tallian-type).";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

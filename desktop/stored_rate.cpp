@@ -26,10 +26,10 @@ std::string seldom_stored(const std::vector<double>& times, double frequency, lo
   const double values = values_per_period(times, frequency);
   if (!(values > 0.0) || values >= kTrueShape) return {};
   return fmt::format(
-      "The fastest contact vibration, {}, has {:.2g} {} steps a period: its shape and part of its "
-      "peaks are not seen{}.",
+      "Coarse: the fastest contact vibration, {}, has {:.2g} {} steps per period. Shape and peaks "
+      "are not reliable{}.",
       pretty_quantity(frequency, "Hz", 3), values, every > 1 ? "drawn" : "stored",
-      beside_bands ? " in lines without pale areas" : "");
+      beside_bands ? " in lines without min–max band" : "");
 }
 
 }  // namespace adore::desktop

@@ -56,8 +56,8 @@ class Column {
   std::size_t from_ = part_.size(), to_ = 0;
 };
 
-/// A round pen as strips: how far up and down it reaches, so many strips beside its middle. Of the
-/// outermost one a part belongs to it.
+/// A round pen as strips: its extent up and down, number of strips next to its middle. Only a part
+/// of the outermost strip belongs to it.
 struct Pen {
   explicit Pen(double radius) {
     const double all = 2.0 * radius * kStrips;  // strips
@@ -73,7 +73,7 @@ struct Pen {
   [[nodiscard]] int most() const { return static_cast<int>(reach.size()) - 1; }
 };
 
-/// An empty image of a colour, to be laid on in covers.
+/// An empty image of a color, to be laid on in covers.
 struct Cover {
   Cover(const QRect& box, const QColor& colour)
       : out{QImage(box.size(), QImage::Format_ARGB32_Premultiplied), box.topLeft()},
@@ -82,7 +82,7 @@ struct Cover {
     out.image.fill(Qt::transparent);
     pixels = reinterpret_cast<QRgb*>(out.image.bits());
   }
-  /// Where more lies already it stays. `x` counts from the left of the picture, not of the image.
+  /// Keeps larger existing coverage. `x` counts from the left of the picture, not of the image.
   void lay(Column& column, int x) {
     column.take([&](int row, float cover) {
       QRgb& pixel = pixels[static_cast<std::size_t>(row) * stride +

@@ -9,10 +9,10 @@
 
 class QPen;
 
-/// What goes to the right, as an image of how much of each pixel it covers: strokes of a round pen,
-/// and areas. A general painter cuts a stroke into its outline first, which takes several
-/// microseconds for each point, and sorts the edges of an outline; here a point takes none and a
-/// column of pixels less than one.
+/// Strokes of a round pen and areas with increasing x, as an image of the covered fraction of each
+/// pixel. A general painter cuts a stroke into its outline first, which takes several microseconds
+/// for each point, and sorts the edges of an outline; here a point takes no
+/// measurable time and a column of pixels less than a microsecond.
 namespace adore::desktop {
 
 struct StrokeImage {

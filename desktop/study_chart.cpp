@@ -15,7 +15,7 @@
 #include <cmath>
 #include <limits>
 
-/// What is in a picture of a study, and its file. Drawing: study_paint.cpp.
+/// Content of a picture of a study, and its file. Drawing: study_paint.cpp.
 namespace adore::desktop {
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<double> numbers(const Json& json) {
   return out;
 }
 
-/// Charts of an earlier release know no runs.
+/// Charts of an earlier release contain no runs.
 template <class Value>
 Value runs_of(const Json& json) {
   const auto found = json.find("runs");
@@ -185,12 +185,12 @@ std::vector<StudyChart> parse_study_charts(const std::string& text, const std::s
   const Json list = parse_json(text, name);
   std::vector<StudyChart> out;
   try {
-    if (!list.is_array()) throw InputError("no list");
+    if (!list.is_array()) throw InputError("not a list");
     for (const Json& chart : list) out.push_back(chart_of(chart));
   } catch (const Json::exception&) {
-    throw InputError(fmt::format("{} holds no charts of `adore study`", name));
+    throw InputError(fmt::format("{} contains no charts of `adore study`", name));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{} holds no charts of `adore study`: {}", name, error.what()));
+    throw InputError(fmt::format("{} contains no charts of `adore study`: {}", name, error.what()));
   }
   return out;
 }

@@ -28,7 +28,7 @@ struct HeatMap {
   std::vector<std::vector<Runs>> runs;          ///< [y][x]; may be empty
 };
 
-/// One line per run across an axis for each column; the colour goes with the last one.
+/// One line per run across an axis for each column; the color goes with the last one.
 struct ParallelLines {
   std::string title;
   std::vector<std::string> axes;

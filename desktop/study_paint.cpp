@@ -89,7 +89,7 @@ struct Extent {
     high = std::max(high, value);
   }
   [[nodiscard]] bool any() const { return low <= high; }
-  /// Values over two decades and more, none of them 0 or negative: in one colour but the largest
+  /// Values over two decades and more, none of them 0 or negative: in one color but the largest
   /// few on an even scale.
   [[nodiscard]] bool wide() const { return low > 0.0 && high >= 100.0 * low; }
   [[nodiscard]] double share(double value, bool logarithmic = false) const {
@@ -99,7 +99,7 @@ struct Extent {
   }
 };
 
-/// Dark blue over green to yellow: rises in lightness, so that it reads in grey too.
+/// Dark blue over green to yellow: rises in lightness, so that it reads in gray too.
 QColor heat_colour(double share) {
   constexpr std::array<std::array<double, 3>, 5> kStops{
       {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
@@ -142,7 +142,7 @@ void paint(const HeatMap& map, QPainter& painter, const QSizeF& size, const Them
   for (const auto& row : map.values)
     for (const double value : row) extent.add(value);
   Sheet sheet(place.page, painter, theme, map.title);
-  // Numbers in cells are those of the scale beside them: in its unit.
+  // Numbers in cells have the unit of the scale.
   const bool wide = extent.wide();
   const AxisScale axis = wide ? log_axis(extent.low, extent.high, map.unit, true)
                               : tight_axis(extent.low, extent.high, map.unit, 6);
@@ -249,7 +249,7 @@ void paint(const ParallelLines& lines, QPainter& painter, const QSizeF& size, co
   for (std::size_t k = 0; k < lines.axes.size(); ++k) {
     const double x = plane.left() + place.gap * static_cast<double>(k);
     sheet.line({x, plane.top()}, {x, plane.bottom()}, theme.text, 1.5);
-    // Names stand in two rows, so that each has the room of two gaps.
+    // Names are in two rows, so that each has the space of two gaps.
     const double room =
         std::min({2.0 * place.gap - 8 * u, 400.0 * u, 2.0 * std::min(x, size.width() - x) - 4 * u});
     sheet.label({x - room / 2, (k % 2 == 0 ? 48 : 70) * u, room, 24 * u}, Qt::AlignCenter,

@@ -42,7 +42,7 @@ class SvgEngine final : public QPaintEngine {
   void drawPath(const QPainterPath& path) override {
     const QPainterPath mapped = transform_.map(path);
     if (mapped.isEmpty()) return;
-    const QString inside = clip(), filled = fill();  // what they define stands before
+    const QString inside = clip(), filled = fill();  // definitions come before their use
     body += QString("<path d=\"%1\" %2%3%4%5/>\n")
                 .arg(outline(mapped), inside, filled, stroke(),
                      mapped.fillRule() == Qt::OddEvenFill ? " fill-rule=\"evenodd\"" : "");
@@ -106,7 +106,7 @@ class SvgEngine final : public QPaintEngine {
     }
     return d;
   }
-  /// The clip in numbers of the page, whatever the painter's transformation becomes later.
+  /// The clip in page coordinates, independent of later transformations of the painter.
   void take_clip(const QPaintEngineState& now) {
     QPainterPath added;
     if (now.state() & DirtyClipPath)

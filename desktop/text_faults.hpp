@@ -7,9 +7,9 @@
 
 namespace adore::desktop {
 
-/// Words of a page that nobody can read: texts that lie over each other or beyond the page's edge,
-/// or that end in dots.
-/// A sentence each; none is well.
+/// Unreadable texts of a page: texts that overlap or extend beyond the page edge, or that end in
+/// dots.
+/// One sentence each; none: no faults.
 [[nodiscard]] std::vector<std::string> text_faults(const ChartScene& scene);
 
 }  // namespace adore::desktop

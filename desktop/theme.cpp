@@ -87,7 +87,7 @@ void apply_theme(ThemeKind kind) {
   palette.setColor(QPalette::Highlight, kind == ThemeKind::Dark ? QColor("#2b6ca6") : t.accent);
   palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
   palette.setColor(QPalette::Link, t.accent);
-  // What cannot be used now is pale, but can be read.
+  // Disabled controls are pale but readable.
   const QColor idle(kind == ThemeKind::Dark ? "#8793a2" : "#858e9b");
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, idle);

@@ -6,8 +6,8 @@
 
 #include <array>
 
-/// Colours and fonts of every window and picture. Light on paper, dark on screen; both with the
-/// same order of eight curve colours, told apart with the common colour-vision deficiencies (the
+/// Colors and fonts of every window and picture. Light on paper, dark on screen; both with the
+/// same order of eight curve colors, told apart with the common color-vision deficiencies (the
 /// first after Okabe and Ito, the others by lightness; tests/desktop/test_palette.cpp).
 namespace adore::desktop {
 
@@ -29,28 +29,28 @@ const Theme& current_theme();
 /// Palette, style and font of the whole application.
 void apply_theme(ThemeKind kind);
 
-/// Dark when the desktop says so (palette of the platform at start-up), light otherwise and always
-/// when headless.
+/// Dark if the desktop prefers it (palette of the platform at start-up), else light; always light
+/// without a display.
 ThemeKind desktop_preference();
 
-/// What a person chose in one of the windows counts in all of them, at the next start, too.
+/// A choice in one of the windows applies to all of them, also at the next start.
 void remember_theme(ThemeKind kind);
-/// What was chosen, else the desktop's.
+/// The choice of the user, else that of the desktop.
 [[nodiscard]] ThemeKind preferred_theme();
 
 /// The shipped font, by pixel size, so that a picture looks the same on every machine.
 QFont ui_font(int pixel_size, bool bold = false);
 
-/// A line whose parts stand apart by "   ·   ", as wide as there is room: closer together, and with
-/// dots in its first part, a name, or at its end where that is not enough.
+/// A line whose parts are separated by "   ·   ", fitted to a width: closer together, and if
+/// necessary with dots in its first part, a name, or at its end.
 QString fitted_line(const QString& text, const QFontMetricsF& metrics, qreal width);
 
-/// Such a line below a title: what has no room there goes beside the title, from the end, before
-/// anything is shortened.
+/// Such a line below a title: parts that do not fit are placed next to the title, from the end,
+/// before anything is shortened.
 struct FittedHeading {
   QString below, beside;
 };
-/// @param free room beside the title
+/// @param free width next to the title
 FittedHeading fitted_heading(const QString& text, const QFontMetricsF& metrics, qreal width,
                              qreal free);
 

@@ -10,7 +10,7 @@
 namespace adore::desktop {
 namespace {
 
-/// @param room that two neighbours need from middle to middle
+/// @param room that two neighbors need from middle to middle
 template <class Room>
 std::vector<AxisTick> thinned(std::vector<AxisTick> ticks, const AxisScale& axis, qreal length,
                               Room room) {

@@ -6,14 +6,14 @@
 
 #include <vector>
 
-/// Numbers of an axis that have room beside each other.
+/// Numbers of an axis that do not overlap.
 namespace adore::desktop {
 
-/// Of an axis so many pixels long, the ticks whose numbers do not lie on each other: all, or fewer
-/// round ones, or the outermost.
+/// Ticks of an axis with that many pixels whose numbers do not overlap: all, or fewer round ones,
+/// or the outermost.
 [[nodiscard]] std::vector<AxisTick> ticks_across(std::vector<AxisTick> ticks, const AxisScale& axis,
                                                  qreal length, const QFontMetricsF& letters);
-/// The same of an upright axis, whose numbers stand above each other.
+/// The same for a vertical axis, whose numbers are above each other.
 [[nodiscard]] std::vector<AxisTick> ticks_upwards(std::vector<AxisTick> ticks,
                                                   const AxisScale& axis, qreal length,
                                                   const QFontMetricsF& letters);

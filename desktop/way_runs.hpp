@@ -12,12 +12,11 @@ struct Stretch {
   std::size_t first = 0, end = 0;
 };
 
-/// A way in runs of a few neighbouring points and the boxes that hold them: what is far from a
+/// A way in runs of a few neighboring points and the boxes that hold them: what is far from a
 /// place or from a part of a picture is passed over without a look at its points.
 class WayRuns {
  public:
-  /// Of a run, with the stroke to the next one. Nothing is known of a run: its left is right of its
-  /// right.
+  /// Extent of a run, with the stroke to the next one. For an empty run left is right of right.
   struct Box {
     double left, right, low, high;
   };

@@ -14,21 +14,21 @@
 class QPainter;
 class QPen;
 
-/// A way to and fro of very many points that is moved about in its frame.
+/// An oscillating path of very many points that is moved in its frame.
 namespace adore::desktop {
 
-/// Where a way is drawn: inside `area`, at the places that `scale` gives. Two pictures of a way
-/// that is moved have `anchor`, a point of the plane, at places that are whole pixels apart.
+/// Position of a path: inside `area`, with the mapping `scale`. Two pictures of a moved path have
+/// `anchor`, a point of the plane, at positions that are whole pixels apart.
 struct WayPlace {
   PlaneScale scale;
   QPointF anchor;
   QRectF area;
 };
 
-/// The seen strokes of a way (`seen_way`) as tiles of pixels that hang on the way and not on its
-/// frame. A frame that moves shows the tiles that it showed before, and only new ones are drawn
-/// from the strokes that pass them. No stroke comes or goes as it moves, and a picture does not
-/// tell by which moves it was reached.
+/// The visible strokes of a path (`seen_way`) as tiles of pixels that belong to the path and not to
+/// its frame. A moved frame shows the existing tiles, and only new ones are drawn from the strokes
+/// through them. No stroke appears or disappears during a motion, and a picture does not depend on
+/// the previous ones.
 class WayTiles {
  public:
   /// Draws the way: its tiles on a screen, on which `anchor` has to be at whole pixels (else it is

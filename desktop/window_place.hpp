@@ -16,11 +16,11 @@ namespace adore::desktop {
 /// no screen: there it is `preferred`.
 void open_at_size(QWidget& window, QSize preferred);
 
-/// Gives a main window the size and place that it had when it was closed last, if ever, and stores
-/// them when it is closed. Lives as long as the window.
+/// Restores the size and position of a main window from its last use, and stores them when it is
+/// closed. Exists as long as the window.
 class WindowMemory : public QObject {
  public:
-  /// @param app whose settings they stand in, e.g. "agore"
+  /// @param app name of the settings, e.g. "agore"
   WindowMemory(QWidget& window, QString app);
   bool eventFilter(QObject* object, QEvent* event) override;
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
-/// What is written from the tree of commands: help on the terminal, the manual page, completion of
-/// the three shells, JSON.
+/// Output generated from the tree of commands: help on the terminal, manual page, completion for
+/// three shells, JSON.
 namespace adore::command_line {
 
 /// `--help` of a command; `path`: "adore run".
@@ -18,6 +18,10 @@ namespace adore::command_line {
 [[nodiscard]] std::string zsh_completion(const CommandText& program);
 [[nodiscard]] std::string fish_completion(const CommandText& program);
 [[nodiscard]] std::string tree_json(const CommandText& program);
+
+/// Help of an option, followed by its choices: "view to draw: bearing, cage, 3d". Lists of more
+/// than twelve are left out.
+[[nodiscard]] std::string help_with_choices(const OptionText& option);
 
 /// "adore run [DECK] [OPTIONS]"
 [[nodiscard]] std::string usage_line(const CommandText& command, const std::string& path);

@@ -21,18 +21,18 @@ std::string names_of(const OptionText& option) {
 }
 
 std::string help_of(const OptionText& option) {
-  std::string out = option.help;
+  std::string out = help_with_choices(option);
   if (!option.default_value.empty()) out += fmt::format(" (default: {})", option.default_value);
   return out;
 }
 
-/// Names in a left column, texts beside them; long names have their line alone.
+/// Names in a left column with texts next to them; long names get a separate line.
 std::string entries(const std::vector<std::pair<std::string, std::string>>& rows,
                     std::size_t width) {
-  constexpr std::size_t kMargin = 2, kMostNames = 24;
+  constexpr std::size_t kMargin = 2, kMaxNameWidth = 24;
   std::size_t names = 0;
   for (const auto& row : rows)
-    if (row.first.size() <= kMostNames) names = std::max(names, row.first.size());
+    if (row.first.size() <= kMaxNameWidth) names = std::max(names, row.first.size());
   const std::size_t column = kMargin + std::max<std::size_t>(names, 8) + 2;
   std::string out;
   for (const auto& [name, text] : rows) {
@@ -45,6 +45,15 @@ std::string entries(const std::vector<std::pair<std::string, std::string>>& rows
 }
 
 }  // namespace
+
+std::string help_with_choices(const OptionText& option) {
+  constexpr std::size_t kMaxListedChoices = 12;
+  if (option.words.empty() || option.words.size() > kMaxListedChoices) return option.help;
+  std::string out = option.help;
+  for (const std::string& word : option.words)
+    out += (&word == &option.words.front() ? ": " : ", ") + word;
+  return out;
+}
 
 std::string usage_line(const CommandText& command, const std::string& path) {
   std::string out = path;

@@ -38,7 +38,7 @@ std::string option_entry(const OptionText& option) {
   if (!option.positional && !option.value.empty())
     names += fmt::format(" \\fI{}\\fR", roff(option.value));
   if (option.many) names += " ...";
-  std::string help = roff(option.help);
+  std::string help = roff(help_with_choices(option));
   if (!option.default_value.empty())
     help += fmt::format(" (default: {})", roff(option.default_value));
   return fmt::format(".TP\n{}\n{}\n", names, help);

@@ -45,8 +45,8 @@ void refuse_values_of_flags(CLI::App& app) {
 
 std::unique_ptr<CLI::App> make_program(const std::string& text, const std::string& name) {
   auto program = std::make_unique<CLI::App>(text, name);
-  program->set_help_flag("-h,--help", "show this help and end");
-  program->set_version_flag("--version", std::string(kProgramVersion), "show the version and end");
+  program->set_help_flag("-h,--help", "show this help and exit");
+  program->set_version_flag("--version", std::string(kProgramVersion), "show the version and exit");
   CLI::App* const app = program.get();
   program->add_flag_callback(
       "--man",
@@ -62,7 +62,7 @@ std::unique_ptr<CLI::App> make_program(const std::string& text, const std::strin
                    print(stdout, completion(*app, shell));
                    throw CLI::Success();
                  },
-                 "print the completion script of a shell, or this tree of options as JSON")
+                 "print the completion script of a shell, or the option tree as JSON")
              ->type_name("SHELL"),
          {"bash", "zsh", "fish", "json"});
   return program;

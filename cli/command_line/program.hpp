@@ -14,9 +14,10 @@ namespace adore::command_line {
 [[nodiscard]] std::unique_ptr<CLI::App> make_program(const std::string& help,
                                                      const std::string& name);
 
-/// Reads the command line and runs the callbacks of what was asked for; throws what they throw.
-/// @return what the process shall end with, when there is nothing more to do: 0 after --help and
-/// its like, 2 after a mistake, which is said on stderr with a remedy. Nothing: go on.
+/// Parses the command line and runs the callbacks of the given commands; propagates their
+/// exceptions.
+/// @return exit code if the process is to end: 0 after --help and similar options, 2 after an
+/// error, which is printed to stderr with a remedy. No value: continue.
 [[nodiscard]] std::optional<int> parse(CLI::App& program, int argc, char** argv);
 
 }  // namespace adore::command_line

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-/// What is on the other end of a stream.
+/// Properties of the terminal, file or pipe behind a stream.
 namespace adore::command_line {
 
 /// Whether a stream (STDERR_FILENO ...) is a terminal.

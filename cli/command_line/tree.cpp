@@ -11,7 +11,7 @@
 namespace adore::command_line {
 namespace {
 
-/// CLI11 options carry no words of their own. One thread builds and reads the tree.
+/// CLI11 options do not store a list of words. Only one thread builds and reads the tree.
 std::map<const CLI::Option*, std::vector<std::string>>& words_of() {
   static std::map<const CLI::Option*, std::vector<std::string>> table;
   return table;

@@ -9,7 +9,7 @@
 /// JSON are walks over it.
 namespace adore::command_line {
 
-/// What may follow an option, for completion.
+/// Kind of the value of an option, for completion.
 enum class ValueKind : unsigned char { None, Text, Number, File, Folder, Words };
 
 struct OptionText {
@@ -31,8 +31,8 @@ struct CommandText {
 /// Hidden options and commands (of an empty group) are left out.
 [[nodiscard]] CommandText describe(const CLI::App& app);
 
-/// Only these values are taken; anything else is refused with the nearest of them. They are shown
-/// by help and completed by the shells.
+/// Accepts only these values; other values are rejected with the nearest match. Help lists the
+/// values, and the shells complete them.
 CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
 
 /// Words that the shells offer for an option that takes others too: "pitchDia=".

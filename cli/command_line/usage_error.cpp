@@ -77,15 +77,15 @@ std::string surplus(const CLI::App& app, const CommandText& command, const std::
                        did_you_mean(name, option_names(command)));
   }
   if (option_named(command, "--set") != nullptr) {
-    // What follows a --set without one of its own was taken for the deck.
+    // CLI11 took the argument after a --set without value for the deck.
     std::vector<std::string> words{word};
     for (const CLI::Option* option : app.get_options())
       if (option->get_positional())
         words.insert(words.end(), option->results().begin(), option->results().end());
     for (const std::string& one : words)
       if (one.find('=') != std::string::npos)
-        return fmt::format("\"{}\" stands alone; write --set (or --opt) before every name=value",
-                           one);
+        return fmt::format(
+            "\"{}\" has no option before it; write --set (or --opt) before every name=value", one);
   }
   std::string takes;
   for (const OptionText& option : command.options)
@@ -144,7 +144,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
       return fmt::format("{} takes no value; write it alone", name);
     const std::string text = error.what();
     const std::size_t at = text.find(" = ");
-    return fmt::format("{}{}: this is not what it takes; give {}", name,
+    return fmt::format("{}{}: invalid value; give {}", name,
                        at == std::string::npos ? "" : " " + text.substr(at + 3),
                        what_to_give(option));
   }
@@ -157,18 +157,19 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
     const std::string one = text.substr(0, at),
                       other = text.substr(std::min(at, text.size() - verb.size()) + verb.size());
     return kind == "RequiresError"
-               ? fmt::format("{} acts together with {} only; give both", one, other)
+               ? fmt::format("{} works only together with {}; give both", one, other)
                : fmt::format("{} and {} exclude each other; give one", one, other);
   }
-  return fmt::format("the command line is not understood ({})", error.what());
+  return fmt::format("invalid command line ({})", error.what());
 }
 
 }  // namespace
 
 std::string explain(const CLI::App& program, const CLI::ParseError& error,
                     const std::vector<std::string>& arguments) {
-  return fmt::format("{}\n{}: `{} --help` shows what there is", sentence(program, error, arguments),
-                     program.get_name(), path_of(current(program)));
+  return fmt::format("{}\n{}: `{} --help` lists commands and options",
+                     sentence(program, error, arguments), program.get_name(),
+                     path_of(current(program)));
 }
 
 }  // namespace adore::command_line

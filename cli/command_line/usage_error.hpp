@@ -7,8 +7,8 @@
 
 namespace adore::command_line {
 
-/// What is wrong with a command line and what would be right: the option library's error in our
-/// words. `arguments` are those of the program, in order.
+/// Describes an error of the option library: the problem and its remedy. `arguments`: those of the
+/// program, in order.
 [[nodiscard]] std::string explain(const CLI::App& program, const CLI::ParseError& error,
                                   const std::vector<std::string>& arguments);
 

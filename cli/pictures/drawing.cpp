@@ -111,7 +111,7 @@ PictureActions drawing_actions() { return {plot, animate, draw_gallery}; }
 void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
   std::vector<desktop::ChartPage> pages = adrplot::accuracy_pages(table);
   if (pages.front().x.empty())
-    throw InputError(fmt::format("{} holds no run that came to its end", table.string()));
+    throw InputError(fmt::format("{} contains no completed run", table.string()));
   desktop::check_replaceable(picture);
   desktop::ensure_headless_application();
   constexpr double kWidth = 1280.0, kHeight = 800.0;

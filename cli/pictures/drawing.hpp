@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-/// What draws: the only part of the command line that links Qt.
+/// Drawing: the only part of the command line that links Qt.
 namespace adore::cli {
 
 /// `plot` and `animate` as AdrPlot and AGORE draw them; prints the names of the files.

@@ -163,7 +163,7 @@ void make_run(const std::string& deck, const fs::path& folder) {
   (void)facade::run(request);
 }
 
-/// What of a run can be drawn.
+/// Drawable parts of a run.
 void draw_run(Gallery& gallery, const fs::path& run) {
   const results::RunFolder files = results::run_folder(run);
   bool any = !files.plots.empty();
@@ -174,9 +174,9 @@ void draw_run(Gallery& gallery, const fs::path& run) {
     gallery.views(run / "RESULTS.h5");
   if (!any && fs::exists(run / "RUN.json")) gallery.pages(run / "RUN.json"), any = true;
   if (!any)
-    throw InputError(run.string() +
-                     " holds nothing to draw; give folders of runs, or none for the "
-                     "example decks");
+    throw InputError(
+        run.string() +
+        " contains nothing to draw; give folders of runs, or none for the example decks");
 }
 
 }  // namespace
@@ -206,8 +206,8 @@ void draw_gallery(const GalleryRequest& request) {
   }
   const auto progress = make_count_progress("run", request.progress);
   std::string index = fmt::format(
-      "# Gallery\n\nEvery page of AdrPlot and every view of AGORE, of one run each. Made by `adore "
-      "gallery --out DIR --size {}{}`.\n",
+      "# Gallery\n\nAll pages of AdrPlot and all views of AGORE, one run for each. Created by "
+      "`adore gallery --out DIR --size {}{}`.\n",
       request.size, request.dark ? " --dark" : "");
   long done = 0;
   for (const auto& [name, run] : runs) {
@@ -225,8 +225,9 @@ void draw_gallery(const GalleryRequest& request) {
   if (InputFile old(page.path()); old) {
     std::string first;
     if (std::getline(old, first) && first != "# Gallery")
-      throw InputError(page.path().string() +
-                       " exists and is no list of a gallery; move it away, or name another folder");
+      throw InputError(
+          page.path().string() +
+          " exists and is not the index of a gallery; move it, or name another folder");
   }
   write_file_atomically(page, index);
 }

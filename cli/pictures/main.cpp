@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
   return adore::cli::whole_program([&] {
     const auto app = adore::command_line::make_program(
-        "The part of Adore's command line that draws; `adore plot` and `adore animate` start it.",
+        "Drawing program of Adore, started by `adore plot`, `adore animate` and `adore gallery`.",
         "adore-pictures");
     app->require_subcommand(1);
     adore::cli::add_picture_commands(*app, adore::cli::drawing_actions());
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     study->add_option("charts", *table, "CHARTS.json")->required();
     study->add_option("folder", *picture, "folder of the PNG files")->required();
     auto quiet = std::make_shared<bool>(false);
-    study->add_flag("--quiet", *quiet, "say no names");
+    study->add_flag("--quiet", *quiet, "do not print file names");
     study->callback([=] { adore::cli::draw_study(*table, *picture, *quiet); });
     return adore::command_line::parse(*app, argc, argv).value_or(0);
   });

@@ -29,7 +29,7 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"race-errors", "rollers_slices", "race_errors",
        "out-of-round, land offset, taper and curvature factor of a race over azimuth"},
       {"roller-flange", "rollers_flange", "sphere_end",
-       "gap, place, mode and load of a roller end at a flange, domed or flat"},
+       "gap, position, mode and load of a roller end at a flange, domed or flat"},
       {"roller-corner", "rollers_flange", "corner_geometry",
        "corner torus between the side and the end of a roller"},
       {"flange-placing", "rollers_flange", "end_play",

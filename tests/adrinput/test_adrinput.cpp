@@ -330,8 +330,7 @@ TEST_CASE("plan and quasi-static solution are shown beside the form", "[gui][adr
   CHECK(run(window.staticsPanel(), &DeckWindow::runQuasiStatic).contains("Largest contact load"));
   CHECK(window.staticsPanel().headline().contains("Largest contact load"));
   window.document().edit(cell("appLoadX"), "1501");
-  CHECK(
-      window.staticsPanel().findChild<QLabel*>("note")->text().contains("before the last change"));
+  CHECK(window.staticsPanel().findChild<QLabel*>("note")->text().contains("the deck has changed"));
   window.undo();
   window.newDeck("cylindrical-nu209");
   CHECK(run(window.staticsPanel(), &DeckWindow::runQuasiStatic).contains("Largest contact load"));

@@ -50,7 +50,7 @@ TEST_CASE("another deck has nothing of what was computed for the one before",
     CHECK(window.solutionCharts().pages().isEmpty());
     for (const QLabel* note : window.findChildren<QLabel*>()) {
       INFO(note->text().toStdString());
-      CHECK_FALSE(note->text().contains("before the last change"));
+      CHECK_FALSE(note->text().contains("the deck has changed"));
     }
   }
   // One that is still computed is of the deck that was there.
@@ -80,7 +80,7 @@ TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]
   window.checkNow();
   bool stale = false;
   for (const QLabel* label : window.solutionCharts().findChildren<QLabel*>())
-    stale = stale || (label->isVisible() && label->text().contains("before the last change"));
+    stale = stale || (label->isVisible() && label->text().contains("the deck has changed"));
   CHECK(stale);
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   const std::filesystem::path file = folder.filePath("DATA.txt").toStdString();
   window.document().save(file);
   const auto note = [&] { return window.findChild<QLabel*>("study-note")->text(); };
-  const QString advice = "\"Put into the deck\" sets";
+  const QString advice = "\"Apply to deck\" sets";
   const auto plain = panel.study;
   for (const bool reread : {false, true}) {
     INFO(reread);
@@ -252,8 +252,8 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
     go_on = true;
     REQUIRE(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
     INFO(note().toStdString());
-    CHECK(note().startsWith(reread ? "Of the deck as it was before its file was read again"
-                                   : "Of the deck as it was before the last change"));
+    CHECK(note().startsWith(reread ? "Out of date: the file was reloaded"
+                                   : "Out of date: the deck has changed"));
     CHECK(note().contains(advice) != reread);
     CHECK(window.findChild<QPushButton*>("apply-accuracy")->isEnabled() != reread);
   }

@@ -134,7 +134,7 @@ TEST_CASE("the unit beside values is the one that they are shown in, in tables, 
   INFO(told().toStdString());
   CHECK(told().split('\n').contains("mm"));
   CHECK_FALSE(told().split('\n').contains("m"));
-  choose("as in the deck");
+  choose("as in deck");
 }
 
 TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adrinput][daily]") {
@@ -218,13 +218,13 @@ TEST_CASE("a motion that makes no step says so beside its end and in the sweep",
     return said;
   };
   CHECK_FALSE(beside(window, "fTime").contains("maxStps"));
-  CHECK_FALSE(sweep_says("appLoadZ=1:2:3").contains("No step"));
+  CHECK_FALSE(sweep_says("appLoadZ=1:2:3").contains("Static runs only"));
   window.document().edit(cell("maxStps"), "0");
   window.checkNow();
   CHECK(beside(window, "fTime").contains("maxStps is 0"));
   CHECK_FALSE(beside(window, "fTime").contains("revolution"));  // which nobody will see
-  CHECK(sweep_says("appLoadZ=1:2:3").contains("No step"));
-  CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("No step"));
+  CHECK(sweep_says("appLoadZ=1:2:3").contains("Static runs only"));
+  CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("Static runs only"));
 }
 
 TEST_CASE("the head of a deck says what a run of it would do", "[gui][adrinput][daily]") {
@@ -248,10 +248,10 @@ TEST_CASE("the head of a deck says what a run of it would do", "[gui][adrinput][
   says("maxStps", "10", "Ready to run", "");
   says("maxStps", "0", "Ready: no motion", "maxStps is 0");
   says("fTime", "0", "Ready: no motion", "fTime is 0");
-  says("mode", "-1", "Ready: quasi-static", "mode is -1");
+  says("mode", "-1", "Ready: quasi-static", "mode = -1");
 }
 
-TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrinput][daily]") {
+TEST_CASE("a number that has an incomplete exponent is told as that", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -260,7 +260,7 @@ TEST_CASE("a number that ends within its exponent is told as that", "[gui][adrin
       CAPTURE(name, text);
       replace_text(line_of(window, name), text);
       const QString said = window.page()->findChild<QLabel*>(QString("problem-") + name)->text();
-      CHECK(said.contains("ends within its exponent"));
+      CHECK(said.contains("has an incomplete exponent"));
       CHECK_FALSE(said.contains("unit"));
       window.undo();
     }

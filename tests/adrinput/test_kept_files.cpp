@@ -57,8 +57,7 @@ TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
   replace_text(line_of(window, "bReDia"), "12.8 mm");
   window.save();
   CHECK_FALSE(fs::exists(draft.toStdString()));
-  CHECK(window.statusBar()->currentMessage().contains(
-      "; the draft half.draft became it and is gone"));
+  CHECK(window.statusBar()->currentMessage().contains("; the draft half.draft was deleted"));
   replace_text(line_of(window, "bReDia"), "12.7 mm");
   window.save();
   CHECK_FALSE(window.statusBar()->currentMessage().contains("draft"));
@@ -98,7 +97,7 @@ TEST_CASE("after a change of units the remarks name the new ones, or a note says
   const auto notes = [&] {
     std::vector<std::string> records;
     for (const Problem& problem : window.document().problems())
-      if (problem.issue.message.find("remark behind its values") != std::string::npos)
+      if (problem.issue.message.find("comment after its values") != std::string::npos)
         records.push_back(problem.page);
     return records;
   };

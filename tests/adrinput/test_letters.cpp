@@ -94,8 +94,8 @@ TEST_CASE("adrinput: a letter with Alt chooses one thing in the window of studie
                     QString::fromStdString(name), folder.filePath("DATA.txt").toStdString());
     // Also with the button that only some plans show.
     for (auto* button : window.panel().findChildren<QPushButton*>()) button->show();
-    window.notice().ask("?", {{"restore", QObject::tr("Res&tore it"), nullptr},
-                              {"discard", QObject::tr("&Discard it"), nullptr}});
+    window.notice().ask("?", {{"restore", QObject::tr("Res&tore"), nullptr},
+                              {"discard", QObject::tr("&Discard"), nullptr}});
     CHECK(one(test::contested_letters_of_pages(window)) == "");
   }
   CHECK(one(test::clashing_letters(window)) == "");

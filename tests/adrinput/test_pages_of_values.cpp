@@ -119,7 +119,7 @@ TEST_CASE("what a deck's options leave unused looks unused, with the reason",
   window.showRecord("1");
   auto* said = window.page()->findChild<QLabel*>("unused-maxStps");
   REQUIRE(said != nullptr);
-  CHECK(said->text().startsWith("Not used now"));
+  CHECK(said->text().startsWith("Not used:"));
   CHECK(said->isVisibleTo(window.page()));
   window.document().edit(cell("mode"), "0");
   window.checkNow();

@@ -48,7 +48,7 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK(launches[0].second.mid(0, 2) == project);
   // Somebody may be typing here when a run ends: nothing takes the keyboard then.
   CHECK(launches[0].second.value(2) == "--behind");
-  CHECK(window.runPanel().text().contains("Open behind this window: plots and animation."));
+  CHECK(window.runPanel().text().contains("Opened in the background: plots and animation."));
   CHECK(launches[1] ==
         std::pair(QString("agore"), project + QStringList{"--behind", folder.filePath("SOL8")}));
   press(window, "listing");
@@ -56,7 +56,7 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   REQUIRE(listing != nullptr);
   CHECK(listing->findChild<QPlainTextEdit*>()->toPlainText().contains("Largest contact load"));
   window.document().edit(cell("appLoadX"), "1501");
-  CHECK(note(window).contains("before the last change"));
+  CHECK(note(window).contains("the deck has changed"));
 
   // A changed deck is saved first; without the marks nothing is opened.
   for (const char* box : {"plots-at-end", "animation-at-end"})
@@ -74,20 +74,20 @@ TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of 
   CHECK_FALSE(launches[0].second.contains("--behind"));  // asked for: to the front
 
   window.newDeck("cylindrical");
-  CHECK(note(window).contains("Of another deck"));
+  CHECK(note(window).contains("From another deck"));
   CHECK(note(window).contains("DATA.txt"));
   window.document().edit(cell("rpm2"), "1234");
-  CHECK(note(window).contains("Of another deck"));
+  CHECK(note(window).contains("From another deck"));
   REQUIRE(window.openFile(folder.filePath("DATA.txt").toStdString()));
   CHECK(note(window).startsWith("Done: 60 steps"));
 
   // A copy has the same values, but none of the results.
   fs::copy(folder.filePath("DATA.txt").toStdString(), folder.filePath("COPY.txt").toStdString());
   REQUIRE(window.openFile(folder.filePath("COPY.txt").toStdString()));
-  CHECK(note(window).startsWith("Of another deck"));
+  CHECK(note(window).startsWith("From another deck"));
   window.document().edit(cell("rpm2"), "1234");
   (void)window.document().undo();
-  CHECK(note(window).startsWith("Of another deck"));
+  CHECK(note(window).startsWith("From another deck"));
 }
 
 TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
@@ -193,7 +193,7 @@ TEST_CASE("a run that is complete and continued says that nothing is left to do"
   const auto go_on = [&] {
     QSignalSpy spy(&panel, &RunPanel::finished);
     panel.continueRun(window.document().path(), window.document().deck(), {});
-    CHECK(note(window).startsWith("Reading the state"));
+    CHECK(note(window).startsWith("Reading the stored state"));
     REQUIRE(spy.wait(120000));
   };
   go_on();
@@ -348,7 +348,7 @@ TEST_CASE("a run that a full disk ended tells how far it came and opens what it 
   }
   const QString said = note(window);
   INFO(said.toStdString());
-  CHECK(said.contains(QRegularExpression("^The run ended at \\d+ %, for this reason: .*written")));
+  CHECK(said.contains(QRegularExpression("^The run stopped at \\d+ %: .*written")));
   CHECK(said.contains("can be opened"));
   CHECK(window.findChild<QLabel*>("run-note")->wordWrap());
   CHECK_FALSE(window.findChild<QPlainTextEdit*>("run-text")->isVisible());

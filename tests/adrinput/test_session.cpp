@@ -207,7 +207,7 @@ TEST_CASE("what is typed is stored by itself, and nothing stays after an orderly
     CHECK_FALSE(fs::exists(file));
     CHECK_FALSE(one.window.document().modified());
     emit one.window.unsavedWanted();
-    CHECK(take_message(one.window).contains("No deck was left"));
+    CHECK(take_message(one.window).contains("There are no unsaved decks"));
   }
 }
 
@@ -288,7 +288,7 @@ TEST_CASE("a deck that another program writes is noticed: reload, keep mine, com
 
   window.document().edit(cell("bReDia"), "0.0126");
   replace("0.0602", false);
-  CHECK(window.findChild<QPushButton*>("reload")->text().contains("dropping"));
+  CHECK(window.findChild<QPushButton*>("reload")->text().contains("discard"));
   press(window, "compare-file");
   auto* dialog = window.findChild<QDialog*>("compare");
   REQUIRE(dialog != nullptr);

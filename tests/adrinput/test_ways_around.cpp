@@ -156,9 +156,8 @@ TEST_CASE(
   REQUIRE(menu != nullptr);
   QStringList entries;
   for (const QAction* action : menu->actions()) entries << action->text().remove('&');
-  for (const char* entry :
-       {"Plan of this deck", "Quasi-static solution", "Run", "Run into a new folder",
-        "Continue the run", "Sweep a variable …", "Study accuracy"})
+  for (const char* entry : {"Plan", "Quasi-static solution", "Run", "Run in a new folder",
+                            "Continue the run", "Sweep a variable …", "Study accuracy"})
     CHECK(entries.contains(QString::fromUtf8(entry)));
 
   QLineEdit* line = line_of(window, "bReDia");

@@ -86,7 +86,7 @@ TEST_CASE("the run that was cancelled last goes on, in its own folder, and the m
   CHECK(bench.entry().text() == "&Continue the run");
   bench.window.runDeck();
   bench.wait();
-  CHECK(bench.entry().text() == "&Continue the run beside the deck");
+  CHECK(bench.entry().text() == "&Continue the run next to the deck");
   const std::string first = bytes_of(bench.path("RUN.json"));
   bench.change("maxStps", "1000000");
   bench.window.runInNewFolder();
@@ -168,7 +168,7 @@ TEST_CASE("a sweep that was cancelled goes on, and says why not after a change o
   bench.change("appLoadX", "1501");
   bench.entry().trigger();
   CHECK_FALSE(panel.busy());
-  CHECK(take_message(bench.window).contains("before the last change"));
+  CHECK(take_message(bench.window).contains("Undo the change"));
   CHECK(bytes_of(first / "RUN.json") == kept);
   bench.window.undo();
   bench.entry().trigger();
@@ -289,11 +289,11 @@ TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is 
     broken_off(other, deck.parent_path());
     Bench bench("1");
     QAction& entry = opened(bench);
-    CHECK(entry.text() == "&Continue the sweep beside the deck");
+    CHECK(entry.text() == "&Continue the sweep next to the deck");
     const std::string before = bytes_of(deck.parent_path() / "rpm2-1/RUN.json");
     entry.trigger();
     CHECK_FALSE(bench.window.runPanel().busy());
-    CHECK(take_message(bench.window).contains("other values"));
+    CHECK(take_message(bench.window).contains("the values, the run options"));
     CHECK(bytes_of(deck.parent_path() / "rpm2-1/RUN.json") == before);
   }
 }
@@ -315,7 +315,7 @@ TEST_CASE("results of another deck are replaced after a question, which can be s
   bench.change("appLoadX", "1501");
   run();
   REQUIRE(bench.question() != nullptr);
-  CHECK(bench.question()->text().contains("before the deck was changed"));
+  CHECK(bench.question()->text().contains("before the deck changed"));
   QTest::keyClick(bench.question(), Qt::Key_Return);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   CHECK_FALSE(window.runPanel().busy());

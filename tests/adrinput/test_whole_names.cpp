@@ -125,7 +125,7 @@ TEST_CASE("a deck that an earlier release kept under half a name comes back with
   fs::current_path(projects.root / "rb");
   const std::string other = bytes_of("DATA.txt");
   Started next(projects, "DATA.txt");
-  CHECK(next.notice("session-notice").text().contains("without a name"));
+  CHECK(next.notice("session-notice").text().contains("unnamed deck"));
   press(next.window, "restore");
   CHECK(next.window.document().deck().real("rpm2") == 7777);
   CHECK(next.window.document().path().empty());

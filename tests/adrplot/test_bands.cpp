@@ -85,7 +85,7 @@ TEST_CASE("pages of pockets, lands and heat draw the extremes between stored ste
       INFO(of.file << ", " << of.page << ", " << (units == UnitSystem::SI ? "SI" : "English"));
       const PlotDocument document = open_document(folder / of.file);
       const desktop::ChartPage page = document.build(page_named(document, of.page), {});
-      CHECK_THAT(page.band_note, Contains("Pale areas reach from the lowest to the highest value"));
+      CHECK_THAT(page.band_note, Contains("Min–max bands: range of the values"));
       CHECK_THAT(page.note, Contains(std::string("peaks of ")));
       CHECK_THAT(page.note, Contains(of.unknown));
       CHECK_THAT(page.note, !Contains(std::string("\"") + of.known));
@@ -122,7 +122,7 @@ TEST_CASE("a page without extremes says that peaks are not in the file",
   CHECK(page.band_note.empty());
   for (const auto& panel : page.panels)
     for (const auto& curve : panel.curves) CHECK(curve.high.empty());
-  CHECK_THAT(page.note, Contains("is stored: peaks between stored steps are not in the file."));
+  CHECK_THAT(page.note, Contains("is stored: peaks between stored steps are missing."));
 }
 
 TEST_CASE("bands of a range that passes over stored steps hold those, too",
@@ -142,7 +142,7 @@ TEST_CASE("bands of a range that passes over stored steps hold those, too",
   }
   CHECK(force.high[2] == Approx(high).epsilon(1e-9));
   CHECK(force.low[2] == Approx(low).epsilon(1e-9));
-  CHECK_THAT(page.note, Contains("shorter peaks of \"Gap\" and \"Contact angle\" are left out"));
+  CHECK_THAT(page.note, Contains("shorter peaks of \"Gap\" and \"Contact angle\" are missing"));
 }
 
 TEST_CASE("spectra are of stored values and a file of another run gives no bands",
@@ -195,22 +195,22 @@ TEST_CASE("own charts keep the extremes and the remarks of the pages that they a
     CHECK(curves[1].high[i] == Approx(high).epsilon(1e-9));
     CHECK(curves[1].low[i] == Approx(low).epsilon(1e-9));
   }
-  CHECK_THAT(page.band_note, Contains("Pale areas reach from"));
+  CHECK_THAT(page.band_note, Contains("Min–max bands:"));
   // What one of them says is said of that one; what a curve does not have is not spoken of.
-  CHECK(said(page, "of the file's steps, one of every 5"));
+  CHECK(said(page, "of the steps in the file, one of every 5"));
   CHECK(combine_curves({gap}, Combine::Overlay, {}).band_note.empty());
   const auto two = combine_curves({gap, moving}, Combine::Overlay, {});
   REQUIRE(two.panels.size() == 2);
-  CHECK(said(two, two.panels[1].curves[0].name + ": Of every 10 steps of the run one is stored: "
-                                                 "peaks between stored steps are not"));
+  CHECK(said(two, two.panels[1].curves[0].name + ": One of every 10 steps is stored: peaks between "
+                                                 "stored steps are missing"));
   const auto less = combine_curves({force, force_of_few}, Combine::Difference, {});
   for (const auto& curve : less.panels.at(0).curves) CHECK(curve.high.empty());
-  CHECK(said(less, "Extremes between the stored steps are not known of a difference."));
+  CHECK(said(less, "Differences have no min–max bands."));
   PageOptions spectra;
   spectra.domain = Domain::Spectrum;
   const auto lines = combine_curves({force, force_of_few}, Combine::Overlay, spectra);
-  CHECK_FALSE(said(lines, "Pale"));
-  CHECK(said(lines, "of the file's steps, one of every 5"));
+  CHECK_FALSE(said(lines, "Min–max"));
+  CHECK(said(lines, "of the steps in the file, one of every 5"));
 }
 
 TEST_CASE("readout and cursors tell the extremes between the values", "[gui][step-band]") {
@@ -239,7 +239,7 @@ TEST_CASE("readout and cursors tell the extremes between the values", "[gui][ste
   view.setCursor(0, 1.0);
   view.setCursor(1, 3.0);
   // What was before A counts no more.
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 9 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 9 N"));
   view.setCursor(0, 0.0);
-  CHECK_THAT(view.cursorReport().toStdString(), Contains("between the values 250 mN to 17.6 N"));
+  CHECK_THAT(view.cursorReport().toStdString(), Contains("band 250 mN to 17.6 N"));
 }

@@ -59,13 +59,13 @@ TEST_CASE("plot_document: steps that only RESULTS.h5 holds are drawn, and said t
   CHECK(page.x.back() == 50.0);
   CHECK(std::isfinite(page.panels.at(0).curves.at(0).y.back()));
   CHECK_THAT(page.note,
-             Contains("The last 21 steps, 30 to 50, are from RESULTS.h5 alone: SOL7 ends at step "
+             Contains("The last 21 steps, 30 to 50, are only in RESULTS.h5: SOL7 ends at step "
                       "29."));
-  CHECK_THAT(page.subtitle, Contains("all digits from RESULTS.h5"));
+  CHECK_THAT(page.subtitle, Contains("full precision (RESULTS.h5)"));
   // The steps that are asked for are those of the file.
   const desktop::ChartPage part = first_page(path, {1, 10, 1});
   CHECK(part.x.size() == 10);
-  CHECK_THAT(part.note, !Contains("alone"));
+  CHECK_THAT(part.note, !Contains("only in RESULTS.h5"));
 }
 
 TEST_CASE("plot_document: all digits are claimed for the steps that have them",
@@ -73,11 +73,11 @@ TEST_CASE("plot_document: all digits are claimed for the steps that have them",
   TemporaryFolder folder;
   const desktop::ChartPage page = first_page(run_of(folder, 50, 30));
   CHECK(page.x.size() == 51);
-  CHECK_THAT(page.subtitle, Contains("all digits from RESULTS.h5 to step 30"));
-  CHECK_THAT(page.note, Contains("RESULTS.h5 ends at step 30: later values have the eight digits "
-                                 "of SOL7."));
+  CHECK_THAT(page.subtitle, Contains("full precision (RESULTS.h5) to step 30"));
+  CHECK_THAT(page.note, Contains("RESULTS.h5 ends at step 30: later values have eight digits "
+                                 "(SOL7)."));
   const desktop::ChartPage whole = first_page(run_of(folder, 50, 50));
-  CHECK(whole.subtitle.ends_with("all digits from RESULTS.h5"));
+  CHECK(whole.subtitle.ends_with("full precision (RESULTS.h5)"));
   CHECK_THAT(whole.note, !Contains("RESULTS.h5"));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("plot_document: a longer RESULTS.h5 takes no more room than files may"
   const desktop::ChartPage page = first_page(path, {}, 31 * 17 + 17 * 20);
   CHECK(page.x.size() <= 60);
   CHECK(page.x.size() >= 31);
-  CHECK_THAT(page.note, Contains("for which there is no room"));
+  CHECK_THAT(page.note, Contains("that do not fit in memory"));
 }
 
 TEST_CASE("plot_document: an interval or a part of a file is not taken for its end",
@@ -116,14 +116,14 @@ TEST_CASE("plot_document: an interval or a part of a file is not taken for its e
         if (own > 1 || h5 <= 41) CHECK(page.x == expected);
         const std::string& note = page.note;
         if (h5 > 41)
-          CHECK_THAT(note, Contains("alone: SOL7 ends at step 41."));
+          CHECK_THAT(note, Contains("only in RESULTS.h5: SOL7 ends at step 41."));
         else
-          CHECK_THAT(note, !Contains("alone"));
+          CHECK_THAT(note, !Contains("only in RESULTS.h5"));
         CHECK(note.find("RESULTS.h5 ends at step") ==
               (note.find("RESULTS.h5 ends at step 33:") == std::string::npos
                    ? std::string::npos
                    : note.find("RESULTS.h5 ends at step 33:")));
-        if (h5 == 41) CHECK_THAT(page.subtitle, Contains("all digits from RESULTS.h5"));
+        if (h5 == 41) CHECK_THAT(page.subtitle, Contains("full precision (RESULTS.h5)"));
         if (every > 1) CHECK_THAT(note, Contains(fmt::format("one of every {}", every)));
         if (from > 1) CHECK_THAT(note, Contains(fmt::format("from number {} on", from)));
       }

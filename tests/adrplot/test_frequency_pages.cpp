@@ -61,7 +61,7 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
     const desktop::ChartPage page = spectra(40.0, 8000.0, scale);
     INFO(page.note);
     CHECK(page.log_x);
-    CHECK(page.note.find("Logarithmic frequency: lines above 1 % end at 50 Hz to 8.01 kHz.") !=
+    CHECK(page.note.find("Logarithmic frequency: lines above 1 % extend to 50 Hz to 8.01 kHz.") !=
           std::string::npos);
     // What either panel holds has a tenth of the width at least.
     desktop::ChartScene scene;
@@ -135,8 +135,8 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   INFO(page.note);
   REQUIRE_FALSE(page.panels[1].curves[0].y.empty());
   CHECK(page.panels[1].curves[0].y.size() == page.panels[0].curves[0].y.size());
-  CHECK(page.note.find("Angle, outer race: 2 of 5000 steps have no value: bridged by straight "
-                       "lines of up to 30 µs.") != std::string::npos);
+  CHECK(page.note.find("Angle, outer race: 2 of 5000 steps have no value: interpolated linearly "
+                       "(longest gap 30 µs).") != std::string::npos);
   for (std::size_t k = 0; k < page.x.size(); ++k)
     CHECK(page.panels[1].curves[0].y[k] == Approx(page.panels[0].curves[0].y[k]).margin(2e-3));
   // At the ends of the run there is nothing to bridge to.
@@ -148,7 +148,7 @@ TEST_CASE("pages: short gaps of a curve are bridged for its spectrum, and said",
   INFO(longer.panels[1].message);
   CHECK(longer.panels[1].curves[0].y.empty());
   CHECK(longer.panels[1].message.find("There are no values at 49 of 5000 steps, for up to 500 µs, "
-                                      "and its lines reach 1.02 kHz, so there is no frequency") ==
+                                      "and the lines reach 1.02 kHz, so there is no frequency") ==
         0);
   // More than one in a hundred, however short each gap is.
   std::vector<double> many = whole;
@@ -212,7 +212,7 @@ TEST_CASE("pages: a waterfall is in units, over its largest or in dB, as the spe
         Approx(-20.0).margin(0.02));
   CHECK(lowest(curves(decibel).back()) == -60.0);
   INFO(decibel.note);
-  CHECK(decibel.note.find("nothing below −60 dB is drawn") != std::string::npos);
+  CHECK(decibel.note.find("values below −60 dB are not drawn") != std::string::npos);
 
   // Each name stands beside the panel, where its line begins, and hides nothing.
   for (const auto& page : {units, relative, decibel}) {
@@ -302,12 +302,12 @@ TEST_CASE("pages: spectra say that the mean is taken off, and where the first li
     tell_lines(page, {page.x.front()}, {});
     return page.note;
   };
-  const std::string told = "irst line is drift over the whole run";
+  const std::string told = "irst line is drift";
   for (const double periods : {1.0, 2.0, 2.5, 30.0, 60.5})
     for (const double drift : {0.0, 40.0}) {
       const std::string all = note({curve(drift, periods)});
       INFO(drift << " and " << periods << " periods: " << all);
-      CHECK(all.find("Hann window, without the mean; a line every") != std::string::npos);
+      CHECK(all.find("Hann window, mean removed; line spacing") != std::string::npos);
       // A wave of one period keeps more than half of the line that both share.
       if (periods > 1.0 || drift == 0.0)
         CHECK((all.find("The f" + told) != std::string::npos) == (drift > 0.0));
@@ -360,7 +360,7 @@ TEST_CASE("waterfall: motion slower than a piece does not fill its first lines",
     CHECK(*std::max_element(piece.begin(), piece.end()) == 0.0);
   desktop::ChartPage page = page_of({tone(t, 2000.0)});
   to_waterfall(page, {t, {}}, {Window::Hann, SpectrumScale::Units});
-  CHECK(page.note.find("without mean and trend") != std::string::npos);
+  CHECK(page.note.find("mean and trend removed") != std::string::npos);
 }
 
 TEST_CASE("own charts: differences are from the curve that was ticked first, or from a chosen one",

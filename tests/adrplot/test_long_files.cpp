@@ -77,7 +77,7 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
   const auto rounds = accuracy_pages(path);
   REQUIRE(rounds.size() == 2);
   CHECK(rounds[0].title == "What accuracy costs: 50 turns");
-  CHECK(rounds[1].title == "First round, 1 turn: what accuracy costs");
+  CHECK(rounds[1].title == "First round, 1 turn: error against time");
   CHECK_THAT(rounds[1].note, Catch::Contains("its tolerances (0.0001, 1e-06)"));
   CHECK_THAT(rounds[0].note, Catch::Contains("its tolerances (0.0001)"));
   testing::write_bytes(path, R"({"screening": {}, "finals": 3})");
@@ -105,13 +105,13 @@ TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matt
   };
   testing::write_bytes(path, study(R"("irregular": {"speed": 8e-3, "heat": 1e-3},)"));
   const auto page = accuracy_pages(path).front();
-  CHECK_THAT(page.note, Catch::Contains("Below 1.2 % (pale) settings cannot be told apart"));
-  CHECK_THAT(page.note, Catch::Contains("Of 1 point in it"));  // the heat of "cheap"
+  CHECK_THAT(page.note, Catch::Contains("Below 1.2 % (shaded) settings cannot be distinguished"));
+  CHECK_THAT(page.note, Catch::Contains("For 1 point in it"));  // the heat of "cheap"
   REQUIRE(page.marks.size() == 2);
   CHECK(page.marks[0].x == 0.1);
   CHECK(page.marks[0].label == "recommended");
   CHECK(page.marks[1].x == 0.36);
-  CHECK(page.marks[1].label == "the deck's own");
+  CHECK(page.marks[1].label == "this deck");
   for (const QSize size : {QSize(700, 450), QSize(1280, 800)}) {
     desktop::ChartScene scene;
     scene.setPageSize(size);
@@ -139,5 +139,5 @@ TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matt
   unknown.replace(unknown.find("1e-4}}"), 4, "-1.0");
   testing::write_bytes(path, unknown);
   CHECK(accuracy_pages(path).front().panels.front().curves.size() == 3);
-  CHECK_THAT(accuracy_pages(path).front().note, !Catch::Contains("told apart"));
+  CHECK_THAT(accuracy_pages(path).front().note, !Catch::Contains("distinguished"));
 }

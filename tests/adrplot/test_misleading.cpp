@@ -57,7 +57,7 @@ TEST_CASE("pages: rounding of spin over roll is not drawn as a signal", "[unit][
     const PlotDocument now = make_document(file);
     for (std::size_t p = 0; p < now.pages.size(); ++p)
       for (const auto& panel : now.build(static_cast<int>(p) + 1, {}).panels)
-        if (panel.message.find("no spin") != std::string::npos) ++seen;
+        if (panel.message.find("No spin") != std::string::npos) ++seen;
     CHECK((seen > 0) == rounding);
   };
   look(true);
@@ -98,7 +98,7 @@ TEST_CASE("pages: a roller has a place on a wall of its pocket while it touches 
   const auto middle = page_with(file, "Pocket 1 ");
   for (const double y : middle.panels.at(2).curves.at(0).y) CHECK((std::isnan(y) || y == 0.0));
   set(file, "pocket.force.", 0.0);
-  CHECK(page_with(file, "Pocket 1 ").panels.at(2).message.find("never touched") !=
+  CHECK(page_with(file, "Pocket 1 ").panels.at(2).message.find("did not touch") !=
         std::string::npos);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
     }
   const auto none = [](const desktop::ChartCurve& curve) { return !any_value(curve.y); };
   auto heat = page_with(file, "Average heat"), warm = page_with(file, "Bearing temperatures");
-  const std::string no_coolant = "No coolant flows in this run: all heat leaves through the races.";
+  const std::string no_coolant = "No coolant flow in this run: all heat flows through the races.";
   CHECK(heat.panels.at(1).message == no_coolant);
   CHECK(none(heat.panels[1].curves.at(0)));
   CHECK(warm.panels.at(0).message == no_coolant);
@@ -135,7 +135,7 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
     set(file, id, 0.0);
   heat = page_with(file, "Average heat");
   for (const desktop::ChartPanel& panel : heat.panels)
-    CHECK(panel.message == "No thermal step ended in this run.");
+    CHECK(panel.message == "No thermal step was completed in this run.");
   CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("pages: wear that nothing integrated is no curve, beside some a cage m
                                      "power.cage_wear_rate"};
   for (const std::string& id : ids) set(file, id, 0.0);
   for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels)
-    CHECK(panel.message == "No wear was computed in this run, or the wear coefficients are 0.");
+    CHECK(panel.message == "Wear was not computed in this run, or the wear coefficients are 0.");
   set(file, "race.wear_rate", 1e-15);
   for (const desktop::ChartPanel& panel : page_with(file, "wear rates").panels) {
     CHECK(panel.message.empty());
@@ -178,7 +178,7 @@ TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a
   fill("element.radial_velocity", 0.0);
   fill("element.radial_acceleration", 0.0);
   for (const char* page : {"Velocity", "Accelerations"})
-    CHECK(message(page, radial).find("a balance gives the place") != std::string::npos);
+    CHECK(message(page, radial).find("results from a force balance") != std::string::npos);
   fill("element.radial_velocity", 1e-3);  // the same with a velocity that changes
   CHECK(message("Velocity", radial).empty());
   CHECK(message("Accelerations", radial).find("Not computed") != std::string::npos);
@@ -207,14 +207,14 @@ TEST_CASE(
     }
     PageOptions spectrum;
     spectrum.domain = Domain::Spectrum;
-    const auto lines = page_with(file, "Mass centre velocities", spectrum);
+    const auto lines = page_with(file, "Mass center velocities", spectrum);
     INFO(lines.note);
     CHECK(lines.marks.empty() == swings);
-    CHECK((lines.note.find("to and fro") != std::string::npos) == swings);
+    CHECK((lines.note.find("oscillates") != std::string::npos) == swings);
     CHECK(lines.note.find("varies from") == std::string::npos);
-    const auto history = page_with(file, "Mass centre velocities");
+    const auto history = page_with(file, "Mass center velocities");
     INFO(history.note);
-    CHECK((history.note.find("passes 0 where it turns back") != std::string::npos) == swings);
+    CHECK((history.note.find("passes through 0") != std::string::npos) == swings);
   }
 }
 
@@ -253,13 +253,14 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   // The load, in the other panel, is 0 there.
   const std::string gap = note("load and angle");
   CHECK_THAT(gap, Catch::Contains("ontact angle") && !Catch::Contains("ontact load"));
-  CHECK_THAT(gap, Catch::Contains("of the inner race break") && !Catch::Contains("outer race"));
-  CHECK_THAT(gap, Catch::Contains("off where there is no contact."));
+  CHECK_THAT(gap, Catch::Contains("of the inner race") && !Catch::Contains("outer race"));
+  CHECK_THAT(gap, Catch::Contains("missing where there is no contact."));
   // A spectrum has no such gaps; a number that the file never had is no open contact.
   for (const Domain domain : {Domain::Spectrum, Domain::Waterfall}) {
     PageOptions options;
     options.domain = domain;
-    CHECK(page_with(file, "load and angle", options).note.find("breaks off") == std::string::npos);
+    CHECK(page_with(file, "load and angle", options).note.find("missing where") ==
+          std::string::npos);
   }
   results::SolFile damaged = test::synthetic_sol(SolKind::Element);
   set(damaged, "contact.load.", 100.0);
@@ -267,10 +268,10 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id.starts_with("contact.angle."))
       damaged.steps[0].values[c] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(page_with(damaged, "load and angle").note.find("breaks off") == std::string::npos);
-  CHECK(note("slip").find("largest of the slices") == std::string::npos);  // balls have none
+  CHECK(page_with(damaged, "load and angle").note.find("missing where") == std::string::npos);
+  CHECK(note("slip").find("largest of all slices") == std::string::npos);  // balls have none
   file.header.bearing_type = 2;
-  CHECK(note("slip").find("largest of the slices") != std::string::npos);
+  CHECK(note("slip").find("largest of all slices") != std::string::npos);
 }
 
 TEST_CASE("pages: rounding of a force fills no axis beside its large components",
@@ -290,7 +291,7 @@ TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart"
   set(file, "race.", 2e-6);
   desktop::ChartPage page = page_with(file, "spectrum");
   REQUIRE_FALSE(page.marks.empty());
-  REQUIRE(page.panels.front().message.find("Nothing vibrates") == 0);
+  REQUIRE(page.panels.front().message.find("No vibration") == 0);
   const auto dashed = [](const desktop::ChartPage& shown) {
     desktop::ChartScene scene;
     scene.setPageSize({900, 600});
@@ -319,7 +320,7 @@ TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrpl
   const desktop::ChartPage free = page_with(file, "orbit");
   CHECK(free.guide_radius == 0.0);
   CHECK_THAT(free.note, Catch::Contains("no guide land") &&
-                            Catch::Contains("radial clearance of its pockets, 150 µm"));
+                            Catch::Contains("radial pocket clearance, 150 µm"));
   CHECK(free.x_title == "Y / pocket clearance");
   // A clearance of one unit of length is none.
   const auto columns = results::sol_columns(file.header);
@@ -327,7 +328,7 @@ TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrpl
     if (columns[c].id == "cage.radial_position")
       for (auto& step : file.steps) step.values[c] /= 150e-6;
   const desktop::ChartPage position = page_with(file, "orbit");
-  CHECK_THAT(position.note, Catch::Contains("divided by 1 m"));
+  CHECK_THAT(position.note, Catch::Contains("its orbit is in m"));
   CHECK(position.x_title == "Y / 1 m");
   // What the run says goes before what its numbers look like.
   using results::CageScale;
@@ -377,8 +378,7 @@ TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplo
         file.steps[i].values[c] = 1e-11 * std::sin(0.3 * static_cast<double>(i));
   const auto spectrum = page_with(file, "spectrum");
   REQUIRE(spectrum.panels.at(0).title == "X");
-  CHECK(spectrum.panels[0].message.find("Nothing vibrates here: what changes is the rounding") ==
-        0);
+  CHECK(spectrum.panels[0].message.find("No vibration: only rounding errors change") == 0);
   CHECK(spectrum.panels[0].curves.at(0).y.empty());
   CHECK_FALSE(spectrum.panels[1].curves.at(0).y.empty());
   // The last digit of a text file.
@@ -400,10 +400,9 @@ TEST_CASE("pages: what nothing of a page has is said once, without axes or remar
   set(still, "race.", 2e-6);
   results::SolFile bare = test::synthetic_sol(SolKind::Cage);
   set(bare, "cage.land", 0.0);
-  for (const auto& [page, told] :
-       {std::pair{page_with(still, "spectrum"),
-                  "Nothing vibrates here: no value of this page changes."},
-        {page_with(bare, "land 1"), "This cage has no guide land 1."}}) {
+  for (const auto& [page, told] : {std::pair{page_with(still, "spectrum"),
+                                             "No vibration: all values of this page are constant."},
+                                   {page_with(bare, "land 1"), "This cage has no guide land 1."}}) {
     INFO(page.title << ": " << page.note);
     CHECK(page.note.empty());
     for (const QSizeF size : {QSizeF(1280, 800), QSizeF(700, 450)}) {
@@ -429,11 +428,10 @@ TEST_CASE("pages: a contact that never closes is no missing value", "[unit][adrp
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   set(file, "contact.load.inner", 0.0);
   const auto page = page_with(file, "load and angle");
-  CHECK(page.note.find("Inner race: there is no contact at any step.") != std::string::npos);
+  CHECK(page.note.find("Inner race: no contact in this run.") != std::string::npos);
   set(file, "contact.load.outer", 0.0);
   for (const std::size_t p : {1U, 2U})
-    CHECK(page_with(file, "load and angle").panels.at(p).message ==
-          "There is no contact at any step.");
+    CHECK(page_with(file, "load and angle").panels.at(p).message == "No contact in this run.");
 }
 
 TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit][adrplot]") {
@@ -458,7 +456,7 @@ TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit]
   race("contact.angle.outer", [](double& v, std::size_t) { v = 15.0; });
   page = page_with(file, "Race interactions 1", options);
   const std::string& message = page.panels.at(1).message;
-  CHECK(message.find("Outer race: the value does not change. Inner race: there are no values "
+  CHECK(message.find("Outer race: the value is constant. Inner race: there are no values "
                      "after ") == 0);
   CHECK(message.find(", so there is no frequency spectrum.") != std::string::npos);
   CHECK(page.note.find("missing") == std::string::npos);
@@ -470,7 +468,7 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
   made.steps = 1001;
   const results::SolFile file = test::synthetic_sol(SolKind::Element, made);
   const double every = 1000.0 / (1001.0 * made.end_time());  // of 1001 samples [Hz]
-  const std::string apart = "a line every " + desktop::pretty_quantity(every, "Hz", 3);
+  const std::string apart = "line spacing " + desktop::pretty_quantity(every, "Hz", 3);
   PageOptions options;
   options.domain = Domain::Spectrum;
   for (const SpectrumScale scale :
@@ -480,12 +478,12 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
     INFO(page.note);
     CHECK(page.x.front() == Approx(every));
     CHECK(page.note.find(apart) != std::string::npos);
-    CHECK((page.note.find("largest of its own curve") != std::string::npos) ==
+    CHECK((page.note.find("maximum of the curve") != std::string::npos) ==
           (scale != SpectrumScale::Units));
   }
   options.domain = Domain::Waterfall;
   const auto fall = page_with(file, "Race interactions 1", options);
-  CHECK(fall.note.find("a line every " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
+  CHECK(fall.note.find("line spacing " + desktop::pretty_quantity(fall.x.front(), "Hz", 3)) !=
         std::string::npos);
 }
 
@@ -511,7 +509,7 @@ TEST_CASE("pages: what does not move says so, and has one dot for start and end"
   CHECK(orbit.note.find("does not move in this plane") != std::string::npos);
   CHECK(key(orbit).find("start and end") != std::string::npos);
   const auto still = [&] {
-    return page_with(file, "Mass centre velocities").note.find("does not move") !=
+    return page_with(file, "Mass center velocities").note.find("does not move") !=
            std::string::npos;
   };
   for (const char* id : {"race.whirl_speed", "race.radial_velocity"}) set(file, id, 0.0);
@@ -521,7 +519,7 @@ TEST_CASE("pages: what does not move says so, and has one dot for start and end"
   CHECK(still());
   set(file, "race.applied_moment", 0.0);
   CHECK_THAT(page_with(file, "Applied moments").note,
-             Catch::EndsWith("Every value of this page is 0."));
+             Catch::EndsWith("All values of this page are 0."));
 }
 
 TEST_CASE("pages: notes have capitals where sentences begin, and only there", "[unit][adrplot]") {
@@ -574,8 +572,7 @@ TEST_CASE("pages: what a part of the steps shows is not said of the run", "[unit
           for (const auto& panel : page.panels) words += " " + panel.message;
           INFO(page.title << ": " << words);
           bool of_run = false;
-          for (const char* of : {"in this run", "of this run", "any step", "every step", "never",
-                                 "in all of this file"})
+          for (const char* of : {"in this run", "never", "constant in this file"})
             of_run = of_run || words.find(of) != std::string::npos;
           said += of_run && !part ? 1 : 0;
           CHECK_FALSE((part && of_run));

@@ -75,7 +75,7 @@ TEST_CASE("pages: no note is cut, whatever the page, what it shows and its size"
               // Nobody can point at a picture; what a page has to say has room in it.
               CHECK(shown.contains("point here") == pointed);
               if (!pointed) CHECK(more > 0);
-              if (!pointed) CHECK(shown.endsWith("for which there is no room.)"));
+              if (!pointed) CHECK(shown.endsWith("not shown.)"));
               CHECK(tip.contains(whole.right(20).toHtmlEscaped()));
               const QString told = shown.left(shown.lastIndexOf('(')).trimmed();
               CHECK(whole.startsWith(told));

@@ -172,12 +172,12 @@ TEST_CASE(
     options.domain = domain;
     const auto page = combine_curves(picks, Combine::Overlay, options);
     CHECK(page.x == speeds);  // the curves themselves, and why
-    CHECK(page.note.find("Spectra are of curves over time") != std::string::npos);
+    CHECK(page.note.find("Spectra need curves over time") != std::string::npos);
   }
   const PlotDocument history = run(1.0, 301, "first");
   options.domain = Domain::History;
   CHECK_THROWS_WITH(combine_curves({picks[0], {&history, 1, 0, 0}}, Combine::Overlay, options),
-                    Catch::Contains("choose curves of one abscissa"));
+                    Catch::Contains("choose curves with the same horizontal axis"));
 }
 
 TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and marks move with it",
@@ -201,7 +201,7 @@ TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and marks mov
     const std::string told = document.build(1, options).note;
     INFO(told);
     CHECK((told.find("speed varies from") != std::string::npos) == runs_up);
-    if (runs_up) CHECK(told.find("marks are of the mean") != std::string::npos);
+    if (runs_up) CHECK(told.find("marks are for the mean") != std::string::npos);
     options.domain = Domain::Waterfall;
     const auto page = document.build(1, options);
     REQUIRE(page.panels.size() == 1);
@@ -241,7 +241,7 @@ TEST_CASE("own charts: the spectrum of a difference ends at what both runs can s
     REQUIRE(page.panels.size() == 1);
     CHECK(page.x.back() <= 0.5 / 23e-6 * (1.0 + 1e-9));
     CHECK(page.x.back() > 0.48 / 23e-6);
-    CHECK(page.note.find("straight lines every 23 ") != std::string::npos);
+    CHECK(page.note.find("interpolated linearly every 23 ") != std::string::npos);
     CHECK(page.note.find("stored steps of") == std::string::npos);
   }
 }
@@ -331,7 +331,7 @@ TEST_CASE("plot_window: chosen curves of two files become a chart that outlives 
   dialog->accept();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   REQUIRE(window.fileCount() == 3);
-  CHECK(window.view().chartScene().page().title == "Chosen curves");
+  CHECK(window.view().chartScene().page().title == "Selected curves");
   CHECK(window.view().chartScene().page().panels.size() == 2);
   // Opened again, what was ticked is ticked.
   window.askForCurves();
@@ -378,7 +378,7 @@ TEST_CASE("own charts: a table tells stored values from those read off between t
     const desktop::ChartPage page = combine_curves(picks, how, {});
     const std::string csv = desktop::page_csv(page);
     INFO(csv);
-    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or read off a straight line (0)") !=
+    CHECK(csv.substr(0, csv.find('\n')).find("stored (1) or interpolated (0)") !=
           std::string::npos);
     // Each curve's column says 1 as often as that has a stored value.
     const auto coarse_x = coarse.build(1, {}).x, fine_x = fine.build(1, {}).x;

@@ -67,8 +67,8 @@ TEST_CASE("pages: a life that was predicted once is one value, twice two, not a 
     const desktop::ChartPage once = page(file, 1, known ? facts : RunFacts());
     CHECK(drawn(once.panels[2].curves[0].y) == 1);
     CHECK(once.panels[2].curves[0].y.front() == 20503.0);
-    CHECK_THAT(once.note, Contains(known ? "one value 20503 hr, predicted at step 0"
-                                         : "one value 20503 hr in all of this file"));
+    CHECK_THAT(once.note, Contains(known ? "20503 hr was computed only at step 0"
+                                         : "20503 hr is constant in this file"));
     CHECK((once.note.find("kLifeFreq = 0") != std::string::npos) == known);
   }
   // Predicted often and found the same, or changing: a history.
@@ -78,7 +78,7 @@ TEST_CASE("pages: a life that was predicted once is one value, twice two, not a 
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id == "power.life") file.steps.back().values[c] = 24699.0;
   CHECK(drawn(page(file, 1).panels[2].curves[0].y) == file.steps.size());
-  CHECK_THAT(page(file, 1).note, !Contains("one value"));
+  CHECK_THAT(page(file, 1).note, !Contains("constant in"));
   // At the last step too, as a run with kLifeFreq = 0 does: nothing is known in between.
   facts.life_every = 0;
   const desktop::ChartPage twice = page(file, 1, facts);
@@ -86,7 +86,7 @@ TEST_CASE("pages: a life that was predicted once is one value, twice two, not a 
   CHECK(drawn(life) == 2);
   CHECK(life.front() == 20503.0);
   CHECK(life.back() == 24699.0);
-  CHECK_THAT(twice.note, Contains("first and the last step of a run only"));
+  CHECK_THAT(twice.note, Contains("only at the first and last step"));
 }
 
 TEST_CASE("pages: temperatures that nothing computes are called given", "[unit][adrplot]") {
@@ -101,38 +101,38 @@ TEST_CASE("pages: temperatures that nothing computes are called given", "[unit][
     set(file, id, 293.15);
   RunFacts facts;
   facts.temperatures_computed = false;
-  CHECK_THAT(page(file, bulk, facts).note, Contains("given by the deck (kTherm = 0)"));
-  CHECK_THAT(page(file, bulk).note, Contains("never change in this file"));
+  CHECK_THAT(page(file, bulk, facts).note, Contains("input values of the deck (kTherm = 0)"));
+  CHECK_THAT(page(file, bulk).note, Contains("constant input values"));
   facts.temperatures_computed = true;
-  CHECK_THAT(page(file, bulk, facts).note, !Contains("given"));
+  CHECK_THAT(page(file, bulk, facts).note, !Contains("input values"));
 }
 
 TEST_CASE("pages: forces on a race say in which directions they hold it", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Race);
   for (const char* id : {"race.x", "race.y", "race.z"}) set(file, id, 2.6e-6);
   for (const char* id : {"race.theta", "race.phi", "race.angular_velocity"}) set(file, id, 0.0);
-  CHECK_THAT(page(file, 2).note, Contains("held at its place in X, Y and Z"));
-  CHECK_THAT(page(file, 3).note, Contains("moments that hold it"));
+  CHECK_THAT(page(file, 2).note, Contains("prescribed in X, Y and Z"));
+  CHECK_THAT(page(file, 3).note, Contains("reaction moments"));
   const auto columns = results::sol_columns(file.header);
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id == "race.z") file.steps[7].values[c] = 3e-6;  // it moves there
-  CHECK_THAT(page(file, 2).note, Contains("held at its place in X and Y:"));
+  CHECK_THAT(page(file, 2).note, Contains("prescribed in X and Y:"));
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].id == "race.x" || columns[c].id == "race.y" || columns[c].id == "race.theta")
       file.steps[7].values[c] = 0.1;
-  CHECK_THAT(page(file, 2).note, !Contains("held"));
-  CHECK_THAT(page(file, 3).note, !Contains("hold it"));
+  CHECK_THAT(page(file, 2).note, !Contains("prescribed"));
+  CHECK_THAT(page(file, 3).note, !Contains("reaction"));
 }
 
 TEST_CASE("pages: a flange that the race does not have is not hedged", "[unit][adrplot]") {
   RunFacts facts;
   CHECK(flange_reason(".inner.2", facts, false) ==
-        "The inner race has no flange at +x, or the roller's end never came near it.");
+        "The inner race has no flange at +x, or the roller end never came near it.");
   CHECK_FALSE(no_flange("flange.gap.inner.2", facts));
   facts.flanges = {"inner.1"};
   CHECK(flange_reason(".inner.2", facts, false) == "The inner race has no flange at +x.");
   CHECK(flange_reason(".inner.1", facts, false) ==
-        "The roller's end never came near the flange at −x of the inner race.");
+        "The roller end never came near the flange at −x of the inner race.");
   CHECK(no_flange("flange.gap.inner.2", facts));
   CHECK_FALSE(no_flange("flange.gap.inner.1", facts));
 }
@@ -248,10 +248,12 @@ TEST_CASE("pages of a cage say what its speeds are over", "[unit][adrplot]") {
     return std::string("no such page");
   };
   const char* const whirl = "cage.whirl_ratio";
-  CHECK_THAT(note(whirl, -6000, 10000, 0.5), Contains("over the faster race, inner at 10000 rpm."));
-  CHECK_THAT(note("cage.speed_ratio", -8000, 0, 0.5), Contains("race, outer at \u22128000 rpm."));
+  CHECK_THAT(note(whirl, -6000, 10000, 0.5),
+             Contains("ratio to the speed of the inner race, 10000 rpm."));
+  CHECK_THAT(note("cage.speed_ratio", -8000, 0, 0.5),
+             Contains("of the outer race, \u22128000 rpm."));
   // No single value where speeds vary, or where nobody knows them.
   for (const double middle : {0.3, 0.0})
-    CHECK_THAT(note(whirl, 0, 10000, middle), Contains("over the speed of the faster race."));
-  CHECK_THAT(note("cage.land1_force", 0, 10000, 0.5), !Contains("faster race"));
+    CHECK_THAT(note(whirl, 0, 10000, middle), Contains("ratio to the speed of the faster race."));
+  CHECK_THAT(note("cage.land1_force", 0, 10000, 0.5), !Contains("ratio to the speed"));
 }

@@ -152,7 +152,7 @@ TEST_CASE("plot_window: files are opened, refused with a reason, and truncated o
   CHECK_FALSE(window.openFile(base / "nowhere"));
   CHECK_FALSE(test::take_message(window).isEmpty());
   CHECK(window.openFile(base / "cut"));
-  CHECK(note->text().contains("incomplete"));
+  CHECK(note->text().contains("Incomplete file"));
   CHECK(window.view().chartScene().page().x.size() == 59);
   CHECK(window.fileCount() == 2);
   test::write_text(base / "cut", text);

@@ -297,7 +297,7 @@ TEST_CASE("the cut page labels every edge of the contacts with its distance", "[
   CHECK(page->labels[0].text == "1.5 mm to the edge");
   CHECK(page->labels[0].x == -0.001);
   CHECK(page->labels[1].text == "200 µm over the edge");
-  CHECK(page->labels[2].text == "edge of the groove not given");
+  CHECK(page->labels[2].text == "groove edge not given");
   CHECK(page->labels[3].text == "reaches the edge");
   CHECK_THAT(page->note, Catch::Contains("number 3") && Catch::Contains("1.234 kN"));
   // English decks in inches.

@@ -44,7 +44,7 @@ TEST_CASE("plot_window: numbers are all of them or those in view, and the foot s
   const QString whole = folder.filePath("whole.csv"), part = folder.filePath("part.csv");
   REQUIRE(window.exportTo(whole, false));
   CHECK(window.statusBar()->currentMessage().contains(
-      QString("every curve with all it has, %1 values, not only what is seen").arg(all)));
+      QString("all curves, %1 values, also outside the visible range").arg(all)));
   REQUIRE(window.exportTo(part, false, true));
   const auto rows = lines_of(whole), seen = lines_of(part);
   CHECK(rows.size() == static_cast<qsizetype>(all) + 1);

@@ -87,10 +87,10 @@ TEST_CASE("agore_window: the format chosen for a film is what its name says", "[
   AgoreWindow window;
   window.show();
   window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
-  menu_action(window, "Save Film...")->trigger();
+  menu_action(window, "Save Movie...")->trigger();
   auto* range = window.findChild<FilmDialog*>("filmRange");
   REQUIRE(range != nullptr);
-  CHECK(range->windowTitle() == "Save Film");
+  CHECK(range->windowTitle() == "Save Movie");
   range->accept();
   auto* dialog = window.findChild<QFileDialog*>("film");
   REQUIRE(dialog != nullptr);
@@ -123,8 +123,8 @@ TEST_CASE("agore_window: a film goes from a frame or a time to another, and says
   auto* range = window.findChild<FilmDialog*>("filmRange");
   REQUIRE(range != nullptr);
   auto* words = range->findChild<QLabel*>("filmLength");
-  CHECK(words->text().startsWith("20 pictures, 25 a second: a film of 800 ms."));
-  CHECK(words->text().contains("roughly"));
+  CHECK(words->text().startsWith("20 pictures, 25 per second, length 800 ms."));
+  CHECK(words->text().contains("about"));
   auto* from = range->findChild<QSpinBox*>("filmFrom");
   auto* until = range->findChild<QDoubleSpinBox*>("filmToTime");
   const auto& time = window.picture()->animation().time;
@@ -139,7 +139,7 @@ TEST_CASE("agore_window: a film goes from a frame or a time to another, and says
   auto* next = range->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   CHECK(next->isEnabled());
   from->setValue(15);
-  CHECK(words->text().contains("frame 15 is after frame 12"));
+  CHECK(words->text().contains("frame, 15, is after the last frame, 12"));
   CHECK_FALSE(next->isEnabled());
   range->reject();
   // What was saved is said, and nothing that was not.
@@ -198,7 +198,7 @@ TEST_CASE("agore_window: a run that goes on is read again at the same moment", "
   CHECK(time[window.currentFrame()] == Approx(moment).margin(0.5 * (time[1] - time[0])));
   CHECK(window.options().view == View::Cage);
   CHECK(window.options().trails);
-  CHECK(window.statusBar()->currentMessage().startsWith("Read again: 35 frames"));
+  CHECK(window.statusBar()->currentMessage().startsWith("Reloaded: 35 frames"));
   // A file that is gone leaves what is shown.
   std::filesystem::remove(sol8);
   menu_action(window, "Reload")->trigger();
@@ -383,7 +383,7 @@ TEST_CASE(
   CHECK(window.frameCount() == 40);  // the old one stays
   CHECK(window.openFile(base / "cut"));
   CHECK(window.frameCount() == 39);
-  CHECK(test::take_message(window).contains("incomplete"));
+  CHECK(test::take_message(window).contains("Incomplete file"));
 }
 
 TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui]") {
@@ -397,7 +397,7 @@ TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui
     CHECK(test::drop_on(window, folder.path(), names));
   };
   drop({"SOL8", "SOL9"});
-  CHECK(test::take_message(window).contains("single file"));
+  CHECK(test::take_message(window).contains("one file"));
   CHECK(window.frameCount() == 0);
   drop({"nowhere"});
   CHECK(test::take_message(window).contains("nowhere"));

@@ -82,7 +82,7 @@ TEST_CASE("animation: a lone SOL8 is drawn at its own times, and says what it ca
         std::remainder(turned + 2 * std::numbers::pi * k / 12, 2 * std::numbers::pi);
   file.frames.push_back(last);
   const Animation a = prepare(file);
-  CHECK(a.source.find("SOL8 alone") == 0);
+  CHECK(a.source.find("SOL8 only") == 0);
   for (const double ratio : element_orbit(a, 4).value) CHECK(ratio == Approx(0.43).epsilon(0.05));
   CHECK(a.cage_angle[30] == Approx(continuous([&] {
           std::vector<double> angle;
@@ -95,7 +95,7 @@ TEST_CASE("animation: a lone SOL8 is drawn at its own times, and says what it ca
   for (std::size_t i = 0; i < 60; i += 6) sparse.frames.push_back(file.frames[i]);
   const Animation b = prepare(sparse);
   const History spin = element_spin(b, 0);
-  CHECK(spin.unknown.find("Not to be known") == 0);
+  CHECK(spin.unknown.find("Unknown from SOL8 only") == 0);
   CHECK(std::isnan(spin.value[5]));
   CHECK(element_orbit(b, 0).unknown.empty());
 }

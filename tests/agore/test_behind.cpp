@@ -40,7 +40,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
     REQUIRE(a.motion);
     REQUIRE(a.frames() == kFrames);
     const auto exact = static_cast<std::size_t>(last) + 1;
-    const std::string words = "from SOL8 alone from frame " + std::to_string(exact + 1) + " on";
+    const std::string words = "from SOL8 only from frame " + std::to_string(exact + 1) + " on";
     CHECK((a.source.find(words) != std::string::npos) == (exact < kFrames));
     const results::Sol8File sol8 = results::read_sol8(folder / "SOL8");
     MotionPicture picture(a);
@@ -50,7 +50,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
       CHECK((a.contacts_at(i) == nullptr) == behind);
       CHECK(std::isnan(a.value("contact.load", i, 0)) == behind);
       if (behind) CHECK(a.frame(i).elements[2].theta == sol8.frames[i].elements[2].theta);
-      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colours " + words) == behind);
+      CHECK((colouring(a, i, ColourBy::Load).why_none == "no colors " + words) == behind);
       ViewOptions options;
       options.contacts = true;
       for (const View view : {View::Bearing, View::Element, View::Section, View::Solid}) {
@@ -58,7 +58,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
         const QString svg = QString::fromUtf8(picture.svg({900, 700}, i, options));
         INFO(view_title(view) << ", frame " << i + 1);
         CHECK(svg.contains(QString::fromStdString("loads: " + words)) == behind);
-        CHECK(svg.contains("from SOL8 alone   ·   frame") == behind);
+        CHECK(svg.contains("from SOL8 only   ·   frame") == behind);
       }
       if (i > 1 && i + 2 < exact) i = exact - 2;  // a few of them are enough
     }
@@ -118,8 +118,7 @@ TEST_CASE("a RESULTS.h5 that stands beside SOL8 and is not used is told with its
   const auto path = folder / "RESULTS.h5";
   const auto told = [&] {
     const Animation a = open_motion(folder / "SOL8");
-    CHECK((a.source.find("RESULTS.h5 beside it is not used") != std::string::npos) ==
-          !a.unused.empty());
+    CHECK((a.source.find("RESULTS.h5 is not used") != std::string::npos) == !a.unused.empty());
     CHECK(a.unused.empty() == (a.motion || !std::filesystem::exists(path)));
     AgoreWindow window;
     window.show();

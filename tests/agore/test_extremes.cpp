@@ -61,7 +61,7 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
   MotionPicture picture(animation);
   const auto told = [&](View view) {
     options.view = view;
-    return picture.svg({1280, 800}, 1, options).contains("Pale: extremes between stored steps.");
+    return picture.svg({1280, 800}, 1, options).contains("Min–max band between stored steps.");
   };
   CHECK(told(View::Pocket));         // whose peaks stand out
   CHECK_FALSE(told(View::Element));  // of speeds, which have none
@@ -88,7 +88,7 @@ TEST_CASE("curves of a file without extremes say that peaks between stored steps
       h5.write(recorder.record(make_snapshot(bearing, step)));
     h5.close();
     const Animation animation = open_motion(folder / "RESULTS.h5");
-    CHECK((animation.source.find("peaks between stored steps are not in the file") !=
-           std::string::npos) == (every > 1));
+    CHECK((animation.source.find("peaks between stored steps are missing") != std::string::npos) ==
+          (every > 1));
   }
 }

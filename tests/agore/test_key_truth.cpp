@@ -131,23 +131,23 @@ std::optional<std::string> quantity_of(const QString& text, View view) {
   const auto has = [&](const char* words) { return text.contains(words); };
   const std::string race = view == View::OuterRace ? "outer" : "inner";
   if (has("flange")) return "force of flanges";
-  if (has("guide lands") || has("clearance about")) return "guide lands";
-  if (has("mass centre now") || has("race centre now") || has("origin now")) return "orbit";
+  if (has("guide lands") || has("clearance circle")) return "guide lands";
+  if (has("mass center now") || has("race center now") || has("origin now")) return "orbit";
   for (const char* const side : {"outer", "inner"}) {
     const QString name = QString("%1 race").arg(side);
-    if (text.startsWith(name + " frame") || text == "spot of the " + name)
+    if (text.startsWith(name + " frame") || text == name + " mark")
       return std::string(side) + " race";
     if (text.startsWith(name + ":") || text.startsWith(name + " loads"))
       return std::string(side) + " loads";
   }
-  if (has("spot that turns with it")) return race + " race";
+  if (has("race mark")) return race + " race";
   if (has("cage frame") || has("frame of segment") || has("cage rotation")) return "cage";
-  if (has("contact in the pocket")) return "contact in the pocket";
+  if (has("pocket contact")) return "pocket contact";
   if (has("land contact")) return "land contact";
   if (has("path of the race") || has("orbit ") || has(" at the frames")) return "orbit";
   if (has("path") || has("earlier frames")) return "way of an element";
-  for (const char* const same : {"still to come", "turns with the", "no contact", "pitch circle",
-                                 "longer arm", "dashed: behind a body"})
+  for (const char* const same : {"later frames", "rotation mark", "no contact", "pitch circle",
+                                 "long arm", "dashed: behind a body"})
     if (has(same)) return same;
   return std::nullopt;
 }
@@ -311,7 +311,7 @@ TEST_CASE("keys: below four small pictures entries stand in columns, none left o
       INFO(type << (all ? ", all marks: " : ": ") << entries << " entries");
       CHECK(entries > 8);
       CHECK(left.size() <= 3);
-      CHECK_FALSE(svg.contains("has its own key"));
+      CHECK_FALSE(svg.contains("see the single view"));
     }
   }
 }
@@ -328,7 +328,7 @@ TEST_CASE("keys: one quantity has one colour in all views", "[gui][keys][slow]")
       REQUIRE(quantity);
       // Has the colour of what is dashed; and in space a colour of its own, with light and shade.
       if (*quantity == "dashed: behind a body") continue;
-      if (*quantity == "turns with the" && options.view == View::Solid) continue;
+      if (*quantity == "rotation mark" && options.view == View::Solid) continue;
       colours[{*quantity, options.dark}].insert(entry.colour.name());
     }
   });

@@ -42,7 +42,7 @@ TEST_CASE("agore: a small picture says why its elements have no colours", "[gui]
     for (const QSize size : {QSize(700, 450), QSize(1100, 700), QSize(1280, 800)}) {
       const QString words = test::all_words(picture.svg(size, 3, options));
       INFO(beside << " beside, " << size.width() << ": " << words.toStdString());
-      CHECK(words.count("no colours:") == 1);
+      CHECK(words.count("no colors:") == 1);
     }
   }
 }

@@ -160,7 +160,7 @@ TEST_CASE("marks: an element without contact has a colour of its own, which the 
     // Where all are in contact nothing else is said; a run that never loses one says nothing.
     const QByteArray before = picture.svg({1280, 800}, frame - 1, options);
     CHECK_FALSE(before.contains("no contact<"));
-    CHECK(before.contains("all touch a race now"));
+    CHECK(before.contains("all in contact"));
   }
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("marks: a flange that is pressed in says that nothing of it is drawn l
     for (options.element = 1; options.element <= animation.file.elements; options.element += 4) {
       const QString words = test::all_words(picture.svg({700, 450}, i, options));
       const bool gap = words.contains(", gap ");
-      if (words.contains("pressed in (not drawn) by")) ++pressed;
+      if (words.contains("penetration (not drawn)")) ++pressed;
       open += gap;
       INFO(words.toStdString());
       CHECK(words.contains("gap × ") == gap);
@@ -216,20 +216,20 @@ TEST_CASE("marks: a flange that is pressed in says that nothing of it is drawn l
   CHECK(pressed > 0);
 }
 
-TEST_CASE("marks: frames too short for letters have a longer arm for z, and the key says so",
+TEST_CASE("marks: frames too short for letters have a long arm for z, and the key says so",
           "[gui][agore]") {
   test::use_qt();
   MotionPicture picture(open_motion(test::example_run("ball") / "RESULTS.h5"));
   ViewOptions options;
   options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
   const QByteArray small = picture.svg({700, 450}, 5, options);
-  CHECK(small.contains("longer arm: z"));
+  CHECK(small.contains("long arm: z"));
   CHECK(small.contains("cage rotation"));
   CHECK(small.count("guide lands") == 1);
   CHECK_FALSE(small.contains("guide land<"));
   options.beside.clear();
   const QByteArray large = picture.svg({1280, 800}, 5, options);
-  CHECK_FALSE(large.contains("longer arm"));
+  CHECK_FALSE(large.contains("long arm"));
   options.view = View::Pocket;
   CHECK(picture.svg({1280, 800}, 5, options).contains("cage rotation"));
 }

@@ -58,7 +58,7 @@ TEST_CASE("agore_window: a random walk over everything that a hand can do leaves
     return static_cast<int>(random() % static_cast<unsigned>(count));
   };
   auto* canvas = window.findChild<PictureWidget*>();
-  const QStringList left_out{"Quit", "Print...", "Save Picture...", "Save Film...", "Open..."};
+  const QStringList left_out{"Quit", "Print...", "Save Picture...", "Save Movie...", "Open..."};
   const int actions_to_do = test::walk_actions();
   for (int i = 0; i < actions_to_do; ++i) {
     INFO("action " << i);

@@ -105,7 +105,7 @@ TEST_CASE("without RESULTS.h5 no ratio is over a speed that its title does not n
   fs::create_directories(alone);
   fs::copy_file(whole / "SOL8", alone / "SOL8");
   const Animation a = open_motion(alone / "SOL8");
-  CHECK(speed_text(a) == "races at 8000 rpm to each other");
+  CHECK(speed_text(a) == "races at 8000 rpm relative to each other");
   // How far a race turns between two frames no SOL8 tells.
   for (const View view : {View::Cage, View::Element})
     CHECK_THAT(page_of(a, view).panels.at(1).message, Contains("outer race turns"));

@@ -87,7 +87,7 @@ TEST_CASE("agore_window: the picture has the keyboard and tells its views, frame
   CHECK(picture->accessibleDescription() ==
         QString::fromStdString(view_title(View::Element)) + " 2, " +
             QString::fromStdString(view_title(View::OuterRace)) + "; " + told(3));
-  // While it plays a reader is not told frame after frame: it would never end.
+  // While playing a reader is not told frame after frame: it would never end.
   QStringList seen;
   window.playForward();
   for (std::size_t frame = 4; frame < 9; ++frame) {
@@ -96,7 +96,7 @@ TEST_CASE("agore_window: the picture has the keyboard and tells its views, frame
   }
   REQUIRE(window.playing());
   CHECK(seen.size() == 1);
-  CHECK(seen.join("").endsWith("it plays"));
+  CHECK(seen.join("").endsWith("playing"));
   window.pause();
   CHECK(picture->accessibleDescription().endsWith(told(window.currentFrame())));
 }

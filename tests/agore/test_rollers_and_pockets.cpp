@@ -387,7 +387,7 @@ TEST_CASE("views: a wall that carries nothing is not called touched", "[gui][h5]
   options.view = View::Pocket;
   const QString words = test::all_words(picture.svg({1280, 800}, 2, options));
   INFO(words.toStdString());
-  CHECK(words.contains("no contact with the side walls"));
+  CHECK(words.contains("no side wall contact"));
   CHECK(words.contains("right 380 µm away"));
   CHECK_FALSE(words.contains("touched"));
 }

@@ -221,8 +221,8 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
     return picture.svg(area.size().toSize(), 8, options).count(words);
   };
   for (const char* const words :
-       {"outer race frame", "inner race frame", "cage frame", "spot of the inner race",
-        "contact in the pocket", "direction of land contact", "guide land"}) {
+       {"outer race frame", "inner race frame", "cage frame", "inner race mark", "pocket contact",
+        "direction of land contact", "guide land"}) {
     INFO(words);
     CHECK(count(low, words) >= 1);
     CHECK(count(high, words) >= 1);
@@ -257,12 +257,12 @@ TEST_CASE("shared key: words longer than its lines go on in the next one", "[gui
   const desktop::Theme& t = desktop::theme(desktop::ThemeKind::Light);
   SharedKey key;
   const QByteArray svg = desktop::svg_of({400, 200}, [&](QPainter& p) {
-    key.draw(p, QRectF(0, 0, 230, 180), t,
-             {{t.red, "contact in the pocket: 530 mN at 0°, 275 mN at 180°"},
-              {t.blue, "inner race frame"}});
+    key.draw(
+        p, QRectF(0, 0, 230, 180), t,
+        {{t.red, "pocket contact: 530 mN at 0°, 275 mN at 180°"}, {t.blue, "inner race frame"}});
   });
   CHECK_FALSE(svg.contains("530 mN at 0°, 275 mN at 180°"));
-  CHECK(svg.contains("contact in the pocket: 530 mN"));
+  CHECK(svg.contains("pocket contact: 530 mN"));
   CHECK(svg.contains("180°"));
   CHECK(svg.contains("inner race frame"));
   CHECK_FALSE(svg.contains("more"));

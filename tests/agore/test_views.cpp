@@ -188,7 +188,7 @@ TEST_CASE("views: a load has its arrow in the picture, or words in the key that 
     options.view = View::Element;
     options.element = 4;
     MotionPicture picture(std::move(animation));
-    const bool said = picture.svg({780, 680}, 29, options).contains("too small to draw");
+    const bool said = picture.svg({780, 680}, 29, options).contains("too small");
     const int drawn =
         pixels_of(picture.image({780, 680}, 29, options), {0, 0, 780, 560}, theme_of({}).curves[0]);
     if (least < 0) least = drawn;

@@ -61,7 +61,7 @@ std::string plurals_in(const fs::path& file, const std::set<std::string>& allowe
 
 TEST_CASE("sentences of the sources write no number before a plural", "[unit]") {
   // Numbers that are 2 at least, or 0, where the sentence is said; decimals that are never "1".
-  const std::set<std::string> several{"Of every {} steps",
+  const std::set<std::string> several{"One of every {} steps",
                                       "The last {} steps",
                                       "needs at least {} stored steps",
                                       "{} and {} more sentences",  //
@@ -72,7 +72,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "an interval of {} frames draws nothing",
                                       "more than {:g} pictures",
                                       "one of every %1 frames",
-                                      "a film of {} pictures per second shows nothing",
+                                      "a movie of {} pictures per second is empty",
                                       "{} pockets cannot be shared equally",
                                       "{} elements of {:.4g} mm",
                                       "{} elements do not fit",
@@ -82,8 +82,8 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "a study has {} runs at most",
                                       "{} elements of {} mm on a pitch diameter",
                                       "an array of {} values",
-                                      "as in a deck, as {} values",
-                                      "has {:.2g} {} steps a period",
+                                      "as in a deck, {} values",
+                                      "has {:.2g} {} steps per period",
                                       "this bearing has {} segments",
                                       "gives {} values a step, but {} rolling",
                                       "{} balls; there must be at least one",

@@ -101,7 +101,7 @@ BENCHMARK(pan)
 void pan_bands(benchmark::State& state) {
   need_application();
   desktop::ChartPage page = million(static_cast<std::size_t>(state.range(0)));
-  page.band_note = "Pale areas reach from the lowest to the highest value between the steps.";
+  page.band_note = "Min–max bands: range of the values between the steps.";
   for (desktop::ChartPanel& panel : page.panels)
     for (desktop::ChartCurve& curve : panel.curves) {
       curve.low = curve.high = curve.y;
@@ -130,7 +130,7 @@ void pan_orbit(benchmark::State& state) {
   page.title = "Orbit";
   page.equal_axes = true;
   page.x_title = "Y";
-  desktop::ChartCurve curve{"mass centre", {}, {}};
+  desktop::ChartCurve curve{"mass center", {}, {}};
   std::uint32_t seed = 1;
   for (long i = 0; i < state.range(0); ++i) {
     seed = seed * 1664525U + 1013904223U;

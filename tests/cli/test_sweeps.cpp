@@ -129,7 +129,7 @@ TEST_CASE("a sweep with failed runs says how to make them again, and makes no ot
   const Result sweep = run_adore(line);
   INFO(sweep.out);
   CHECK(sweep.code == 2);
-  CHECK(contains(sweep.out, "2 runs have no result; make them again with"));
+  CHECK(contains(sweep.out, "2 runs have no result; run them again with"));
   CHECK(contains(sweep.out, "--set raceCurFac1=0.4:0.52:3"));
   CHECK(contains(sweep.out, "--continue"));
   const auto failed = [&] { return json::parse(read(folder / "sweep/SWEEP.json"))["failed"]; };
@@ -155,7 +155,7 @@ TEST_CASE("a run that makes no step offers no going on", "[cli]") {
     const Result run = run_adore("run " + folder.path().string() + " --overwrite --set " + still);
     INFO(run.out);
     CHECK(run.code == 0);
-    CHECK_FALSE(contains(run.out, "go on:"));
+    CHECK_FALSE(contains(run.out, "continue:"));
   }
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("adore run --accuracy says what it chose, and goes on with it", "[cli]
   REQUIRE(run.code == 0);
   CHECK(contains(run.out, "settings for an error of 30 %"));
   CHECK(contains(run.out, "ellipse nodes"));
-  const std::size_t at = run.out.find("go on:");
+  const std::size_t at = run.out.find("continue:");
   REQUIRE(at != std::string::npos);
   const std::string way_on = run.out.substr(at, run.out.find('\n', at) - at);
   CHECK(contains(way_on, "--integrator "));

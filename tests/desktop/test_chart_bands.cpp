@@ -136,14 +136,14 @@ TEST_CASE("chart_scene: extremes of 0 and less begin at the lower edge of a loga
 
 namespace {
 
-constexpr const char* kSaid = "Pale areas reach beyond.";
+constexpr const char* kSaid = "Min–max bands reach beyond.";
 
 bool says_pale(const ChartScene& scene) {
   QString out;
   for (const QGraphicsItem* item : scene.items())
     if (const auto* text = qgraphicsitem_cast<const QGraphicsSimpleTextItem*>(item))
       out += text->text() + " ";
-  return out.contains("Pale");
+  return out.contains("Min–max");
 }
 
 /// Pixels inside a panel that hold the paler colour of an area, and no line's.

@@ -498,9 +498,9 @@ TEST_CASE("a note takes smaller letters and room before sentences are counted, n
         all.replace(QChar(QChar::Nbsp), ' ');
         for (int i = 0; i < count; ++i)
           told += all.contains(QString("Sentence %1 tells").arg(i)) ? 1 : 0;
-        if (all.contains("(One more sentence")) more = 1;
+        if (all.contains("(1 more sentence")) more = 1;
         if (const auto at =
-                all.indexOf(pointed ? " more sentences: point here" : " more sentences for which");
+                all.indexOf(pointed ? " more sentences: point here" : " more sentences not shown");
             at > 0)
           more = all.left(at).section('(', -1).toInt();
         CHECK(told + more == count);

@@ -74,19 +74,19 @@ TEST_CASE("chart_scene: values at or below 0 on a logarithmic axis are counted",
     CHECK_THAT(words_of(scene), !Contains("logarithmic"));
     set_log(page);
     scene.setPage(page);
-    CHECK_THAT(words_of(scene), Contains("A note of the page. Values at or below 0"));
+    CHECK_THAT(words_of(scene), Contains("A note of the page. Not shown on the logarithmic axis"));
     CHECK_THAT(words_of(scene), Contains(std::string(told) + " of \"first\" in \"Force\"."));
     scene.showCurve(0, 0, false);
-    CHECK_THAT(words_of(scene), !Contains("Values at or below 0"));
+    CHECK_THAT(words_of(scene), !Contains("Not shown on the log"));
     scene.showCurve(0, 0, true);
-    CHECK_THAT(words_of(scene), Contains("Values at or below 0"));
+    CHECK_THAT(words_of(scene), Contains("Not shown on the log"));
   }
   // Values that are not there are none of them.
   ChartPage page = page_of(1000, 1);
   set_log(page);
   page.panels[0].curves[0].y.back() = std::numeric_limits<double>::quiet_NaN();
   scene.setPage(page);
-  CHECK_THAT(words_of(scene), !Contains("Values at or below 0"));
+  CHECK_THAT(words_of(scene), !Contains("Not shown on the log"));
 }
 
 TEST_CASE("chart_scene: a line leaves a logarithmic axis at its foot, and is no row of dots",
@@ -153,5 +153,5 @@ TEST_CASE("chart_scene: places that a logarithmic abscissa leaves out are counte
   page.log_x = true;
   for (double& x : page.x) x -= 0.2505;
   scene.setPage(page);
-  CHECK_THAT(words_of(scene), Contains("251 of 1000 places of the abscissa are at or below 0"));
+  CHECK_THAT(words_of(scene), Contains("251 of 1000 points at or below 0 are not drawn"));
 }

@@ -134,7 +134,7 @@ TEST_CASE("chart_scene: marks have their names also where the first panel has no
     ChartPage page = page_with({{1000.0, "FTF"}, {4000.0, "BPFO"}}, false);
     for (ChartPanel& panel : page.panels) {
       if (!all && &panel != &page.panels.front()) continue;
-      panel.message = "Nothing vibrates here: " + panel.title;
+      panel.message = "No vibration: " + panel.title;
       panel.curves.front().y.assign(page.x.size(), std::numeric_limits<double>::quiet_NaN());
     }
     ChartScene scene;

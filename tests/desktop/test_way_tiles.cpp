@@ -66,7 +66,7 @@ ChartPage page_of(const Way& way) {
   page.title = "Orbit";
   page.equal_axes = true;
   page.x_title = "Y";
-  page.panels = {{"Z", "", {{"mass centre", way.y, way.x}}}};
+  page.panels = {{"Z", "", {{"mass center", way.y, way.x}}}};
   return page;
 }
 
