@@ -32,6 +32,7 @@ packages=(
   xvfb openbox xdotool x11-utils  # real windows
   slurm-wlm munge        # a cluster of one node (tests/slurm)
   python3-h5py           # tables of studies (tests/cli/open_tables.py)
+  codespell              # spelling (tests/language)
 )
 [ "${1:-}" = --docs ] && packages+=(
   python3-sphinx python3-myst-parser  # the documentation site, ./docs.sh
