@@ -22,7 +22,6 @@ DEFINITIONS = {
     "architecture.md": "folders of the project",
     "developer/index.md": "links",
     "developer/testing.md": "commands",
-    "developer/testing.md": "commands",
     "glossary.md": "terms",
     "how-to/effect.md": "interfaces and files",
     "how-to/index.md": "links",
