@@ -27,6 +27,7 @@ DEFINITIONS = {
     "how-to/index.md": "links",
     "how-to/user-routine.md": "interfaces",
     "library.md": "headers",
+    "python-tour.md": "exit codes",
     "outputs.md": "layout of the files; tests compare the layout with written files",
     "readings.md": "rules",
     "reference/index.md": "links",
