@@ -35,7 +35,7 @@ packages=(
   codespell              # spelling (tests/language)
 )
 [ "${1:-}" = --docs ] && packages+=(
-  python3-sphinx python3-myst-parser  # the documentation site, ./docs.sh
+  python3-sphinx python3-myst-parser doxygen  # the documentation site, ./docs.sh
 )
 
 missing=()
