@@ -7,8 +7,9 @@ usage() {
   cat <<'END'
 ./docs.sh [ADORE]
 
-Builds the documentation into build/docs/html; open index.html in a browser. Installs Sphinx and MyST if they are
-missing (./setup.sh --docs). The generated reference pages come from the program ADORE (default: the one of ./run.sh).
+Builds the documentation into build/docs/html; open index.html in a browser. Installs Sphinx, MyST and Doxygen if they
+are missing (./setup.sh --docs). The generated reference pages come from the program ADORE (default: the one of
+./run.sh) and from the Python module of the same build.
 END
 }
 case "${1:-}" in

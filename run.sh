@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds what the main job needs (the solver and its pictures), simulates the example bearing and draws its pictures into out/example; then a cylindrical and a tapered roller bearing beside it.
+# Installs missing packages, builds the solver, simulates three example bearings and draws their pictures; then builds the applications.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -7,15 +7,15 @@ usage() {
   cat <<'END'
 ./run.sh
 
-Installs what is missing (./setup.sh, which may ask for root), builds the solver and its pictures into build/release,
-simulates three example bearings and draws their pictures into out/example, out/example-cylindrical and
-out/example-tapered. Earlier results in these three folders are replaced. It takes no options.
+Installs missing packages (./setup.sh, which may ask for root) and builds the solver into build/release. Simulates three
+example bearings and draws their pictures into out/example, out/example-cylindrical and out/example-tapered; earlier
+results in these folders are replaced. Then builds AdrInput, AdrPlot, AGORE and the Python module. No options.
 END
 }
 for option in "$@"; do
   case $option in
     -h | --help) usage; exit 0 ;;
-    *) echo "run.sh: there is no option '$option'; ./run.sh --help tells what there is" >&2; exit 2 ;;
+    *) echo "run.sh: unknown option '$option'. See ./run.sh --help." >&2; exit 2 ;;
   esac
 done
 
@@ -27,7 +27,7 @@ preset=release
 [ "${CI:-}" = true ] && preset=ci-release
 echo "build: preset $preset"
 cmake --preset "$preset" >/dev/null
-cmake --build --preset "$preset" --target adore adrplot agore
+cmake --build --preset "$preset" --target adore
 
 bin=$PWD/build/$preset/bin
 out=$PWD/out/example
@@ -40,7 +40,7 @@ echo "example: $out/DATA.txt"
 "$bin/adore" animate "$out/SOL8" --view bearing --frame 1 --out "$out/pictures"
 "$bin/adore" animate "$out/SOL8" --view cage --frame 1 --out "$out/pictures"
 
-# The same for rollers: a shorter way.
+# Two roller bearings, with fewer pictures.
 for type in cylindrical tapered; do
   folder=$PWD/out/example-$type
   rm -rf "$folder"
@@ -50,5 +50,8 @@ for type in cylindrical tapered; do
   "$bin/adore" plot "$folder/SOL1" --out "$folder/pictures"
   "$bin/adore" animate "$folder/SOL8" --view bearing --frame 1 --out "$folder/pictures"
 done
-echo "done: PRINT.txt, SOL1-SOL8 and RUN.json in $out, pictures in $out/pictures; rollers in $out-cylindrical and $out-tapered"
-echo "      look at them in the apps: $bin/adrplot $out/SOL1    $bin/agore $out/SOL8"
+echo "pictures: $out/pictures, $out-cylindrical/pictures and $out-tapered/pictures"
+
+cmake --build --preset "$preset" --target adrinput adrplot agore adore_python
+echo "done: results in $out, $out-cylindrical and $out-tapered"
+echo "      open them: $bin/adrplot $out/SOL1    $bin/agore $out/SOL8    $bin/adrinput $out/DATA.txt"

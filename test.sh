@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Does what ./run.sh does, checks the formatting, then runs every test, the reference cases, and, under sanitizers, the
-# readers and their fuzzers.
+# Runs ./run.sh, checks the formatting, then runs the reference cases, the readers and fuzzers under sanitizers and every test.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -8,14 +7,14 @@ usage() {
   cat <<'END'
 ./test.sh
 
-Does what ./run.sh does (it installs what is missing, the packages of the tests, too), checks the formatting, then runs
-the reference cases, the readers under sanitizers and every test: half an hour or more. It takes no options.
+Installs the packages of the tests and runs ./run.sh. Checks the formatting, then runs the reference cases, the readers
+under sanitizers and every test: half an hour or more. No options.
 END
 }
 for option in "$@"; do
   case $option in
     -h | --help) usage; exit 0 ;;
-    *) echo "test.sh: there is no option '$option'; ./test.sh --help tells what there is" >&2; exit 2 ;;
+    *) echo "test.sh: unknown option '$option'. See ./test.sh --help." >&2; exit 2 ;;
   esac
 done
 
@@ -23,7 +22,7 @@ done
 ./run.sh
 
 git ls-files -z '*.cpp' '*.hpp' '*.c' '*.h' | xargs -0 -n 100 -P "$(nproc)" clang-format --dry-run -Werror
-echo "formatting: as .clang-format says"
+echo "formatting: equal to .clang-format"
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 QT_QPA_PLATFORM=offscreen
 preset=release sanitizer=asan-ubsan

@@ -1,7 +1,7 @@
 """Builds the module with the project's own CMake: pip install --no-build-isolation ./core/python.
 
-ADORE_BUILD_FOLDER names a CMake build folder of the source tree to use, e.g. build/release, so that what is compiled there
-is not compiled again; otherwise one of its own is made in build/python, with what CMAKE_ARGS says beside our own.
+ADORE_BUILD_FOLDER names an existing CMake build folder of the source tree, e.g. build/release. Without it the build folder is build/python,
+with additional arguments from CMAKE_ARGS.
 """
 
 import os

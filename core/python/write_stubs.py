@@ -10,7 +10,7 @@ HEAD = '''"""Written by write_stubs.py from the record schema; do not edit."""
 import numpy as np
 
 class DeckVariables:
-    """Every variable that a deck may have; a deck has those of its own records."""
+    """Every variable of all records; a deck has those of its records."""
 '''
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Builds the documentation site without a network: stages the pages, generates the reference pages, runs Sphinx.
+"""Builds the documentation site without a network: stages the pages, generates the reference pages, runs Doxygen and Sphinx.
 
     build_site.py ADORE FOLDER [--test]
 
-ADORE is the program whose JSON output the generated pages come from. FOLDER receives source/ (staged pages) and html/.
---test leaves out Sphinx where it is not installed. A link of a page to a missing file is an error. A link to a file of the project outside the
-site (decisions, sources, data) becomes the file's name, because the site must be complete by itself.
+The generated pages come from the JSON output of the program ADORE. FOLDER receives source/ (staged pages), html/ and html/api/cpp/ (Doxygen).
+The Python reference needs the module `adore` in the folder python/ of the same build. --test leaves out Sphinx, Doxygen and the Python
+reference where they are missing. A link of a page to a missing file is an error. A link to a file outside the site (decisions, sources, data)
+becomes the name of the file.
 """
 
 import json
@@ -150,7 +151,7 @@ def with_links_inside(text, page, pages):
         if re.match(r"[a-z]+:", match[2]) or not target:
             return match[0]
         path = Path(os.path.normpath(page.parent / target))
-        if path in pages or path.is_relative_to(DOCS / "reference") and path.stem in {*GENERATED, "channels"}:
+        if path in pages or path.is_relative_to(DOCS / "reference") and path.stem in {*GENERATED, "channels", "python-api"}:
             return match[0]
         if not path.exists():
             sys.exit(f"{page.relative_to(ROOT)}: the link to '{match[2]}' has no target")
@@ -177,6 +178,42 @@ def add_pages_without_a_place(source):
             guide.write("\n".join(["", "## Other pages", "", *lines, *toctree]))
 
 
+PYTHON_MODULES = {"adore": "Package", "adore.deck": "Decks", "adore.run": "Runs", "adore.results": "Results", "adore.pictures": "Pictures",
+                  "adore.calc": "Calculators", "adore.routines": "User routines", "adore.schema": "Deck schema", "adore.units": "Units",
+                  "adore.errors": "Errors"}
+
+
+def python_reference(built):
+    """The page of autodoc; without the compiled module, a page that states how to get it."""
+    title = "# Python API\n\n"
+    if not built:
+        return title + "This site was built without the Python module. Run `./run.sh`, then `./docs.sh`. In Python, `help(adore)` shows the docstrings.\n"
+    parts = [title + "Docstrings of the module `adore`. [Python tour](../python-tour.md) has examples.\n"]
+    for module, heading in PYTHON_MODULES.items():
+        members = "no-members" if module == "adore" else "members"
+        parts.append(f"## {heading}: `{module}`\n\n```{{eval-rst}}\n.. automodule:: {module}\n   :{members}:\n```\n")
+    return "\n".join(parts)
+
+
+def public_headers():
+    text = (ROOT / "cmake/InstallLibrary.cmake").read_text()
+    names = re.search(r"set\(ADORE_PUBLIC_HEADERS\s+([^)]*)\)", text)[1].split()
+    return [ROOT / "core" / name for name in names]
+
+
+def run_doxygen(html):
+    folder = html / "api/cpp"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    settings = (DOCS / "Doxyfile").read_text() + f'''
+INPUT = {" ".join(f'"{header}"' for header in public_headers())}
+STRIP_FROM_PATH = "{ROOT / "core"}"
+OUTPUT_DIRECTORY = "{folder}"
+'''
+    if subprocess.run(["doxygen", "-"], input=settings, text=True).returncode != 0:
+        sys.exit("docs: Doxygen reported warnings; the C++ reference is not valid")
+
+
 def stage(adore, source):
     shutil.rmtree(source, ignore_errors=True)
     pages = {p for p in DOCS.rglob("*.md") if not OUTSIDE & set(p.relative_to(DOCS).parts)}
@@ -191,21 +228,32 @@ def stage(adore, source):
         (source / f"reference/{name}.md").write_text(make(adore))
     with tempfile.TemporaryDirectory() as folder:
         (source / "reference/channels.md").write_text(channels(adore, Path(folder)))
+    python = Path(adore).absolute().parents[1] / "python"
+    built = any(python.glob("adore/_core*.so"))
+    if built:
+        os.environ["ADORE_PYTHON_FOLDER"] = str(python)
+    (source / "reference/python-api.md").write_text(python_reference(built))
     add_pages_without_a_place(source)
-    return len(pages) + len(GENERATED) + 1
+    return len(pages) + len(GENERATED) + 2
 
 
 def main():
     adore, folder = sys.argv[1], Path(sys.argv[2]).resolve()
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     count = stage(adore, folder / "source")
-    print(f"docs: {count} pages, {len(GENERATED) + 1} of them generated")
+    print(f"docs: {count} pages, {len(GENERATED) + 2} of them generated")
     if "--test" in sys.argv[3:] and not (find_spec("sphinx") and find_spec("myst_parser")):
-        print("docs: Sphinx and MyST are not installed (./setup.sh --docs); the pages were staged only")
+        print("docs: Sphinx and MyST are not installed (./setup.sh --docs); only the pages were staged")
         return
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", folder / "source", folder / "html"]
     if subprocess.run(command).returncode != 0:
         sys.exit("docs: Sphinx reported warnings; the site is not valid")
+    if shutil.which("doxygen"):
+        run_doxygen(folder / "html")
+    elif "--test" in sys.argv[3:]:
+        print("docs: Doxygen is not installed (./setup.sh --docs); the C++ reference is missing")
+    else:
+        sys.exit("docs: Doxygen is not installed. Run ./setup.sh --docs.")
     print(f"docs: open {folder}/html/index.html")
 
 

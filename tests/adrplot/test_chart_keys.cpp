@@ -237,7 +237,7 @@ TEST_CASE("plot_window: the keys of the chart are its own, and a frame shows whe
 
 namespace {
 
-/// Every deed either does something or is grey with a reason, here and now.
+/// Every deed either does something or is gray with a reason, here and now.
 void check_deeds(ChartView& view, const QList<QAction*>& actions, const QStringList& read,
                  int& done, int& grey) {
   // Performing one changes the state for the next: what they are is tried from many states.
@@ -260,7 +260,7 @@ void check_deeds(ChartView& view, const QList<QAction*>& actions, const QStringL
 
 }  // namespace
 
-TEST_CASE("plot_window: a key of the chart does something or is grey and says why, on every page",
+TEST_CASE("plot_window: a key of the chart does something or is gray and says why, on every page",
           "[gui]") {
   int done = 0, grey = 0;
   for (const auto kind : {results::SolKind::Element, results::SolKind::Cage, results::SolKind::Race,
@@ -295,7 +295,7 @@ TEST_CASE("plot_window: a key of the chart does something or is grey and says wh
   CHECK(grey > 100);
 }
 
-TEST_CASE("chart_view: keys are grey where there is nothing to look at more closely", "[gui]") {
+TEST_CASE("chart_view: keys are gray where there is nothing to look at more closely", "[gui]") {
   test::use_qt();
   ChartView view;
   view.resize(700, 500);

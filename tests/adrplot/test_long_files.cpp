@@ -118,7 +118,7 @@ TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matt
     scene.setPage(page);
     const QImage image = scene.image(size);
     const QRectF area = scene.plotAreas().front();
-    // Of one colour from the floor down, of another one from it up, all the way across.
+    // Of one color from the floor down, of another one from it up, all the way across.
     const int floor = static_cast<int>(scene.heightOf(0, 1.2));
     const auto at = [&](double part, int y) {
       return image.pixelColor(static_cast<int>(area.left() + part * area.width()), y);

@@ -164,7 +164,7 @@ TEST_CASE("load rose: marks at the elements, and nothing between them", "[gui]")
       if (column.name == race) column.values = {400.0, 400.0, 0.0, 0.0};
   desktop::ChartScene scene;
   scene.setPage(desktop::static_pages(tables)[0]);
-  // Marks of both races at the four elements, two of them in the centre.
+  // Marks of both races at the four elements, two of them in the center.
   std::set<std::pair<int, int>> places;
   int marks = 0;
   for (const QGraphicsItem* item : scene.items())
@@ -179,7 +179,7 @@ TEST_CASE("load rose: marks at the elements, and nothing between them", "[gui]")
   for (const desktop::ChartCurve& curve : scene.page().panels[0].curves) CHECK(curve.x.size() == 4);
 }
 
-TEST_CASE("load rose: a spoke goes from the centre to each load, and nowhere else", "[gui]") {
+TEST_CASE("load rose: a spoke goes from the center to each load, and nowhere else", "[gui]") {
   test::use_qt();
   results::StaticTables tables = four_elements(results::UnitSystem::SI);
   // Elements at angles of their own, one of them without load; the other race has none at all.
@@ -207,7 +207,7 @@ TEST_CASE("load rose: a spoke goes from the centre to each load, and nowhere els
         }
       return false;
     };
-    // Scale and centre from the axes.
+    // Scale and center from the axes.
     const auto centre = scene.planePlace(0.0, 0.0), right = scene.planePlace(100.0, 0.0);
     REQUIRE(centre);
     REQUIRE(right);
@@ -221,7 +221,7 @@ TEST_CASE("load rose: a spoke goes from the centre to each load, and nowhere els
         INFO("element " << i << " at " << part << " of its load, " << size.width() << " wide");
         CHECK(inked(place(azimuth[i], part * load[i])));
       }
-    // Around the centre and farther out there are as many spokes as there are loads so large.
+    // Around the center and farther out there are as many spokes as there are loads so large.
     for (const double newtons : {100.0, 280.0, 350.0, 450.0}) {
       int spokes = 0;
       bool before = inked(place(-0.5, newtons));
@@ -350,7 +350,7 @@ TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {
     std::set<QRgb> colours;
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
-    // Both curves in their own colours.
+    // Both curves in their own colors.
     const auto& theme = desktop::theme(desktop::ThemeKind::Light);
     CHECK(colours.count(theme.curves[0].rgb()) == 1);
     CHECK(colours.count(theme.curves[1].rgb()) == 1);

@@ -87,7 +87,7 @@ TEST_CASE("a study's folder opens as the pictures of its report", "[gui][adrplot
   CHECK_THROWS_AS(document.build(99, {}), InputError);
 }
 
-TEST_CASE("a map of values over decades shows each decade in another colour, and says so",
+TEST_CASE("a map of values over decades shows each decade in another color, and says so",
           "[gui][adrplot][studies]") {
   test::use_qt();
   const auto colours = [](std::vector<double> values) {
@@ -102,7 +102,7 @@ TEST_CASE("a map of values over decades shows each decade in another colour, and
     QPainter painter(&image);
     desktop::paint_study({"map", map}, painter, size, desktop::current_theme());
     painter.end();
-    // Cells along a line above the numbers: wide stretches of one colour.
+    // Cells along a line above the numbers: wide stretches of one color.
     std::vector<QColor> out;
     constexpr int kRow = 150, kWide = 100;
     for (int x = 1, since = 0; x < image.width(); ++x) {

@@ -110,7 +110,7 @@ TEST_CASE("plot_window: a run without turns says what it is drawn over", "[gui][
   CHECK(abscissa->currentText() == "over time (no turns)");
 }
 
-TEST_CASE("plot_window: what a page does not have is grey and says why", "[gui][adrplot]") {
+TEST_CASE("plot_window: what a page does not have is gray and says why", "[gui][adrplot]") {
   test::use_qt();
   PlotWindow window;
   window.addFile(test::synthetic_sol(SolKind::Race));

@@ -16,7 +16,7 @@ inline SyntheticRun short_run(int steps = 120) {
   return run;
 }
 
-/// Pixels of about a colour inside a rectangle.
+/// Pixels of about a color inside a rectangle.
 inline int pixels_of(const QImage& image, const QRect& area, const QColor& colour) {
   int count = 0;
   for (int y = area.top(); y <= area.bottom(); ++y)

@@ -175,7 +175,7 @@ TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "
   ViewOptions options;
   options.exaggeration = 1;
   CHECK(used_exaggeration(a, options) == 1.0);
-  // Whatever is asked for, neighbours stand apart and the cage lies over no race's ring.
+  // Whatever is asked for, neighbors stand apart and the cage lies over no race's ring.
   const auto& g = a.file.geometry;
   const double half_pitch = std::numbers::pi * 0.5 * g.pitch_diameter / a.file.elements;
   for (const double asked : {2.0, 5.0, 10.0, 20.0, 50.0, 1000.0}) {

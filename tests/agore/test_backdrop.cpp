@@ -33,7 +33,7 @@ Animation run_with_race_at(double move) {
   return animation;
 }
 
-/// The largest difference of any colour of any pixel.
+/// The largest difference of any color of any pixel.
 int difference(const QImage& a, const QImage& b) {
   REQUIRE(a.size() == b.size());
   int most = 0;

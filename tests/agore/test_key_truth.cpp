@@ -20,7 +20,7 @@
 #include <optional>
 #include <set>
 
-/// Keys against pictures: what one names the other shows, and in one colour everywhere.
+/// Keys against pictures: what one names the other shows, and in one color everywhere.
 using namespace adore;
 using namespace adore::agore;
 
@@ -71,7 +71,7 @@ Shown show(const Animation& animation, std::size_t frame, const ViewOptions& opt
   return out;
 }
 
-/// Pixels that are nearly of a colour.
+/// Pixels that are nearly of a color.
 int inked(const QImage& image, const QColor& colour, int within) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
@@ -154,7 +154,7 @@ std::optional<std::string> quantity_of(const QString& text, View view) {
 
 }  // namespace
 
-TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named",
+TEST_CASE("keys: what a key names is drawn, and every color of a mark is named",
           "[gui][keys][slow]") {
   test::use_qt();
   int named = 0;
@@ -178,7 +178,7 @@ TEST_CASE("keys: what a key names is drawn, and every colour of a mark is named"
       const bool thin = entry.mark == KeyMark::Dashed || entry.mark == KeyMark::Dotted;
       CHECK(inked(shown.image, entry.colour, thin ? 120 : 40) > 0);
     }
-    // Steel has the grey of elements without contact: those are told from the run.
+    // Steel has the gray of elements without contact: those are told from the run.
     const auto* const loads = animation.contacts_at(frame);
     const bool grey = (options.view == View::Bearing || solid) &&
                       options.colour != ColourBy::None && loads &&
@@ -316,7 +316,7 @@ TEST_CASE("keys: below four small pictures entries stand in columns, none left o
   }
 }
 
-TEST_CASE("keys: one quantity has one colour in all views", "[gui][keys][slow]") {
+TEST_CASE("keys: one quantity has one color in all views", "[gui][keys][slow]") {
   test::use_qt();
   std::map<std::pair<std::string, bool>, std::set<QString>> colours;
   for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
@@ -326,7 +326,7 @@ TEST_CASE("keys: one quantity has one colour in all views", "[gui][keys][slow]")
       const auto quantity = quantity_of(entry.text, options.view);
       INFO(state << ": " << entry.text.toStdString());
       REQUIRE(quantity);
-      // Has the colour of what is dashed; and in space a colour of its own, with light and shade.
+      // Has the color of what is dashed; and in space a color of its own, with light and shade.
       if (*quantity == "dashed: behind a body") continue;
       if (*quantity == "rotation mark" && options.view == View::Solid) continue;
       colours[{*quantity, options.dark}].insert(entry.colour.name());

@@ -32,7 +32,7 @@ TEST_CASE("agore_window: no view, mark or message makes a low window grow", "[gu
   }
 }
 
-TEST_CASE("agore: a small picture says why its elements have no colours", "[gui][keys]") {
+TEST_CASE("agore: a small picture says why its elements have no colors", "[gui][keys]") {
   test::use_qt();
   MotionPicture picture(prepare(test::synthetic_sol8(test::short_run(61))));
   ViewOptions options;

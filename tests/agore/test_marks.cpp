@@ -23,7 +23,7 @@ using namespace adore::agore;
 
 namespace {
 
-/// Contrast of two colours after WCAG 2.
+/// Contrast of two colors after WCAG 2.
 double contrast(QRgb a, QRgb b) {
   const auto light = [](QRgb c) {
     const auto one = [](int v) {
@@ -35,8 +35,8 @@ double contrast(QRgb a, QRgb b) {
   return std::max(light(a), light(b)) / std::min(light(a), light(b));
 }
 
-/// Pixels of a mark's own colour, and those of them beside which, within a few pixels, nothing has
-/// three times or a third of their light: the inside of an area, far from all other colours, is
+/// Pixels of a mark's own color, and those of them beside which, within a few pixels, nothing has
+/// three times or a third of their light: the inside of an area, far from all other colors, is
 /// not lost.
 struct Seen {
   int all = 0, lost = 0;
@@ -72,7 +72,7 @@ QImage picture_of(const Animation& animation, std::size_t frame, const ViewOptio
 
 }  // namespace
 
-TEST_CASE("marks: every colour stands out from what it lies on by 3:1, light and dark",
+TEST_CASE("marks: every color stands out from what it lies on by 3:1, light and dark",
           "[gui][agore][slow]") {
   test::use_qt();
   for (const std::string& type : test::kTypes) {
@@ -103,7 +103,7 @@ TEST_CASE("marks: every colour stands out from what it lies on by 3:1, light and
   }
 }
 
-TEST_CASE("marks: turning marks stand out from every colour of a scale", "[unit][agore]") {
+TEST_CASE("marks: turning marks stand out from every color of a scale", "[unit][agore]") {
   for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
     const desktop::Theme& t = desktop::theme(kind);
     for (int i = 0; i <= 100; ++i) {
@@ -117,7 +117,7 @@ TEST_CASE("marks: turning marks stand out from every colour of a scale", "[unit]
   }
 }
 
-TEST_CASE("marks: an element without contact has a colour of its own, which the key names",
+TEST_CASE("marks: an element without contact has a color of its own, which the key names",
           "[gui][agore][h5]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
@@ -305,7 +305,7 @@ TEST_CASE("marks: what turns with a roller is an area, which no edge of a path l
         }
         draw_turning_marks(scene);
         painter.end();
-        // Of 3x3 pixels in the mark's colour: lines and edges of lines have none.
+        // Of 3x3 pixels in the mark's color: lines and edges of lines have none.
         int out = 0;
         const auto is = [&](int x, int y) {
           const QColor c = image.pixelColor(x, y);
@@ -402,7 +402,7 @@ TEST_CASE("marks: every element that carries has its arrow or a stub of it, in s
         const QColor ink = desktop::theme(desktop::ThemeKind::Light).curves[race];
         const QRect area =
             MotionPicture::pictureAreas(QRectF(QPointF(0, 0), QSizeF(size)), 1).front().toRect();
-        // Pieces of the colour that hang together: the arrows, and one in the key.
+        // Pieces of the color that hang together: the arrows, and one in the key.
         std::set<std::pair<int, int>> left;
         for (int y = area.top(); y < area.bottom(); ++y)
           for (int x = area.left(); x < area.right(); ++x) {

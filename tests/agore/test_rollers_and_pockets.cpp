@@ -392,7 +392,7 @@ TEST_CASE("views: a wall that carries nothing is not called touched", "[gui][h5]
   CHECK_FALSE(words.contains("touched"));
 }
 
-TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in metres or inches",
+TEST_CASE("the shape of a roller is what RESULTS.h5 says of it, in meters or inches",
           "[unit][agore][h5]") {
   using namespace adore::testing;
   const TemporaryFolder folder;

@@ -177,7 +177,7 @@ TEST_CASE("views: the element view shows contact loads when RESULTS.h5 lies besi
 TEST_CASE("views: a load has its arrow in the picture, or words in the key that it is too small",
           "[gui]") {
   test::use_qt();
-  int least = -1;  // pixels of its colour without an arrow: the key's, and a curve's
+  int least = -1;  // pixels of its color without an arrow: the key's, and a curve's
   bool any_said = false, any_drawn = false;
   for (const double load : {0.001, 0.1, 1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 15.0, 50.0, 200.0}) {
     Animation animation = prepare(test::synthetic_sol8(short_run(30)));

@@ -45,7 +45,7 @@ struct Seen {
   Sketch sketch;
 };
 
-/// Is a pixel about this place of the colour?
+/// Is a pixel about this place of the color?
 bool coloured(const QImage& image, QPointF at, const QColor& colour) {
   return pixels_of(image, QRect(at.toPoint() - QPoint(1, 1), QSize(3, 3)), colour) > 0;
 }
@@ -92,7 +92,7 @@ TEST_CASE("ways: frames are marked, and a chord is drawn only where the way betw
   }
 }
 
-TEST_CASE("ways: sparse orbits of centres are their frames, and the key says so", "[gui][ways]") {
+TEST_CASE("ways: sparse orbits of centers are their frames, and the key says so", "[gui][ways]") {
   test::use_qt();
   ViewOptions options;
   options.view = View::Cage;
@@ -135,7 +135,7 @@ TEST_CASE("ways: sparse orbits of centres are their frames, and the key says so"
   }
 }
 
-TEST_CASE("ways: paths beside each other are not told from steps that pass the neighbour's place",
+TEST_CASE("ways: paths beside each other are not told from steps that pass the neighbor's place",
           "[gui][ways]") {
   test::use_qt();
   ViewOptions options;

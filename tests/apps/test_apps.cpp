@@ -53,7 +53,7 @@ const QString& run_folder() {
   return path;
 }
 
-/// A picture shows something when it has the size asked for and more than a few colours, none of
+/// A picture shows something when it has the size asked for and more than a few colors, none of
 /// which covers nearly everything.
 void check_pictures(const QString& folder, int least, QSize size) {
   const QDir directory(folder);

@@ -24,7 +24,7 @@ std::string text_of(const QString& path) {
 
 }  // namespace
 
-TEST_CASE("a real window of AdrInput: a size in millimetres is typed, Ctrl+U empties nothing",
+TEST_CASE("a real window of AdrInput: a size in millimeters is typed, Ctrl+U empties nothing",
           "[gui][apps][window][slow]") {
   adore::test::use_qt();
   const auto desk = Desk::make("1280x800x24");

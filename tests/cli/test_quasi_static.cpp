@@ -89,7 +89,7 @@ TEST_CASE("roller decks in SI and in English units give the same results", "[cli
         double& largest = scale[unit_of(key)];
         largest = std::max(largest, std::abs(value.get<double>()));
       }
-    scale["N.m"] = std::max(scale["N.m"], 0.01 * scale["N"]);  // loads times a centimetre
+    scale["N.m"] = std::max(scale["N.m"], 0.01 * scale["N"]);  // loads times a centimeter
     int compared = 0;
     for (const auto& [key, value] : result[0].items()) {
       if (!value.is_number() || result[1].at(key).is_null()) continue;
@@ -130,7 +130,7 @@ TEST_CASE("the quasi-static example decks run, with tables for plots, lives and 
 
 namespace {
 
-/// --set of fits and temperatures in the units of a deck: metres and kelvin, or inches and rankine.
+/// --set of fits and temperatures in the units of a deck: meters and kelvin, or inches and rankine.
 std::string fits_and_temperatures(bool english) {
   const double length = english ? 1.0 / 0.0254 : 1.0, temperature = english ? 1.8 : 1.0;
   const auto set = [](const char* name, double value) {

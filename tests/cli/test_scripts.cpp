@@ -1,14 +1,14 @@
 #include "cli/driver.hpp"
 
-/// The scripts at the top of the repository, in a copy in which what they would do leaves a trace.
+/// The scripts of the top folder, in a copy with programs that leave a trace when they are called.
 using namespace adore;
 using namespace adore::test;
 
-TEST_CASE("scripts that are asked for help, or for what they do not know, do nothing", "[cli]") {
+TEST_CASE("scripts: --help and unknown options → no work done", "[cli]") {
   const Folder folder;
   for (const std::string name : {"run.sh", "test.sh", "setup.sh"})
     fs::copy_file(source_dir() / name, folder / name);
-  // The first steps of all three: packages are asked for, the other scripts are called.
+  // Programs of the first steps of all three.
   fs::create_directories(folder / "bin");
   for (const std::string program : {"dpkg-query", "apt-get", "sudo", "cmake", "ninja", "git"}) {
     write(folder / "bin" / program,
@@ -29,10 +29,10 @@ TEST_CASE("scripts that are asked for help, or for what they do not know, do not
       INFO(option);
       const Result told = run_shell(here + script + " " + option + " 2>&1");
       CHECK(told.code == 2);
-      CHECK(told.out.find("there is no option") != std::string::npos);
+      CHECK(told.out.find("unknown option") != std::string::npos);
       CHECK_FALSE(fs::exists(folder / "began"));
     }
-    // The trace is one: without options they begin.
+    // Without options the scripts begin: the trace works.
     CHECK(run_shell(here + script + " 2>&1").code != 0);
     CHECK(fs::exists(folder / "began"));
     fs::remove(folder / "began");

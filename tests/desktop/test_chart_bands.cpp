@@ -146,7 +146,7 @@ bool says_pale(const ChartScene& scene) {
   return out.contains("Min–max");
 }
 
-/// Pixels inside a panel that hold the paler colour of an area, and no line's.
+/// Pixels inside a panel that hold the paler color of an area, and no line's.
 int pale_pixels(ChartScene& scene, const ChartPage& page, QSize size) {
   ChartPage bare = page;
   for (ChartPanel& panel : bare.panels)
@@ -225,7 +225,7 @@ TEST_CASE("chart_scene: what pale areas are is said where one is seen, in every 
 
 TEST_CASE("chart_scene: pale areas lie below all curves", "[gui][step-band]") {
   test::use_qt();
-  // The area of a later curve stands across an earlier curve, which keeps its colour there.
+  // The area of a later curve stands across an earlier curve, which keeps its color there.
   for (const bool log : {false, true}) {
     ChartPage page;
     page.title = "Bands", page.x_title = "Time", page.x_unit = "s";

@@ -33,7 +33,7 @@ QStringList words(const ChartScene& scene) {
 
 }  // namespace
 
-TEST_CASE("chart_scene: titles of neighbouring panels do not run into each other", "[gui]") {
+TEST_CASE("chart_scene: titles of neighboring panels do not run into each other", "[gui]") {
   test::use_qt();
   ChartPage page;
   page.title = "Applied forces";

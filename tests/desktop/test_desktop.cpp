@@ -151,7 +151,7 @@ TEST_CASE("chart_page: lines break at missing values and where an angle starts a
   CHECK(drawable_pieces(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, false).size() == 1);
   const auto zoomed = drawable_pieces(x, {0, 1, 2, 3, 4, 5, 6}, 2.5, 3.5, 100, false);
   REQUIRE(zoomed.size() == 1);
-  CHECK(zoomed.front().x == std::vector<double>{2, 3, 4});  // one neighbour beyond each end
+  CHECK(zoomed.front().x == std::vector<double>{2, 3, 4});  // one neighbor beyond each end
 }
 
 TEST_CASE("chart_page: thinning a long line keeps every peak", "[unit]") {

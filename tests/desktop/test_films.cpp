@@ -13,7 +13,7 @@
 using namespace adore;
 using namespace adore::desktop;
 
-TEST_CASE("gif_writer: pictures come back with their colours and pauses", "[gui]") {
+TEST_CASE("gif_writer: pictures come back with their colors and pauses", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("film.gif").toStdString();
@@ -44,7 +44,7 @@ TEST_CASE("gif_writer: pictures come back with their colours and pauses", "[gui]
   CHECK(reader.read().isNull());
 }
 
-TEST_CASE("gif_writer: shaded metal stays grey beside the colours of a scale", "[gui]") {
+TEST_CASE("gif_writer: shaded metal stays gray beside the colors of a scale", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   QImage image(256, 200, QImage::Format_RGB32);
@@ -65,7 +65,7 @@ TEST_CASE("gif_writer: shaded metal stays grey beside the colours of a scale", "
       worst = std::max({worst, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
                         std::abs(a.blue() - b.blue())});
     }
-  CHECK(worst < 24);  // a fixed cube of colours, dithered, is up to 51 off
+  CHECK(worst < 24);  // a fixed cube of colors, dithered, is up to 51 off
 }
 
 TEST_CASE("mp4_writer: without ffmpeg the reason is a sentence", "[gui]") {

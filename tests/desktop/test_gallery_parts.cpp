@@ -10,7 +10,7 @@
 
 using namespace adore;
 
-TEST_CASE("few_colours: a picture of few colours stays as it is, others nearly", "[gui]") {
+TEST_CASE("few_colours: a picture of few colors stays as it is, others nearly", "[gui]") {
   test::use_qt();
   QImage plain(40, 30, QImage::Format_RGB32);
   plain.fill(QColor(250, 251, 252));
@@ -28,13 +28,13 @@ TEST_CASE("few_colours: a picture of few colours stays as it is, others nearly",
   for (int y = 0; y < 256; y += 5)
     for (int x = 0; x < 256; x += 5)
       worst = std::max(worst, std::abs(less.pixelColor(x, y).red() - x));
-  CHECK(worst < 48);  // 256 colours for 1,024 boxes of 8: a few boxes off
+  CHECK(worst < 48);  // 256 colors for 1,024 boxes of 8: a few boxes off
 }
 
 TEST_CASE("few_colours: mixed shading has no stripes, and paper, lines and letters stay clean",
           "[gui]") {
   test::use_qt();
-  // A body lit from one side, on paper, with marks of many colours that want their own.
+  // A body lit from one side, on paper, with marks of many colors that want their own.
   QImage shaded(400, 300, QImage::Format_RGB32);
   shaded.fill(Qt::white);
   for (int y = 0; y < 200; ++y)

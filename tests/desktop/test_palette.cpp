@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-/// Colours as people with a colour-vision deficiency see them: Machado, Oliveira and Fernandes
+/// Colors as people with a color-vision deficiency see them: Machado, Oliveira and Fernandes
 /// (2009), severity 1, on linear RGB. Distances in CIELAB: 2 is just seen side by side, 10 at a
 /// glance.
 using namespace adore;
@@ -65,7 +65,7 @@ double contrast(const QColor& a, const QColor& b) {
 
 }  // namespace
 
-TEST_CASE("theme: curves and marks are told apart with every colour vision, in both themes",
+TEST_CASE("theme: curves and marks are told apart with every color vision, in both themes",
           "[unit][desktop]") {
   for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
     const desktop::Theme& theme = desktop::theme(kind);

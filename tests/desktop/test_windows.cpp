@@ -30,7 +30,7 @@ using namespace adore;
 
 namespace {
 
-/// Contrast of two colours as WCAG 2 defines it, 1 to 21.
+/// Contrast of two colors as WCAG 2 defines it, 1 to 21.
 double contrast(const QColor& a, const QColor& b) {
   const auto luminance = [](const QColor& colour) {
     const auto linear = [](double v) {

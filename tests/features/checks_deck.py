@@ -297,7 +297,7 @@ def _(b):
     mean = sum(c[f"element.orbital_position.{k}"][t] - c[f"element.orbital_position.{k}"][0] for k in range(1, 13)) / 12 / shaft
     cage = (c["cage.rotation.1"][t] - c["cage.rotation.1"][0]) / shaft
     angle = turns = 0.0
-    for k in range(1, t + 1):  # the cage's centre around the bearing's
+    for k in range(1, t + 1):  # the cage's center around the bearing's
         y, z, y0, z0 = c["cage.position.1.2"][k], c["cage.position.1.3"][k], c["cage.position.1.2"][k - 1], c["cage.position.1.3"][k - 1]
         turns += math.remainder(math.atan2(-y, z) - math.atan2(-y0, z0), 2 * math.pi)
     angle = turns / shaft

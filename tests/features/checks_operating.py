@@ -18,8 +18,8 @@ OPERATING, HEAT = "operating", "thermal"
 D, DM, FO, FI, A0 = 0.0127, 0.060, 0.520, 0.515, math.radians(25.0)
 RPM = math.pi / 30.0
 REST = {"rpm2": 0.0, "appLoadZ": 0.0}
-DISTANCE = (FO + FI - 1.0) * D  # of the curvature centres
-RADIUS = DM / 2 + (FI - 0.5) * D * math.cos(A0)  # of the inner curvature centres
+DISTANCE = (FO + FI - 1.0) * D  # of the curvature centers
+RADIUS = DM / 2 + (FI - 0.5) * D * math.cos(A0)  # of the inner curvature centers
 
 
 @feature("F140", OPERATING)
@@ -103,7 +103,7 @@ def _(b):
     for name, sign, axis in (("appMis12", 1.0, "y"), ("appMis22", 1.0, "z"), ("appMis11", -1.0, "y"), ("appMis21", -1.0, "z")):
         r = b.static(sets={**given, name: 2e-4})
         command = r.command
-        # the curvature centres of the outer race, which tilt here, are at their own radius, 1.3 % smaller
+        # the curvature centers of the outer race, which tilt here, are at their own radius, 1.3 % smaller
         wanted = displaced(2e-5, 0.0, 0.0, *((sign * 2e-4, 0.0) if axis == "y" else (0.0, sign * 2e-4)))
         out.append(less(f"{name} = 0.2 mrad: approaches against a race tilted about {axis}, largest departure", apart(approaches(r), wanted), 0.005))
     both = b.static(sets={**given, "appMis11": 2e-4, "appMis12": 2e-4})

@@ -139,7 +139,7 @@ def draw_deck(dice, example, kind):
         sets["raceCurFac1"], sets["raceCurFac2"] = geometry["f1"], geometry["f2"]
     geometry["a"] = math.radians(angle)
     if cage and "7.2.1" not in example:
-        # Windows alone do not centre a cage: within two revolutions it is beside the bearing axis by more than its clearance to the outer race.
+        # Windows alone do not center a cage: within two revolutions it is beside the bearing axis by more than its clearance to the outer race.
         sets["nGL"] = 2
         for k in (1, 2):
             sets.update({f"iCageGuide[{k}]": 1, f"cageGsDia[{k}]": sets["cageDia1"], f"cageGsWidth[{k}]": scale * 0.002,

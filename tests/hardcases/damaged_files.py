@@ -4,7 +4,7 @@
     damaged_files.py BIN RUN... [--count 300] [--seed 1] [--keep FOLDER]
 
 BIN is the folder of the programs, each RUN a folder with DATA.txt, SOL1 to SOL8 and RESULTS.h5. COUNT times
-one file of a run is copied with its neighbours and damaged: cut in the middle of a record or anywhere,
+one file of a run is copied with its neighbors and damaged: cut in the middle of a record or anywhere,
 overflow stars as Fortran writes them, lines lost, doubled or swapped, foreign bytes, numbers that are none,
 bits flipped. Then AdrPlot, AGORE and AdrInput draw it without a window, and `adore plot`, `animate`, `show`,
 `convert` and `check` read it. Each must end by itself within a minute of processor time with exit code 0, 2 or

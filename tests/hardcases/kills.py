@@ -49,7 +49,7 @@ DECKS = [
     ("ball, arkode-erk", "ball", ["--integrator", "arkode-erk", "--set", "maxStps=30", "--set", "nStps=10"]),
 ]
 SAME = ["SOL1", "SOL2", "SOL3", "SOL4", "SOL7", "SOL8", "FINAL", "RESULTS.h5"]
-CLOSE = 1e-6  # [m] cage centre of methods that lose their past, after these short runs
+CLOSE = 1e-6  # [m] cage center of methods that lose their past, after these short runs
 
 
 def content(path):
@@ -156,7 +156,7 @@ class Deck:
             distance = float(numpy.abs(at[0] - at[1]).max())
             self.worst = max(self.worst, distance)
             if distance > CLOSE:
-                return self.fail(f"the cage's centre is off by {distance:.2e} m")
+                return self.fail(f"the cage's center is off by {distance:.2e} m")
         self.count["joined"] += 1
 
     def kill(self, chance, at_call):
@@ -221,7 +221,7 @@ def main():
                  "|---|---|---|---|---|---|---|---|---|"]
         for deck in decks:
             c = deck.count
-            how = "to the byte" if deck.exact else f"cage centre within {deck.worst:.1e} m"
+            how = "to the byte" if deck.exact else f"cage center within {deck.worst:.1e} m"
             lines.append(f"| {deck.name} | {c['kills']} | {c['valid']} | {c['h5py']} | {c['h5dump']} | {c['continued']} | {c['anew']} | "
                          f"{c['joined']} {how} | {c['clean']} |")
     table = "\n".join(lines) + "\n"

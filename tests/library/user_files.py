@@ -4,7 +4,7 @@
     user_files.py ADORE [RUNS [SEED]]
 
 The plug-in of tests/core/user/plug_ins/behaviours.c, with its mischief from a random call on, is built and run in a process of its own
-(`--opt userProcess=1`); behaviours that do not end a process (values, refusals) also in this one. Each run must end with 0 or 3; with 3 the
+(`--opt userProcess=1`); behaviors that do not end a process (values, refusals) also in this one. Each run must end with 0 or 3; with 3 the
 message names ADRX7; `adore show` must read FINAL, RUN.json, SOL8 and RESULTS.h5 of each. Exit 77 where there is no C compiler.
 """
 import pathlib
@@ -50,7 +50,7 @@ def main():
             if own_process:
                 command += ["--opt", "userProcess=1", "--opt", "userTimeout=2"]
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
-            where = f"behaviour {what} from call {late} on, {'a process of its own' if own_process else 'this process'}"
+            where = f"behavior {what} from call {late} on, {'a process of its own' if own_process else 'this process'}"
             if done.returncode not in (0, 3):
                 sys.exit(f"{where}: exit {done.returncode}\n{done.stdout}")
             if done.returncode == 3 and "ADRX7" not in done.stdout:
@@ -65,7 +65,7 @@ def main():
                     sys.exit(f"{where}: {name} cannot be read\n{shown.stdout}")
             ends.setdefault(what, []).append(done.returncode)
             shutil.rmtree(out, ignore_errors=True)
-    print(f"{runs} runs: " + ", ".join(f"behaviour {what}: {codes.count(0)} done, {codes.count(3)} ended" for what, codes in sorted(ends.items())))
+    print(f"{runs} runs: " + ", ".join(f"behavior {what}: {codes.count(0)} done, {codes.count(3)} ended" for what, codes in sorted(ends.items())))
     return 0
 
 

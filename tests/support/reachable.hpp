@@ -77,7 +77,7 @@ inline QStringList clashing_letters(const QMainWindow& window) {
 }
 
 /// Letters with Alt that several things of a window claim as it is shown now: such a key only moves
-/// the focus from one to the next. Buttons count that are grey at the moment.
+/// the focus from one to the next. Buttons count that are gray at the moment.
 inline QStringList contested_letters(const QWidget& window) {
   QMap<QString, QStringList> claims;
   const auto claim = [&](const QString& text) {
@@ -154,8 +154,8 @@ inline QStringList contested_letters_of_dialogs(QMainWindow& window, int& dialog
 }
 
 /// Letters with Alt that a field of the window takes as text while all that they could choose is
-/// grey, as "Cancel" is a moment after the end of a run. A field is added, in case the window shows
-/// none now. The window's buttons and menus stay grey.
+/// gray, as "Cancel" is a moment after the end of a run. A field is added, in case the window shows
+/// none now. The window's buttons and menus stay gray.
 inline QStringList letters_typed_by_alt(QMainWindow& window) {
   for (QAbstractButton* button : window.findChildren<QAbstractButton*>()) button->setEnabled(false);
   for (QAction* action : window.findChildren<QAction*>()) action->setEnabled(false);

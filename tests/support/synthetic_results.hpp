@@ -254,7 +254,7 @@ inline results::Sol8File synthetic_sol8(const SyntheticRun& run = {}) {
       const double lead = 0.5 * run.pocket_clearance * std::sin(pocket + 0.3) * 0.999;
       results::Sol8Element e;
       e.x = 2e-5;
-      // The pocket goes with the cage's centre.
+      // The pocket goes with the cage's center.
       e.theta = limited(pocket + (lead + radius * std::sin(whirl - pocket)) / run.pitch_radius);
       e.r = run.pitch_radius;
       e.angles = {limited(-3.1 * w * t + k), 0.3, 0.0};

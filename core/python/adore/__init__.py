@@ -10,7 +10,7 @@
 (12, 2)
 
 Decks: :func:`new`, :func:`catalogue`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
-Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. Code is never loaded because of what a deck or a file says.
+Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. A deck or a result file cannot load code.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ __all__ = [
 
 
 def run_options() -> Dict[str, Tuple[str, str]]:
-    """Run options, which a deck cannot say: default and meaning by name."""
+    """Default and meaning of each run option by name."""
     return {name: (default, meaning) for name, default, meaning in _core.run_options()}
 
 

@@ -43,7 +43,7 @@ def _split(name: str) -> Tuple[str, List[int]]:
 
 
 def _text(value: Any, whole: bool) -> str:
-    """A value as a deck says it; None as the word, which the deck refuses. @param whole: of an integer variable"""
+    """A value in the syntax of a deck; None as the word, which the reader rejects. whole: integer variable"""
     if isinstance(value, str):
         return "'" + value.replace("'", "''") + "'"
     if isinstance(value, (bool, np.bool_)):
@@ -68,7 +68,7 @@ class Findings(List[_core.Finding]):
 
     @property
     def findings(self) -> List[_core.Finding]:
-        """The list itself, by the name that a run and a plan have for theirs."""
+        """The list itself, under the name that runs and plans use."""
         return self
 
 
@@ -149,7 +149,7 @@ class Record:
 
 
 def _array(values: Sequence[Any]) -> Any:
-    """Numbers as an array that nobody can write into: a changed element would not reach the deck."""
+    """Numbers as a read-only array, because a changed element would not change the deck."""
     if any(v is None or isinstance(v, str) for v in values):
         return tuple(values)
     out = np.array(values)
@@ -223,7 +223,7 @@ class Deck(DeckVariables):
         return target
 
     def copy(self, **changes: Value) -> Deck:
-        """A deck of its own, with other values where they are given: ``deck.copy(rpm2=12000)``."""
+        """A copy with changed values: ``deck.copy(rpm2=12000)``."""
         out = Deck(self._core.copy(), self._path, self._options)
         if changes:
             out.update(**changes)
@@ -312,7 +312,7 @@ class Deck(DeckVariables):
         return self._core.unit(bare)
 
     def help(self, name: str) -> str:
-        """What a variable means, its unit, its codes and its range."""
+        """Meaning, unit, codes and range of a variable."""
         return schema.variable(_split(name)[0]).text()
 
     def set(self, name: str, value: Value, unit: Optional[str] = None) -> None:
@@ -327,8 +327,8 @@ class Deck(DeckVariables):
         >>> deck.appLoadX
         800.0
 
-        When one of them is wrong, the deck stays as it was and :class:`adore.InputError` names every mistake. Records
-        that changed options bring in come with default values, and a :class:`adore.DeckWarning` says so."""
+        If a value is wrong, the deck is unchanged and :class:`adore.InputError` lists every error. Records that changed
+        options need get default values, with a :class:`adore.DeckWarning`."""
         sets: List[Tuple[str, str]] = []
         for name, value in {**(changes or {}), **more}.items():
             sets.append((name, self._value_text(name, value)))
@@ -364,7 +364,7 @@ class Deck(DeckVariables):
 
     def __setattr__(self, name: str, value: Value) -> None:
         if hasattr(type(self), name) and name not in schema.variable_names():
-            raise AttributeError(f"{name} is no variable of a deck and cannot be set")
+            raise AttributeError(f"{name} is not a variable of a deck")
         self.update({name: value})
 
     def __getitem__(self, name: str) -> Value:
@@ -405,14 +405,14 @@ class Deck(DeckVariables):
         return _from_parts, (self.source(), self._core.name, self._path, self._options)
 
     def differences(self, other: Deck) -> List[str]:
-        """What differs from another deck, a sentence each ("here" is this deck)."""
+        """Differences to another deck, one line each ("here" is this deck)."""
         return self._core.differences(other._core)
 
     # Run options.
 
     @property
     def options(self) -> dict[str, str]:
-        """Run options, which a deck cannot say; those of an ADORE.json beside the deck are read with it.
+        """Run options, which are not variables of a deck. Those of ADORE.json in the folder of the deck are read with it.
         ``adore.run_options()`` lists them."""
         return self._options
 
@@ -424,11 +424,11 @@ class Deck(DeckVariables):
     # What can be done with it.
 
     def check(self, *, user: User = None) -> Findings:
-        """Every error, warning and note; empty when there is nothing to say. ``user`` as in :meth:`run`."""
+        """Every error, warning and note. ``user`` as in :meth:`run`."""
         return Findings(_core.check(*self._request(), routines_of(user)))
 
     def plan(self, *, user: User = None, **options: Any) -> Plan:
-        """What a run would simulate, why, and at what cost. ``user`` as in :meth:`run`."""
+        """Bodies, effects, unknowns and cost of a run. ``user`` as in :meth:`run`."""
         from .run import Plan
 
         return Plan(*_core.plan(*self._request(options), routines_of(user)))
@@ -455,14 +455,14 @@ class Deck(DeckVariables):
     ) -> Run:
         """Runs the deck: ``deck.run("results", until="2rev")``.
 
-        out: folder of the files; without it they go into a temporary folder that lives as long as the result.
+        out: folder of the files; default: a temporary folder that exists as long as the result.
         until: end, as "5rev", "0.02s" or a dimensionless time; the deck's own unless given.
         integrator, tol: instead of the deck's; ``options``: run options of this run.
         user: routines of the user, as :class:`adore.Routines` or as the path of a shared object or a file of formulas, whose
         code runs. This argument is the only way to load any.
         progress: True shows a line, a callable gets an :class:`adore.Progress` up to 20 times a second and ends the
         run by returning False; by default a line is shown when there is a terminal.
-        overwrite: results of an earlier run in the folder may be replaced; ``resume`` goes on with them.
+        overwrite: results of an earlier run in the folder may be replaced; ``resume`` continues them.
 
         The interpreter's lock is free while it runs. Ctrl-C ends it with valid files and raises
         :class:`adore.Interrupted`; a run whose numerics gave up raises :class:`adore.RunFailed`, one whose results
@@ -490,7 +490,7 @@ class Deck(DeckVariables):
         resume: bool = False,
     ) -> pd.DataFrame:
         """Runs the deck with ``count`` evenly spaced values of one variable on all cores (or so many threads): the
-        table SWEEP.csv as a data frame, a row for each run, whose files stand in a folder each below ``out``."""
+        table SWEEP.csv as a data frame with a row for each run. The files of each run are in a folder below ``out``."""
         from .run import start_sweep
 
         return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, user, threads, progress,
@@ -499,7 +499,7 @@ class Deck(DeckVariables):
     # For people.
 
     def story(self) -> str:
-        """What the deck is and what running it does, in a few lines."""
+        """Description of the deck and of its run, in a few lines."""
         return "\n".join(self._core.story())
 
     def __repr__(self) -> str:
@@ -533,12 +533,12 @@ def new(name: str) -> Deck:
 
 def catalogue(designation: str) -> Deck:
     """A bearing by its designation ("6205", "7208 B", "NU209", "30208", "22210") or outside ("deep-groove 25x52x15" in
-    mm): standard boundary dimensions; the inside is an estimate, and the deck's remarks say so."""
+    mm): standard boundary dimensions; the internal geometry is an estimate, as the remarks of the deck state."""
     return Deck(_core.Deck.catalogue(designation))
 
 
 def read(path: PathLike = ".") -> Deck:
-    """Reads a deck, or the DATA.txt of a folder; run options of an ADORE.json beside it come with it.
+    """Reads a deck, or the DATA.txt of a folder; also the run options of ADORE.json in its folder.
 
     Every error of the deck is in the :class:`adore.InputError` that it raises; warnings become
     :class:`adore.DeckWarning`."""

@@ -1,10 +1,10 @@
-"""How things go wrong, and who can mend them: the classes stand for the exit codes of the command line.
+"""Exceptions. Each class has an exit code of the command line.
 
 ====  ======================  =======================================================================
 code  class                   meaning
 ====  ======================  =======================================================================
-2     :class:`InputError`     the deck, a file or an argument is wrong; ``issues`` holds every sentence
-3     :class:`SolverError`    the numerics gave up, or the result cannot be trusted
+2     :class:`InputError`     the deck, a file or an argument is wrong; ``issues`` has every message 
+3     :class:`SolverError`    no solution, or the result cannot be trusted
 130   :class:`Interrupted`    Ctrl-C; the files are valid and the run can be continued
 1     :class:`InternalError`  a bug of Adore
 ====  ======================  =======================================================================
@@ -34,7 +34,7 @@ __all__ = [
 
 
 class AdoreError(Exception):
-    """Base of what Adore raises; the text is the sentence that the command line prints."""
+    """Base class; the text is the message of the command line."""
 
     #: Exit code of the command line for this kind of error.
     exit_code: int = 1
@@ -46,25 +46,25 @@ class AdoreError(Exception):
 
 
 class InputError(AdoreError, ValueError):
-    """The user's deck, file or argument is wrong; the sentence says what would be valid."""
+    """A deck, file or argument is wrong; the message states valid values."""
 
     exit_code = 2
 
 
 class ResultsExistError(InputError):
-    """The folder holds results of an earlier run, and nobody allowed to replace them."""
+    """The folder has results of an earlier run, and overwrite is not set."""
 
 
 class UnitError(InputError):
-    """A unit is unknown, or measures something else than the variable."""
+    """A unit is unknown, or has another dimension than the variable."""
 
 
 class PicturesMissingError(InputError):
-    """The program that draws is not there."""
+    """The program that draws the pictures is missing."""
 
 
 class SolverError(AdoreError, ArithmeticError):
-    """The numerics gave up: diagnosis and remedy."""
+    """No solution was found: diagnosis and remedy."""
 
     exit_code = 3
 
@@ -74,12 +74,12 @@ class RunFailed(SolverError):
 
     def __init__(self, text: str, run: Optional[Run] = None) -> None:
         super().__init__(text)
-        #: What there is of the run.
+        #: The run up to its last stored step.
         self.run: Any = run
 
 
 class UntrustedResult(RunFailed):
-    """A run came to its end, and its results cannot be trusted."""
+    """A run is complete, but its results cannot be trusted."""
 
 
 class InternalError(AdoreError):
@@ -87,15 +87,15 @@ class InternalError(AdoreError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C; what was written is valid, and ``deck.run(..., resume=True)`` goes on with it."""
+    """Ctrl-C. The files are valid; ``deck.run(..., resume=True)`` continues the run."""
 
     exit_code: int = 130
 
     def __init__(self, text: str = "interrupted", run: Any = None) -> None:
         super().__init__(text)
-        #: What there is of the run; None when nothing was written.
+        #: The run up to its last stored step; None without files.
         self.run: Optional[Run] = run or None
 
 
 class DeckWarning(UserWarning):
-    """Something that is to be said of a deck, e.g. default values that a changed option brought in."""
+    """A warning about a deck, such as default values that a changed option needs."""

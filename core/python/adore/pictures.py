@@ -1,4 +1,4 @@
-"""Pictures by the program that draws for the command line and the apps: the same charts and views."""
+"""Pictures: the charts and views of the command line and the applications."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Picture:
         self.name = name
 
     def save(self, path: PathLike) -> Path:
-        """Writes it to a file, or under its own name into a folder."""
+        """Writes the picture to a file or, under its name, into a folder."""
         target = Path(path)
         if target.is_dir():
             target = target / self.name
@@ -52,7 +52,7 @@ class Pictures(List[Picture]):
 
 
 def embedded(picture: Picture) -> str:
-    """An HTML image that holds its own bytes."""
+    """An HTML image with embedded data."""
     import base64
 
     data = base64.b64encode(picture.data).decode("ascii")
@@ -60,8 +60,8 @@ def embedded(picture: Picture) -> str:
 
 
 def program() -> Optional[str]:
-    """The program that draws: named by ADORE_PICTURES, beside this build, on the PATH, or beside Python; None without
-    one (a build without Qt)."""
+    """The program that draws: from ADORE_PICTURES, this build, the PATH or the folder of Python; None in a build
+    without Qt."""
     named = os.environ.get("ADORE_PICTURES")
     if named:
         return named

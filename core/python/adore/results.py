@@ -39,7 +39,7 @@ class Channels(Mapping[str, np.ndarray]):
     >>> run.channels.info("contact.load").unit
     'N'
 
-    It can be read while the run goes on; :meth:`reload` looks for new steps."""
+    The file can be read during the run; :meth:`reload` reads new steps."""
 
     def __init__(self, path: PathLike) -> None:
         self._path = os.fspath(path)
@@ -47,7 +47,7 @@ class Channels(Mapping[str, np.ndarray]):
         self._info: Dict[str, _core.ChannelInfo] = {c.id: c for c in self._reader.channels}
 
     def reload(self) -> None:
-        """Reads again what the file holds by now."""
+        """Reads the file again."""
         self.__init__(self._path)  # type: ignore[misc]
 
     @property
@@ -62,7 +62,7 @@ class Channels(Mapping[str, np.ndarray]):
 
     @property
     def revolutions(self) -> np.ndarray:
-        """Turns of the shaft at every stored step."""
+        """Shaft revolutions at every stored step."""
         return self.read("shaft_rotation") / (2.0 * np.pi)
 
     @property
@@ -137,7 +137,7 @@ def _names(id: str, shape: Tuple[int, ...]) -> List[str]:
 def read_table(path: PathLike) -> pd.DataFrame:
     """A SOL1-SOL8 or RESULTS.h5 as a data frame, a row for each stored step.
 
-    Columns are named as ``adore convert`` names them, e.g. "contact.load.outer"; ``frame.attrs`` holds the file's
+    Columns are named as ``adore convert`` names them, e.g. "contact.load.outer"; ``frame.attrs`` has the file's
     header, and "units" and "labels" by column. A damaged or cut-off file gives what is there and a note in
     ``frame.attrs["note"]``."""
     header, columns, values, note = _core.read_table(os.fspath(path))
@@ -153,5 +153,5 @@ def read_table(path: PathLike) -> pd.DataFrame:
 
 
 def describe(path: PathLike) -> str:
-    """What a result file is, its header and the range of each channel."""
+    """Type of a result file, its header and the range of each channel."""
     return _core.describe_file(os.fspath(path))

@@ -1,4 +1,4 @@
-"""Routines of the user in Python: physics of your own in the place of Adore's, over NumPy arrays in SI.
+"""User routines in Python: functions over NumPy arrays in SI units that replace laws of Adore.
 
 >>> import numpy as np
 >>> routines = adore.Routines()
@@ -52,7 +52,7 @@ class Routines:
         largest_slip: float = 100.0,
         tolerance: float = 1e-7,
     ) -> Callable[[_Function], _Function]:
-        """ADRX7, the traction coefficient over the slip, >= 0, of one kind of contact: "element_race" (kTrac = -1),
+        """ADRX7, the traction coefficient over the slip, >= 0, of one type of contact: "element_race" (kTrac = -1),
         "element_cage" (kCPTrac), "cage_race" (kCRTrac), "roller_flange" (kRFTrac) or "element_element" (kRRTrac).
 
         With ``table=True`` the function is ``law(slip)`` and is asked here, for slips up to ``largest_slip`` [m/s], until a
@@ -142,7 +142,7 @@ class Routines:
         return decorate
 
     def cost(self) -> str:
-        """What the functions that are called while a run computes came to so far."""
+        """Calls and time of the functions that a run calls."""
         calls, seconds = self._core.direct_cost
         if calls == 0:
             return "no call of Python while computing"
@@ -154,7 +154,7 @@ class Routines:
 
 
 def routines_of(user: Union[Routines, str, "os.PathLike[str]", None]) -> Union[_core.Routines, str, None]:
-    """What the solver gets of the argument ``user``."""
+    """Form of the argument ``user`` that the solver needs."""
     return user._core if isinstance(user, Routines) else None if user is None else os.fspath(user)
 
 

@@ -29,7 +29,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 class Plan:
-    """What a run would simulate, why, and at what cost in time and disk."""
+    """Bodies, effects, unknowns and cost of a run, in time and disk space."""
 
     def __init__(self, text: str, data: str, remarks: Sequence[_core.Finding]) -> None:
         #: The plan as ``adore plan`` prints it.
@@ -71,7 +71,7 @@ class _Summary:
 
 
 class Statics(_Summary):
-    """The quasi-static equilibrium, SI and radians. The five components are x, y, z, turn about y, turn about z."""
+    """The quasi-static equilibrium, SI and radians. The five components are x, y, z, rotation about y, rotation about z."""
 
     def __init__(self, solution: Mapping[str, Any]) -> None:
         super().__init__(solution["results"])
@@ -141,7 +141,7 @@ class Run(_Summary):
 
     @property
     def message(self) -> str:
-        """Diagnosis and remedy of a run that did not end well."""
+        """Diagnosis and remedy of a run that failed."""
         return self._outcome.message if self._outcome is not None else str(self.report.get("message", ""))
 
     @property
@@ -153,7 +153,7 @@ class Run(_Summary):
 
     @property
     def outcome(self) -> Optional[_core.RunOutcome]:
-        """Steps, time, turns, computing time and energy of a run of this session; None of one that was opened."""
+        """Steps, time, revolutions, computing time and energy of a run of this session; None of one that was opened."""
         return self._outcome
 
     @property
@@ -169,7 +169,7 @@ class Run(_Summary):
 
     @property
     def verification(self) -> Dict[str, Any]:
-        """What ``adore run --verify`` found: "against", "errors", "results" of both runs. Empty: not verified."""
+        """Result of ``adore run --verify``: "against", "errors", "results" of both runs. Empty: not verified."""
         return dict(self.report.get("verify", {}))
 
     @property
@@ -216,7 +216,7 @@ class Run(_Summary):
         return pictures.animate(file, view=view, frame=frame, **how)[0]
 
     def _shown(self) -> List[pictures.Picture]:
-        """A chart and, of a motion, the bearing: what there is of them."""
+        """A chart and, for a motion, the bearing, if available."""
         out: List[pictures.Picture] = []
         if pictures.program() is None:
             return out
@@ -258,14 +258,14 @@ def _stored_results(report: Mapping[str, Any]) -> List[Tuple[str, str, str, floa
 
 
 class _Folder:
-    """Goes with the last who holds it."""
+    """Removes the folder with its last reference."""
 
     def __init__(self, path: Path) -> None:
         weakref.finalize(self, shutil.rmtree, path, ignore_errors=True)
 
 
 def open_run(folder: PathLike) -> Run:
-    """The run whose files are in a folder."""
+    """The run in a folder."""
     return Run(folder)
 
 
@@ -285,13 +285,13 @@ def start_run(
     overwrite: bool,
     resume: bool,
 ) -> Run:
-    """What :meth:`adore.Deck.run` does."""
+    """Implementation of :meth:`adore.Deck.run`."""
     from .deck import show_progress
 
     if resume and overwrite:
-        raise InputError("resume goes on with the results in the folder, overwrite replaces them; give one of them")
+        raise InputError("resume continues the results in the folder, overwrite replaces them; give one of them")
     if resume and out is None:
-        raise InputError("resume needs the folder of the run that it goes on with; give out")
+        raise InputError("resume needs the folder of the run; give out")
     folder = Path(tempfile.mkdtemp(prefix="adore-run-")) if out is None else Path(out)
     keep = _Folder(folder) if out is None else None
     try:
@@ -330,7 +330,7 @@ def start_sweep(
     overwrite: bool,
     resume: bool,
 ) -> pd.DataFrame:
-    """What :meth:`adore.Deck.sweep` does."""
+    """Implementation of :meth:`adore.Deck.sweep`."""
     from .deck import show_progress
 
     pandas = _pandas()

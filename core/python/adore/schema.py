@@ -30,7 +30,7 @@ class VariableSpec:
     help: str
 
     def text(self) -> str:
-        """What there is to know of it, in a few lines."""
+        """Description in a few lines."""
         unit = f" [{self.unit}]" if self.unit not in ("", "-") else ""
         length = "" if self.length == "1" else f", array of {self.length}"
         lines = [f"{self.name}{unit} ({self.type}{length}): {self.help}"]
@@ -44,7 +44,7 @@ class VariableSpec:
 
 @dataclass(frozen=True)
 class RecordSpec:
-    """A record of the deck; ``condition`` says when a deck has it."""
+    """A record of the deck; ``condition`` states when a deck has it."""
 
     id: str
     title: str
@@ -54,7 +54,7 @@ class RecordSpec:
 
 
 def _bound(value: Any, otherwise: float) -> float:
-    """Without a bound, or with that of the number type alone, there is none."""
+    """Ranges without a bound, or with that of the number type, are None."""
     return otherwise if value is None or abs(value) >= 2**31 - 1 else float(value)
 
 
@@ -93,7 +93,7 @@ def _by_name() -> Mapping[str, Tuple[VariableSpec, RecordSpec]]:
 
 
 def variable_names() -> Tuple[str, ...]:
-    """Every variable, in deck order; the label of a record is none."""
+    """Every variable, in deck order, without labels of records."""
     return tuple(_by_name())
 
 

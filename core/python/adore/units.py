@@ -1,4 +1,4 @@
-"""Units beside values: ``deck["pitchDia"] = 60, "mm"`` and ``deck.get("pitchDia", "mm")``."""
+"""Values with units: ``deck["pitchDia"] = 60, "mm"`` and ``deck.get("pitchDia", "mm")``."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _parse(unit: str) -> tuple[float, tuple[float, ...]]:
         number, dimension = _UNITS[text]
         return number, dimension
     if text.lower() in ("degc", "°c", "c", "degf", "°f", "f"):
-        raise UnitError(f"{unit} has a zero of its own, and a deck does not say whether a difference is meant; give kelvin (K)")
+        raise UnitError(f"{unit} has another zero than kelvin, and the variable can be a difference. Give kelvin (K)")
     number, total, at = 1.0, [0.0] * 6, 0
     while at < len(text):
         part = _PART.match(text, at)
@@ -72,7 +72,7 @@ def _parse(unit: str) -> tuple[float, tuple[float, ...]]:
 
 
 def factor(unit: str, to: str) -> float:
-    """What a value in ``unit`` has to be multiplied with to be one in ``to``.
+    """Factor from ``unit`` to ``to``.
 
     >>> adore.units.factor("mm", "m")
     0.001

@@ -4,6 +4,6 @@ __all__ = ["DeckVariables"]
 
 
 class DeckVariables:
-    """Every variable that a deck may have; a deck has those of its own records."""
+    """Every variable of all records; a deck has those of its records."""
 
     __slots__ = ()

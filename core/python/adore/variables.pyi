@@ -3,7 +3,7 @@
 import numpy as np
 
 class DeckVariables:
-    """Every variable that a deck may have; a deck has those of its own records."""
+    """Every variable of all records; a deck has those of its records."""
 
     mode: int
     """Record 1. Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast contact vibration by

@@ -266,7 +266,7 @@ TEST_CASE("the free state follows angle, clearance and shims", "[unit][groove]")
   CHECK(free_state(D, f, {0, 0}, 0.0, 1e-12).contact_angle ==
         Approx(std::sqrt(2e-12 / play)).epsilon(1e-9));
 
-  // Split inner ring ground with a shim: pushed together, the arches stand g/2 off centre, and a
+  // Split inner ring ground with a shim: pushed together, the arches stand g/2 off center, and a
   // ball pressed radially between them rests where its contacts meet both arches: the arch angle,
   // sin αs = (g/2)/((f - 1/2)D).
   const double g = 2e-4;

@@ -258,7 +258,7 @@ TEST_CASE("Land force and moment are minus the gradient of the land's potential"
           Approx(sum.force[i]).margin(1e-4 * sum.force.norm()));
     Vec3 axis = Vec3::Zero();
     axis[i] = 1.0;
-    const double angle = 1e-6;  // turns the cage about a race axis through its centre
+    const double angle = 1e-6;  // turns the cage about a race axis through its center
     const Mat3 plus = T * rotation_matrix(quaternion_about(axis, -angle)),
                minus = T * rotation_matrix(quaternion_about(axis, angle));
     CHECK(-(potential(g, plus) - potential(g, minus)) / (2 * angle) ==

@@ -140,7 +140,7 @@ TEST_CASE("The corner torus touches side and end of any profile", "[unit][roller
           p.crown_radius = crown;
           if (crown < 1.0) p.kind = RollerProfile::Kind::Arc;
           const RollerEnd e = roller_end(p, which);
-          // Distance of the tube centre from the side curve, by its foot point.
+          // Distance of the tube center from the side curve, by its foot point.
           const double s = e.sign * e.side_v, slope = e.sign * roller_slope(p, s);
           const double dv = e.side_v - e.ring, dr = roller_radius(p, s) - e.ring_radius;
           CHECK(std::hypot(dv, dr) == Approx(4e-4).epsilon(1e-12));

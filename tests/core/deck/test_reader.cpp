@@ -596,7 +596,7 @@ TEST_CASE("record labels: a label that names another record → warning, for eve
       const std::string id = deck.records[i].id;
       if (id == "12" || !seen.insert(id).second) continue;
       for (const RecordSpec& other : schema()) {
-        // All neighbours, and every seventh of the rest.
+        // All neighbors, and every seventh of the rest.
         const auto apart = &other - find_record(id);
         if (apart == 0 || other.id == "12" || (std::abs(apart) > 2 && apart % 7 != 0)) continue;
         Deck changed = deck;

@@ -128,7 +128,7 @@ TEST_CASE("a ball deck's section has the deck's sizes", "[unit][outline]") {
   CHECK(angle_of(measure_of(section, "freeConAng")) ==
         Approx(deck.si("freeConAng")).epsilon(1e-12));
   CHECK(measure_of(section, "pitchDia").label == "pitchDia = 0.06 m");
-  // The contact line stands at the contact angle and passes through the ball centre.
+  // The contact line stands at the contact angle and passes through the ball center.
   const Path& line = shape_of(section, "contact line").paths.at(0);
   const double across = line.back().x - line.front().x, up = line.back().y - line.front().y;
   CHECK(std::atan2(across, up) == Approx(deck.si("freeConAng")).epsilon(1e-12));

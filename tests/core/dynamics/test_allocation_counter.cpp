@@ -34,7 +34,7 @@ long adore::test::allocation_count() { return allocations.load(); }
 
 TEST_CASE("the allocation counter counts", "[unit][alloc]") {
   const long before = adore::test::allocation_count();
-  // Calls, not expressions: they may not be optimised away.
+  // Calls, not expressions: they may not be optimized away.
   void* memory = ::operator new(8);
   const long after = adore::test::allocation_count();
   ::operator delete(memory);

@@ -215,7 +215,7 @@ TEST_CASE("a scene with several bodies in the border has the Jacobian of a dense
 }
 
 TEST_CASE(
-    "elements that touch their neighbours form a ring with the Jacobian of a dense difference",
+    "elements that touch their neighbors form a ring with the Jacobian of a dense difference",
     "[physics][dynamics][implicit]") {
   for (const int balls : {7, 12}) {
     bearing::Bearing b = angular_contact(balls, 0.07);

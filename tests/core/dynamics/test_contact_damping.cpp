@@ -192,7 +192,7 @@ TEST_CASE("a loaded roller: small radial vibration -> decay of both losses of it
   }
 }
 
-TEST_CASE("a free race on its balls vibrates and decays as the linearised equations have it",
+TEST_CASE("a free race on its balls vibrates and decays as the linearized equations have it",
           "[physics][dynamics][races][damping]") {
   bearing::Bearing b = angular_contact(12);
   b.cage.reset();

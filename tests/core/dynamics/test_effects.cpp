@@ -15,7 +15,7 @@ using namespace adore::fixture;
 
 namespace {
 
-/// Air drag of the balls as a plain quadratic law, F = -c |v| v on the velocity of the mass centre:
+/// Air drag of the balls as a plain quadratic law, F = -c |v| v on the velocity of the mass center:
 /// what a new effect costs. All of it is this one piece of code.
 class AirDrag final : public SceneEffect {
  public:

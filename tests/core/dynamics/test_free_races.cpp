@@ -23,7 +23,7 @@ bearing::Bearing standing(double thrust) {
 }  // namespace
 
 TEST_CASE(
-    "a free race without contacts falls, spins up and circles its mass centre as a rigid body",
+    "a free race without contacts falls, spins up and circles its mass center as a rigid body",
     "[physics][dynamics][races]") {
   bearing::Bearing b = angular_contact(6);
   b.cage.reset();
@@ -40,14 +40,14 @@ TEST_CASE(
   const RunResult result = run(system, y0, t, 1e-11, "rkf7");
   const Snapshot now = system.snapshot(t, result.y);
   const RaceSnapshot& race = now.races[1];
-  // The applied moment is along a principal axis through the mass centre: it turns about X alone.
+  // The applied moment is along a principal axis through the mass center: it turns about X alone.
   const double turn = speed * t + 0.5 * free.moment[0] / 4e-4 * t * t;
   CHECK(race.total_rotation == Approx(turn).epsilon(1e-8));
   CHECK(race.omega.x() == Approx(speed + free.moment[0] / 4e-4 * t).epsilon(1e-10));
   CHECK(now.shaft_rotation == Approx(turn).epsilon(1e-8));
   const Vec3 turned(c[0], c[1] * std::cos(turn) - c[2] * std::sin(turn),
                     c[1] * std::sin(turn) + c[2] * std::cos(turn));
-  const Vec3 v0 = speed * Vec3::UnitX().cross(c);  // of the mass centre: the groove was at rest
+  const Vec3 v0 = speed * Vec3::UnitX().cross(c);  // of the mass center: the groove was at rest
   const Vec3 expected = start.races[1].position + c + v0 * t + 0.5 * t * t / 0.4 * weight;
   CHECK((race.position + turned - expected).norm() < 1e-10);
   const Vec3 at_groove = v0 + t / 0.4 * weight - race.omega.cross(turned);
@@ -59,12 +59,12 @@ TEST_CASE(
   CHECK(now.momentum->angular.residual().norm() < 1e-9 * now.momentum->angular_size);
 }
 
-TEST_CASE("a load on a free race acts at its centre and turns an unbalanced one",
+TEST_CASE("a load on a free race acts at its center and turns an unbalanced one",
           "[physics][dynamics][races]") {
   bearing::Bearing b = angular_contact(6);
   b.cage.reset();
   b.speed = {0.0, 0.0};
-  b.race_inertia[1] = {0.4, {4e-4, 3e-4, 3e-4}, {0.0, 0.0, -1e-3}};  // mass centre above
+  b.race_inertia[1] = {0.4, {4e-4, 3e-4, 3e-4}, {0.0, 0.0, -1e-3}};  // mass center above
   ScenePlan plan = plan_with({Effect::MomentumLedger});
   plan.race_motions.free[1].emplace().force = {0.0, 8.0, 0.0};
   System system = make_system(b, plan);
@@ -72,13 +72,13 @@ TEST_CASE("a load on a free race acts at its centre and turns an unbalanced one"
   REQUIRE(system.rhs(0.0, y.data(), rates.data()) == RhsStatus::Ok);
   const RaceSnapshot race = system.snapshot(0.0, y).races[1];
   CHECK(race.applied_force == Vec3(0.0, 8.0, 0.0));
-  // a_G = F/m; α_x = (-c × F)_x / I = c_z F_y / I; of the centre: a_G - α × c.
+  // a_G = F/m; α_x = (-c × F)_x / I = c_z F_y / I; of the center: a_G - α × c.
   const double alpha = 1e-3 * 8.0 / 4e-4;
   CHECK((race.acceleration - Vec3(0.0, 8.0 / 0.4 + alpha * 1e-3, 0.0)).norm() < 1e-9);
 }
 
 TEST_CASE(
-    "a race held at its centre turns about it whatever its balance, and what holds it is booked",
+    "a race held at its center turns about it whatever its balance, and what holds it is booked",
     "[physics][dynamics][races]") {
   bearing::Bearing b = angular_contact(6);
   b.cage.reset();

@@ -68,7 +68,7 @@ TEST_CASE("two balls press on each other as Hertz says", "[physics][dynamics]") 
         4.0 / 3.0 * E_star * std::sqrt(b.balls().diameter / 4.0) * std::pow(overlap, 1.5);
     CHECK(ball.to_next->gap == Approx(-overlap).epsilon(1e-5));
     CHECK(ball.to_next->force == Approx(hertz).epsilon(2e-5));
-    // Equal and opposite along the line of centres.
+    // Equal and opposite along the line of centers.
     std::vector<double> with(y.size()), without(y.size());
     REQUIRE(system.rhs(0.0, y.data(), with.data()) == RhsStatus::Ok);
     System apart = make_system(b, plan_with({RaceContact, Effect::MomentumLedger}));

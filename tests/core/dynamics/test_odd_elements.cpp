@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Balls of unequal diameter, of an inertia of their own or off centre, where motions are
+/// Balls of unequal diameter, of an inertia of their own or off center, where motions are
 /// suppressed (kDOF) or stand in balance (modes 1 and 2, qFac).
 using namespace adore;
 using namespace adore::dynamics;
@@ -121,10 +121,10 @@ TEST_CASE("off-centre balls with suppressed motions keep what is suppressed, and
   }
 }
 
-TEST_CASE("a guide at the centre of an off-centre ball feels what accelerates its mass",
+TEST_CASE("a guide at the center of an off-centre ball feels what accelerates its mass",
           "[unit][dynamics][rigid]") {
-  // A ball that only spins about x, its mass centre off that axis: held in all six motions it is
-  // turned by m c × g, and its centre is held against m ω² c and its weight.
+  // A ball that only spins about x, its mass center off that axis: held in all six motions it is
+  // turned by m c × g, and its center is held against m ω² c and its weight.
   bearing::Bearing b = angular_contact(9, 0.07);
   b.cage.reset();
   b.gravity = {-9.81, 0.0, 0.0};
@@ -141,7 +141,7 @@ TEST_CASE("a guide at the centre of an off-centre ball feels what accelerates it
     }
   std::vector<double> f(y.size());
   REQUIRE(system.rhs(0.0, y.data(), f.data()) == RhsStatus::Ok);
-  // Gravity along -x at the mass centre, 0.1 mm below the centre: the guide at the centre takes the
+  // Gravity along -x at the mass center, 0.1 mm below the center: the guide at the center takes the
   // weight, the ball swings like a pendulum about it, ω̇ = m g c/(I + m c²).
   const double m = b.element_inertia.mass, I = b.element_inertia.moments[0], c = 1e-4;
   const double rate = m * 9.81 * c / (I + m * c * c);

@@ -20,7 +20,7 @@ constexpr std::pair<PocketShape, const char*> kShapes[] = {
     {PocketShape::Rectangular, "rectangular"},
     {PocketShape::Conical, "conical"}};
 
-/// A cage off its centre, so that several balls soon meet the walls.
+/// A cage off its center, so that several balls soon meet the walls.
 bearing::Bearing rattling(PocketShape shape) {
   bearing::Bearing b = angular_contact();
   b.cage->pocket = shape;
@@ -124,7 +124,7 @@ TEST_CASE("a deviation of one pocket moves the balls of that pocket only", "[phy
     if (what == 1) first.thickness = -6e-3;
     if (what == 2) first.axial = 1.5e-4;
     if (what == 3) first.angular = 4e-3;
-    if (what == 4) {  // about the pocket's own centre a sphere does not feel a tilt: a face does
+    if (what == 4) {  // about the pocket's own center a sphere does not feel a tilt: a face does
       other.cage->pocket = PocketShape::Conical;
       first.tilt = {0.2, 0.0, 0.0};
     }

@@ -49,7 +49,7 @@ RaceMotion tilted(const RaceMotion& race) {
 
 /// The same contact by vector algebra and the scalar rule.
 struct Wrench {
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on the ball about its centre, base frame
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on the ball about its center, base frame
   double heat = 0.0, load_slip = 0.0, load = 0.0;
 };
 Wrench scalar_contact(const RaceContactModel& model, const ElementViews& balls, std::size_t i,

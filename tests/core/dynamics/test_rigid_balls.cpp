@@ -147,7 +147,7 @@ TEST_CASE("unequal and off-centre balls keep energy and momentum", "[physics][ri
   }
 }
 
-TEST_CASE("a force at the centre of an off-centre ball turns it about its mass centre",
+TEST_CASE("a force at the center of an off-centre ball turns it about its mass center",
           "[unit][rigid]") {
   bearing::Bearing b = angular_contact(9, 0.07);
   b.cage.reset();

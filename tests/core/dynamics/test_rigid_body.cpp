@@ -78,7 +78,7 @@ TEST_CASE("Power of the moment is the rate of kinetic energy of a body with turn
   const Vec3 rate = euler_rate(body.inertia, omega, moment);
   CHECK(omega.dot(body.inertia * rate) == Approx(moment.dot(omega)).epsilon(1e-12));
   CHECK(kinetic_energy(body, {1.0, 0.0, 0.0}, Vec3::Zero()) == Approx(0.021));
-  // Geometric centre of a turning body: differences of its path.
+  // Geometric center of a turning body: differences of its path.
   const auto centre_velocity = [&](double t) {
     const Vec3 w = omega + t * rate;
     const Vec3 turn = omega * t;

@@ -89,7 +89,7 @@ TEST_CASE("segments and what is cut out between them make the whole cage", "[uni
     const bearing::Inertia piece = contact::cage_inertia(b);
     CHECK(3.0 * piece.mass == Approx(whole.mass).epsilon(1e-12));
     const double arm = piece.geometric_centre.z();
-    CHECK(arm < -0.02);  // from the mass centre to the axis
+    CHECK(arm < -0.02);  // from the mass center to the axis
     CHECK(3.0 * (piece.moments.x() + piece.mass * arm * arm) ==
           Approx(whole.moments.x()).epsilon(1e-9));
   }

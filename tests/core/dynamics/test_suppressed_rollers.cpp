@@ -39,8 +39,8 @@ double epicyclic(const bearing::Bearing& b) {
   return b.speed[1] * inner / (inner + outer);
 }
 
-/// Axial speed of the cage's geometric centre, which is held; that of a conical cage is beside its
-/// mass centre, whose motion is reported.
+/// Axial speed of the cage's geometric center, which is held; that of a conical cage is beside its
+/// mass center, whose motion is reported.
 double axial_speed(const bearing::Bearing& b, const scene::CageSnapshot& cage) {
   const Vec3 arm = rotation_matrix(cage.orientation) * b.cage->inertia.geometric_centre;
   return (cage.velocity + cage.omega.cross(arm)).x();

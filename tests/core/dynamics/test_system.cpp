@@ -391,7 +391,7 @@ TEST_CASE("the start state holds with misaligned races", "[physics][dynamics]") 
   CHECK(s.races[1].applied_force[0] == Approx(1500.0).epsilon(1e-4));
 }
 
-TEST_CASE("the cage starts on the locus of element centres with its ratios of speed",
+TEST_CASE("the cage starts on the locus of element centers with its ratios of speed",
           "[unit][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.cage->start_offset = {1e-5, 3e-5, -8e-5};

@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// Speeds from rest to 10,000 rpm: no judgement of a run divides by what goes to zero with speed.
+/// Speeds from rest to 10,000 rpm: no judgment of a run divides by what goes to zero with speed.
 using namespace adore;
 
 namespace {

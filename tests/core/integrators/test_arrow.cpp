@@ -40,7 +40,7 @@ Pair random_pair(std::span<const int> block_of, int size, unsigned seed, bool ri
 /// y = x_0..x_n-1, v_0..v_n-1, X, V, and the friction's heat as a quadrature.
 class Carrier final : public OdeSystem {
  public:
-  /// @param ring springs between neighbouring masses, the last and the first are neighbours
+  /// @param ring springs between neighboring masses, the last and the first are neighbors
   explicit Carrier(int n, bool ring = false)
       : n_(n),
         ring_(ring),
@@ -160,7 +160,7 @@ TEST_CASE("A ring of blocks with a border solves as a dense matrix does", "[unit
         CHECK((b - expected).norm() < 1e-11 * expected.norm());
       }
     }
-  // Blocks that are no neighbours have no element, and sets that are displaced together stand
+  // Blocks that are no neighbors have no element, and sets that are displaced together stand
   // apart.
   const std::vector<int> one_each{0, 1, 2, 3, 4, 5, 6};
   ArrowMatrix ring(std::make_shared<ArrowShape>(one_each, 7, true));

@@ -85,7 +85,7 @@ RunSummary make_summary() {
 
 }  // namespace
 
-TEST_CASE("every result file is recognised by its content and described", "[unit][convert]") {
+TEST_CASE("every result file is recognized by its content and described", "[unit][convert]") {
   TemporaryFolder folder;
   const bearing::Bearing bearing = make_bearing();
   write_all(folder, bearing);

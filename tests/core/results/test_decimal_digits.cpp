@@ -52,7 +52,7 @@ TEST_CASE("decimal digits are those of a printer that carries all bits", "[unit]
     const int count = 1 + i % 9;
     compare(std::bit_cast<double>(random() & 0x7fffffffffffffffU), count, any);
     compare(std::ldexp(static_cast<double>(random() >> 12U), -40), count, any);
-    // Ties, whole numbers, powers of ten and their neighbours.
+    // Ties, whole numbers, powers of ten and their neighbors.
     const double whole = static_cast<double>(random() % 2000001U);
     compare(0.5 * whole, count, plain);
     const double ten = std::pow(10.0, static_cast<int>(random() % 300U) - 150);

@@ -237,7 +237,7 @@ TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][
 
 namespace {
 
-/// Both whirls of a centre at `path(turns)` [m], followed for `turns` of the shaft (100 rad/s) by
+/// Both whirls of a center at `path(turns)` [m], followed for `turns` of the shaft (100 rad/s) by
 /// `looks` looks.
 template <class Path>
 Averages whirl_along(const Path& path, double turns, int looks) {
@@ -277,7 +277,7 @@ TEST_CASE(
             Approx(ratio * std::sin(phi) / phi).epsilon(1e-12));
   }
   // A circle that touches the axis, three times around, passed by `off` (the axis is a look) inside
-  // or outside: three windings or none. With its centre c from the axis the swept area is R², the
+  // or outside: three windings or none. With its center c from the axis the swept area is R², the
   // square R² + c².
   const double radius = 2e-5;
   for (const int looks : {300, 3000, 30000}) {

@@ -70,7 +70,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
   }
 }
 
-TEST_CASE("a conical cage's mass centre lies towards its large end", "[physics][cage]") {
+TEST_CASE("a conical cage's mass center lies towards its large end", "[physics][cage]") {
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));

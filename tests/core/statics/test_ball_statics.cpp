@@ -349,7 +349,7 @@ TEST_CASE("tilting both races together is a rotation of the bearing", "[physics]
   CHECK(std::abs(b.load[3]) < 1e-4 * a.load[0] * straight.balls().pitch_diameter);
 }
 
-TEST_CASE("the start speeds of the balls have no slip at either contact centre",
+TEST_CASE("the start speeds of the balls have no slip at either contact center",
           "[physics][statics][spin]") {
   for (auto rule : {bearing::SpinRule::RaceControl, bearing::SpinRule::MinimumHeat,
                     bearing::SpinRule::Prescribed})
@@ -539,7 +539,7 @@ TEST_CASE("contact edges follow groove, shoulder and split", "[unit][statics]") 
         Approx(0.05625 - (groove.centre_radius[1] - fD * std::cos(b.alpha[1] + b.a[1] / fD)))
             .epsilon(1e-10));
   CHECK(b.edge[1] == Approx(fD * std::sin(b.alpha[1] - b.a[1] / fD)).epsilon(1e-12));
-  bearing.balls().shim[1] = 8e-4;  // half of it is more than the groove centre's distance aside
+  bearing.balls().shim[1] = 8e-4;  // half of it is more than the groove center's distance aside
   bearing.balls().shoulder_diameter[0] = 2.0 * (b.edge[0] + 0.06925) + 1e-6;
   const auto over = solve_ball_statics(bearing);
   for (const auto& ball : over.balls) CHECK(ball.beyond[0] > 0.0);

@@ -135,7 +135,7 @@ TEST_CASE("as many waves as balls are a change of size", "[physics][statics][imp
   for (const double waves : {9.0, 27.0}) {
     bearing.imperfections.race[0] = wave(A, waves, 0.5 * kPi);
     const auto wavy = solve_ball_statics(bearing);
-    // Groove centres at d_m/2 ∓ s ± Pd/4: the outer alone moves by A when d_m grows by A and Pd by
+    // Groove centers at d_m/2 ∓ s ± Pd/4: the outer alone moves by A when d_m grows by A and Pd by
     // 2A.
     Bearing larger = make(9, 0.0127, 0.065 + A, 0.52, 0.52, 0.0, 1e-5 + 2 * A);
     const auto even = solve_ball_statics(load(larger, 0, 0, 1500));
@@ -257,8 +257,8 @@ TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][s
     return std::any_of(solution.notes.begin(), solution.notes.end(),
                        [&](const std::string& n) { return n.find(text) != std::string::npos; });
   };
-  // Distance of the ball from the points of the other half, by trying them: an arc about a centre
-  // the shim further on the side of the contact, as far as the split half way between the centres.
+  // Distance of the ball from the points of the other half, by trying them: an arc about a center
+  // the shim further on the side of the contact, as far as the split half way between the centers.
   const auto nearest_of_other_half = [&](const StaticBall& b) {
     const double l = s + b.delta[1];
     const double along = l * std::abs(std::sin(b.alpha[1]));

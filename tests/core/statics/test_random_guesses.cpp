@@ -25,7 +25,7 @@ using bearing::Bearing;
 namespace {
 
 constexpr int kGuesses = 1000;
-constexpr double kLever = 0.03;   ///< rotations in metres [m/rad]
+constexpr double kLever = 0.03;   ///< rotations in meters [m/rad]
 constexpr double kBeyond = 2e-2;  ///< out of the reach of every element [m]
 
 /// The sequence of the engine is fixed by the standard; the mapping is ours.
@@ -224,7 +224,7 @@ TEST_CASE("a ball comes back to its place from a thousand others",
     ball.site.cos = std::cos(model.azimuth[k]);
     ball.site.law = first_spin_law(bearing, {});
     ball.known = true;
-    // Within the grooves; a millimetre beyond, the model's orbital speed runs away.
+    // Within the grooves; a millimeter beyond, the model's orbital speed runs away.
     const double size = random.size();
     ball.x = cold.balls[k].x + size * random.uniform();
     ball.rho = cold.balls[k].r - 0.5 * bearing.balls().pitch_diameter + size * random.uniform();

@@ -122,7 +122,7 @@ TEST_CASE("roller in motion: turned and moved as a whole, all turns and moves wi
            {std::pair(&moved.race, &scene.race), std::pair(&moved.roller, &scene.roller)})
         *to = {R * from->origin + shift, R * from->velocity, R * from->omega};
       const RollerRaceAction a = action(scene, &kLaw), b = action(moved, &kLaw);
-      // Coordinates of half a metre, rounded at 1e-16 m, against stiffnesses of 1e9 N/m.
+      // Coordinates of half a meter, rounded at 1e-16 m, against stiffnesses of 1e9 N/m.
       CHECK((b.force - R * a.force).norm() < 1e-9 * a.load);
       CHECK((b.moment - R * a.moment).norm() < 1e-10 * a.load);
       CHECK((b.race_moment - R * a.race_moment).norm() < 1e-10 * a.load);

@@ -17,7 +17,7 @@ using namespace roller_bearings;
 namespace {
 
 /// Largest difference between the solution's stiffness and central differences of the load of
-/// solved neighbours, over the largest entry of the same units.
+/// solved neighbors, over the largest entry of the same units.
 double stiffness_error(const bearing::Bearing& b, const RollerSolution& s) {
   bearing::Bearing held = b;
   held.constraints.displacement_given.fill(true);
@@ -70,7 +70,7 @@ TEST_CASE(
       const Eigen::Vector3d axis(std::sqrt(1.0 - p(2) * p(2) - p(3) * p(3)), p(3), p(2));
       for (std::size_t k = 0; k < each.size(); ++k) {
         const auto exact = contact::slice_contact(set.race, {p(0), 0.0, p(1)}, axis, set.slices[k]);
-        CHECK(each[k].delta == Approx(exact.delta).margin(1e-15));  // rounding of millimetres
+        CHECK(each[k].delta == Approx(exact.delta).margin(1e-15));  // rounding of millimeters
       }
       const Vec4 step(1e-8, 1e-8, 1e-6, 1e-6);
       const Vec4 size(1.0, 1.0, 0.005, 0.005);  // rotations as forces on a lever
@@ -185,7 +185,7 @@ TEST_CASE("combined loads: residual, rollers in balance, exact stiffness", "[phy
       CHECK(std::abs(radial) <
             2e-4 * (1.0 + r.race[0].load));  // angles are those of a race tilted by 1 mrad
     }
-    // Differences of solved neighbours are limited by slices that open (rough second derivative).
+    // Differences of solved neighbors are limited by slices that open (rough second derivative).
     CHECK(stiffness_error(*b, solution) < 2e-4);
   }
 }

@@ -88,7 +88,7 @@ Study study(const std::string& name, int speeds, int loads) {
 
 }  // namespace
 
-TEST_CASE("slow rollers have their equilibrium, next to that of neighbouring speeds and of rest",
+TEST_CASE("slow rollers have their equilibrium, next to that of neighboring speeds and of rest",
           "[physics][statics][rollers][slow]") {
   for (const char* name : kExamples) {
     const Study s = study(name, 37, 7);

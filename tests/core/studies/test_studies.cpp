@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A cage centre that runs through a circle at `ratio` of the cage's speed, with a wobble.
+/// A cage center that runs through a circle at `ratio` of the cage's speed, with a wobble.
 std::vector<CageInstant> circle(double radius, double ratio, double wobble) {
   std::vector<CageInstant> out;
   for (int i = 0; i < 2000; ++i) {

@@ -64,7 +64,7 @@ TEST_CASE("pure spin under Coulomb traction gives M = 3/8 mu Q a E(1 - b²/a²) 
   CHECK(relative(exact.heat, closed * kSpin.W_n) < 1e-10);
   CHECK(std::abs(exact.F_c) + std::abs(exact.F_t) < 1e-10 * 0.05 * kFlat.Q);
   CHECK(exact.max_slip == Approx(kFlat.a * kSpin.W_n).epsilon(1e-12));
-  // The fixed rule regularises slips below 1e-5 m/s of 3 m/s and sees |u| with its corner: 0.5 % at
+  // The fixed rule regularizes slips below 1e-5 m/s of 3 m/s and sees |u| with its corner: 0.5 % at
   // 12 x 4.
   const EllipseTraction rule = ellipse_traction(kCoulomb, kFlat, kSpin, make_ellipse_rule(12, 4));
   CHECK(relative(rule.M_n, closed) < 5e-3);
@@ -117,7 +117,7 @@ TEST_CASE("the split rule carries the whole load and integrates smooth integrand
     CHECK(rule.major % kEllipsePieces == 0);
     CHECK(rule.major >= std::max(major, 10));
     const EllipseTraction one = ellipse_traction(constant, kFlat, {0.0, 3.0, 0.0, 0.0, 0.0}, rule);
-    CHECK(one.F_t == Approx(0.05 * kFlat.Q).epsilon(1e-10));  // regularised: (1e-5/3)² / 2
+    CHECK(one.F_t == Approx(0.05 * kFlat.Q).epsilon(1e-10));  // regularized: (1e-5/3)² / 2
     CHECK(one.load_slip == Approx(3.0 * kFlat.Q).epsilon(1e-10));
   }
   const TractionCurve linear = traction_curve(0, {0.0, 0.05, 0.0, 1000.0});
@@ -249,7 +249,7 @@ TEST_CASE("no slip means no traction, also where κ(0) is not zero", "[unit]") {
   CHECK(ellipse_traction_converged(kCoulomb, open, kGeneral).heat == 0.0);
 }
 
-TEST_CASE("the regularisation of a law with κ(0) ≠ 0 costs less than ε/u", "[unit]") {
+TEST_CASE("the regularization of a law with κ(0) ≠ 0 costs less than ε/u", "[unit]") {
   const EllipseKinematics sliding{0.0, 0.5, 0.0, 0.0, 0.0};
   const EllipseTraction rule = ellipse_traction(kCoulomb, kFlat, sliding, make_ellipse_rule(4, 4));
   CHECK(relative(rule.F_t, 0.05 * kFlat.Q) < std::pow(kRegularisationSlip / 0.5, 2));

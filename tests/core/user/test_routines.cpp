@@ -252,7 +252,7 @@ TEST_CASE("the end of a plug-in's process is reported, not shared", "[user][unit
   CHECK_THAT(failure_of("11 1"), Catch::Contains("the oil is out"));
 }
 
-TEST_CASE("a thousand plug-ins of random behaviour end or are endured", "[user][unit]") {
+TEST_CASE("a thousand plug-ins of random behavior end or are endured", "[user][unit]") {
   std::mt19937 random(16);
   int failures = 0;
   for (int k = 0; k < 1000; ++k) {
