@@ -3,11 +3,12 @@
 #   ./setup.sh           what building and running need
 #   ./setup.sh --tests   and what only tests use: without it they skip with a sentence
 #   ./setup.sh --docs    and what ./docs.sh uses
+#   ./setup.sh --packages  and what tests/package/run.sh uses
 set -euo pipefail
 
 for option in "$@"; do
   case $option in
-    --tests | --docs) ;;
+    --tests | --docs | --packages) ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
     *) echo "setup.sh: there is no option '$option'; ./setup.sh --help tells what there is" >&2; exit 2 ;;
   esac
@@ -35,6 +36,9 @@ packages=(
 )
 [ "${1:-}" = --docs ] && packages+=(
   python3-sphinx python3-myst-parser  # the documentation site, ./docs.sh
+)
+[ "${1:-}" = --packages ] && packages+=(
+  mmdebstrap lintian appstream desktop-file-utils file dpkg-dev  # Debian packages in a clean root, tests/package/run.sh
 )
 
 missing=()

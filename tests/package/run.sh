@@ -2,12 +2,11 @@
 # Builds the Debian packages, checks them with lintian, installs them in a root made by mmdebstrap, goes from a deck to
 # pictures there, and removes them. Needs root (or user namespaces), mmdebstrap, lintian, and the Debian archive.
 #   tests/package/run.sh [--keep]    --keep leaves the root in build/package/root
-# Exit 0: all of it works. 77: mmdebstrap or lintian is not installed.
+# Exit 0: all of it works. 77: not root.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-for tool in mmdebstrap lintian appstreamcli desktop-file-validate; do
-  command -v "$tool" >/dev/null || { echo "$tool is missing: apt-get install mmdebstrap lintian appstream desktop-file-utils"; exit 77; }
-done
+[ "$(id -u)" -eq 0 ] || { echo "packages: making a root takes root"; exit 77; }
+./setup.sh --packages
 
 appstreamcli validate --no-net resources/applications/*.metainfo.xml
 desktop-file-validate resources/applications/*.desktop
