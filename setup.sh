@@ -3,11 +3,12 @@
 #   ./setup.sh           packages to build and run
 #   ./setup.sh --tests   and packages of tests, which are skipped without them
 #   ./setup.sh --docs    and packages of ./docs.sh
+#   ./setup.sh --packages  and packages of tests/package/run.sh
 set -euo pipefail
 
 for option in "$@"; do
   case $option in
-    --tests | --docs) ;;
+    --tests | --docs | --packages) ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
     *) echo "setup.sh: unknown option '$option'. See ./setup.sh --help." >&2; exit 2 ;;
   esac
@@ -36,6 +37,9 @@ packages=(
 )
 [ "${1:-}" = --docs ] && packages+=(
   python3-sphinx python3-myst-parser doxygen  # the documentation site, ./docs.sh
+)
+[ "${1:-}" = --packages ] && packages+=(
+  mmdebstrap lintian appstream desktop-file-utils file dpkg-dev  # Debian packages in a clean root, tests/package/run.sh
 )
 
 missing=()

@@ -28,7 +28,7 @@ struct SyntheticRun {
 
 inline results::SolHeader synthetic_header(results::SolKind kind, const SyntheticRun& run) {
   results::SolHeader h;
-  h.version = "Adore0.1.0";
+  h.version = "Adore0.9.0";
   h.run_id = "synthetic 12-ball bearing";
   h.elements = run.balls;
   h.per_segment = run.balls;
@@ -212,7 +212,7 @@ inline results::SolFile synthetic_sol(results::SolKind kind, const SyntheticRun&
 inline results::Sol8File synthetic_sol8(const SyntheticRun& run = {}) {
   results::Sol8File file;
   file.path = "SOL8";
-  file.version = "Adore0.1.0";
+  file.version = "Adore0.9.0";
   file.run_id = "synthetic 12-ball bearing";
   file.elements = run.balls;
   file.units = {"m", "rad", "N", "s", "rev", "m/s", "rpm", "K", "W", ""};

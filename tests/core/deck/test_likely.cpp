@@ -145,13 +145,13 @@ TEST_CASE("files that are no decks are named for what they are", "[unit]") {
     std::filesystem::remove(path);
     return said;
   };
-  CHECK(refusal("\fAdore 0.1.0         run\n").find("is a listing") != std::string::npos);
-  CHECK(refusal("  Adore0.1.0       run\n  Rolling Element 1$\n").find("SOL1-SOL7") !=
+  CHECK(refusal("\fAdore 0.9.0         run\n").find("is a listing") != std::string::npos);
+  CHECK(refusal("  Adore0.9.0       run\n  Rolling Element 1$\n").find("SOL1-SOL7") !=
         std::string::npos);
-  CHECK(refusal("  Adore0.1.0       run\n   12  1  1  1  1  1  1  1  1  1  1  1  1  1\n")
+  CHECK(refusal("  Adore0.9.0       run\n   12  1  1  1  1  1  1  1  1  1  1  1  1  1\n")
             .find("SOL8") != std::string::npos);
-  CHECK(refusal("Adore 0.1.0 FINAL: last\n").find("(FINAL)") != std::string::npos);
-  CHECK(refusal("{\n  \"program\": \"Adore 0.1.0\"").find("RUN.json") != std::string::npos);
+  CHECK(refusal("Adore 0.9.0 FINAL: last\n").find("(FINAL)") != std::string::npos);
+  CHECK(refusal("{\n  \"program\": \"Adore 0.9.0\"").find("RUN.json") != std::string::npos);
   CHECK(refusal("{\"checkpointSeconds\": 2}").find("JSON") != std::string::npos);
   CHECK(refusal("rpm2 [rpm],exit,life,message\n1,0,2,\"\"\n").find("SWEEP.csv") !=
         std::string::npos);

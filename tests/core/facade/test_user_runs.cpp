@@ -70,7 +70,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   CHECK(evenly.last.at("inner race.rotation [rad]") ==
         Approx(first * end + 0.5 * a * end * end).epsilon(1e-11));
   CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("ADRX1: inner race from 10000"));
-  CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("Adore 0.1.0+motion"));
+  CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("Adore 0.9.0+motion"));
 
   auto formula = request_of("accelerate-formula", deck_with({}, lines), "5e-4s");
   formula.user = json_file("adrx1", R"~({"adrx1": {
@@ -204,7 +204,7 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
   auto in_c = request_of("heat-c", deck_with({}, ""), "2e-5s");
   in_c.user = library("adrx9");
   const std::string first = text_of(ran_with(in_c).folder / "SOL9");
-  CHECK_THAT(first, Catch::StartsWith("  Adore0.1.0+heat map 1  SOL9"));
+  CHECK_THAT(first, Catch::StartsWith("  Adore0.9.0+heat map 1  SOL9"));
   auto formula = request_of("heat-json", deck_with({}, ""), "2e-5s");
   formula.user = json_file("adrx9", R"~({"version": "heat map 1", "adrx9": {"heat_map": true}})~");
   const std::string second = text_of(ran_with(formula).folder / "SOL9");

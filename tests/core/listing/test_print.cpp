@@ -26,7 +26,7 @@ void check_pages(const std::string& text) {
   int on_page = 0;
   for (const std::string& line : lines_of(text)) {
     if (!line.empty() && line[0] == '\f') {
-      CHECK_THAT(line, Contains("Adore 0.1.0") && Contains("synthetic run 7"));
+      CHECK_THAT(line, Contains("Adore 0.9.0") && Contains("synthetic run 7"));
       on_page = 0;
     }
     CAPTURE(line);

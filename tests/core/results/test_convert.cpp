@@ -207,7 +207,7 @@ TEST_CASE("RUN.json differs between equal runs only under 'measured'", "[unit][r
   // 0.75 J of work and 0.055 J of heat at 1 ms: the larger is the measure.
   CHECK(ja["conservation"]["energy"]["residual over energy moved"] == e.residual() / 0.75);
   CHECK(ja["counters"]["rejected"] == 3);
-  CHECK(ja["program"] == "Adore 0.1.0");
+  CHECK(ja["program"] == "Adore 0.9.0");
   TemporaryFolder folder;
   write_run_json(a, folder / "RUN.json");
   Json stored = Json::parse(read_bytes(folder / "RUN.json"))["measured"];

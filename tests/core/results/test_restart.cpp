@@ -60,7 +60,7 @@ TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
   write_final(state, folder / "FINAL");
   check_equal(read_final(folder / "FINAL"), state);
   CHECK(read_final(folder / "FINAL").run_id == "synthetic run 7, with  blanks");
-  CHECK_THAT(read_bytes(folder / "FINAL"), Contains("Adore 0.1.0 FINAL") && Contains("SI units") &&
+  CHECK_THAT(read_bytes(folder / "FINAL"), Contains("Adore 0.9.0 FINAL") && Contains("SI units") &&
                                                Contains("0.30000000000000004"));
 
   MasterState master;

@@ -69,7 +69,7 @@ TEST_CASE("every channel comes back from RESULTS.h5 to the last bit", "[unit][h5
     write_steps(H5Writer::create(folder / "RESULTS.h5", bearing, channel_table()), bearing, 0, 149);
     const H5Reader reader(folder / "RESULTS.h5");
     CHECK(reader.run_id() == "synthetic run 7");
-    CHECK(reader.version() == "Adore 0.1.0");
+    CHECK(reader.version() == "Adore 0.9.0");
     REQUIRE(reader.steps() == 150);
     CHECK(reader.step_numbers()[149] == 149);
     CHECK(reader.geometry().at("cage_outer_radius") == (with_cage ? 0.037 : 0.0));

@@ -165,7 +165,7 @@ TEST_CASE("the header of an element file stands in the columns of the format", "
   const auto lines = lines_of(format_sol_header(make_sol_header(bearing, 2, UnitSystem::SI)));
   REQUIRE(lines.size() == 4);
   CHECK(cols(lines[0], 1, 2) == "  ");
-  CHECK(cols(lines[0], 3, 14) == "Adore0.1.0  ");
+  CHECK(cols(lines[0], 3, 14) == "Adore0.9.0  ");
   CHECK(cols(lines[0], 15, 19) == "     ");
   CHECK(cols(lines[0], 20, 34) == "synthetic run 7");
   CHECK(lines[0].size() == 55);
@@ -382,7 +382,7 @@ TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][s
     const int count = 11 * 18 + 22;
     const std::size_t per_step = 1 + (count + 12) / 13;
     REQUIRE(lines.size() == 4 + 4 * per_step);
-    CHECK(cols(lines[0], 3, 12) == "Adore0.1.0");
+    CHECK(cols(lines[0], 3, 12) == "Adore0.9.0");
     CHECK(cols(lines[0], 13, 17) == "     ");
     CHECK(cols(lines[0], 18, 32) == "synthetic run 7");
     CHECK(lines[1].size() == 44);
