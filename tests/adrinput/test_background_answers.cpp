@@ -107,7 +107,7 @@ TEST_CASE("accuracy panel: running study → revolutions of the round are displa
   CHECK(QTest::qWaitFor([&] { return !panel.busy(); }, 10000));
 }
 
-TEST_CASE("adrinput: low window → axis titles of the charts are complete",
+TEST_CASE("titles of axes beside the form are whole, however low the window is",
           "[gui][adrinput][daily]") {
   test::use_qt();
   for (const char* deck : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {

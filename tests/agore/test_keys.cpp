@@ -50,7 +50,7 @@ std::vector<KeyEntry> entries_of(const Animation& animation, std::size_t frame,
 
 }  // namespace
 
-TEST_CASE("keys: entries complete in every picture size and for any number of views",
+TEST_CASE("keys: every entry stands whole in the picture, however small, beside however many",
           "[gui][keys][slow]") {
   test::use_qt();
   int seen = 0, elsewhere = 0;
