@@ -22,7 +22,7 @@
 namespace adore::cli {
 namespace {
 
-/// @returns what is wrong with the file
+/// @returns the problem of the file
 std::string convert_to(const std::string& file, const std::string& format, const std::string& out) {
   if (out.empty() || out == kStream) {
     std::string note;

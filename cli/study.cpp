@@ -106,7 +106,7 @@ int plan(const StudyOptions& options) {
   return 0;
 }
 
-/// Tables, report and pictures of what is there. @returns whether all could be written
+/// Tables, report and pictures of the finished runs. @returns true if all could be written
 bool write_results(const studies::Study& study, bool quiet) {
   const studies::Report report = studies::write_report(study);
   const fs::path folder = study.folder();
@@ -135,7 +135,7 @@ std::string command_of(const char* word, const StudyOptions& options) {
 
 int run(const StudyOptions& options, bool resume) {
   const studies::CampaignRequest request = request_of(options);
-  if (resume) (void)studies::study_status(request.study);  // says when it was never started
+  if (resume) (void)studies::study_status(request.study);  // reports if it was never started
   InterruptWatch watch;
   studies::CampaignOutcome outcome;
   try {

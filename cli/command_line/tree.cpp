@@ -116,7 +116,7 @@ std::string nearest(const std::string& text, const std::vector<std::string>& wor
   std::size_t least = std::max<std::size_t>(1, text.size() / 3) + 1;
   for (const std::string& word : words) {
     std::size_t distance = edit_distance(text, word);
-    // The beginning of a word is a good guess too.
+    // The beginning of a word is a good guess, too.
     if (text.size() >= 2 && word.compare(0, text.size(), text) == 0) distance = 1;
     if (distance < least) {
       least = distance;
