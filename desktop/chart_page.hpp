@@ -14,8 +14,8 @@ namespace adore::desktop {
 struct ChartCurve {
   std::string name;
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
-  std::vector<double>
-      x;  ///< empty: abscissa of the page (separate values only on pages with equal axes)
+  /// Empty: abscissa of the page (separate values only on pages with equal axes).
+  std::vector<double> x;
   bool dashed = false;  ///< drawn broken, so that a curve below it stays visible
   bool heavy = false;   ///< drawn thick: the main curve
   /// Extremes between the values, drawn as a min-max band; empty: unknown. As long as y.

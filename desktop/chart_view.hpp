@@ -106,8 +106,7 @@ class ChartView : public QGraphicsView {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  using Ranges =
-      std::vector<std::optional<std::pair<double, double>>>;  ///< of the panels of a page
+  using Ranges = std::vector<std::optional<std::pair<double, double>>>;  ///< of the panels
   /// A view: part of the abscissa, and the ranges chosen on all pages.
   struct View {
     std::string abscissa;
