@@ -238,6 +238,15 @@ void add_study(CLI::App& app, int& exit_code) {
       "study",
       "run many cases: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
   study->require_subcommand(1);
+  study->footer(
+      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
+      "NAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\n"
+      "Examples\n"
+      "  adore new ball --out DATA.txt\n"
+      "  adore study new sweep --out sweep.json\n"
+      "  adore study plan sweep.json\n"
+      "  adore study run sweep.json\n"
+      "  adore study resume sweep.json --engine slurm");
   auto options = std::make_shared<StudyOptions>();
 
   CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
@@ -272,12 +281,6 @@ void add_study(CLI::App& app, int& exit_code) {
     exit_code = write_results(studies::open_study(options->file), false) ? 0 : 2;
   });
   add_work(*study, exit_code);
-
-  study->footer(
-      "A study file is JSON, or TOML when its name ends in .toml. Results are in the "
-      "folder\nNAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\nExamples\n  "
-      "adore new ball --out DATA.txt\n  adore study new sweep --out sweep.json\n  adore study plan "
-      "sweep.json\n  adore study run sweep.json\n  adore study resume sweep.json --engine slurm");
 }
 
 }  // namespace adore::cli

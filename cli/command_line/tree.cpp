@@ -49,6 +49,7 @@ OptionText describe(const CLI::Option& option) {
   out.many = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
   if (option.get_type_size() != 0 && option.get_expected_max() != 0) {
     out.value = option.get_type_name();
+    out.value.resize(std::min(out.value.find(':'), out.value.size()));  // "DIR:DIR" of a check
     if (out.value == "FLOAT") out.value = "NUMBER";
     if (out.value == "INT" || out.value == "UINT") out.value = "N";
     out.default_value = option.get_default_str();
