@@ -113,7 +113,7 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
                  false},
        single("Housing outside diameter", "thermal.housing")}));
   pages.push_back(history(
-      "Average heat flows in a thermal step",
+      "Average heat distribution in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),
        PanelSpec{"To the races",
                  {{"outer race", "thermal.outer_heat"}, {"inner race", "thermal.inner_heat"}},
