@@ -83,7 +83,7 @@ TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing t
   window.document().save(folder.filePath("DATA.txt").toStdString());
   run_to_end(window);
   const QString first = window.runPanel().text();
-  CHECK(first.contains("Accuracy (F9) tells"));
+  CHECK(first.contains("Accuracy (F9) estimates"));
   CHECK_FALSE(first.contains("--"));
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   window.continueRun();
