@@ -40,7 +40,7 @@ class AccuracyPanel : public QWidget {
   void start(const deck::Deck& deck, const RunOptionValues& options);
   /// The current deck: a study of an older one is marked as out of date.
   void setDeck(const deck::Deck& deck);
-  /// Another deck was opened, or its file was read again: what is recommended is not for it.
+  /// Another deck was opened, or its file was reloaded: the recommendation is not for it.
   void forget(bool reread);
   /// What is stored beside the deck (stored_accuracy.hpp), shown while no study of the window is.
   void setStored(const QString& text);

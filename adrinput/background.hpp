@@ -14,7 +14,7 @@ class Background : public QObject {
   Q_OBJECT
  public:
   explicit Background(QObject* parent = nullptr) : QObject(parent) {}
-  /// Stops what is under way and waits for it.
+  /// Stops active work and waits for it.
   ~Background() override;
 
   /// `work` in the other thread, then `ended` here.

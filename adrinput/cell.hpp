@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-/// One value of a deck by its place in the schema. No Qt.
+/// One value of a deck by its position in the schema. No Qt.
 namespace adore::adrinput {
 
 struct Cell {
@@ -27,7 +27,7 @@ struct Cell {
 
 /// The value that an issue speaks of: its first element when it names the whole variable.
 [[nodiscard]] std::optional<Cell> cell_of(const Issue& issue);
-/// Record and variable that a finding names, or that its kind has where the deck has the record.
+/// Record and variable of a finding, or those of its kind if the deck has the record.
 [[nodiscard]] std::optional<Issue> place_of_finding(const deck::Deck& deck, const Finding& finding);
 
 }  // namespace adore::adrinput

@@ -38,7 +38,7 @@ bool fills_cells(const QString& text) {
   return text.trimmed().contains(QRegularExpression("[\t\r\n]")) || list.match(text).hasMatch();
 }
 
-/// The text of a cell while it is typed. Several values that are pasted go into the table.
+/// The text of a cell while it is edited. Several pasted values go into the table.
 class CellEditor : public QLineEdit {
  public:
   CellEditor(CellTable* table, QWidget* parent) : QLineEdit(parent), table_(table) {
@@ -57,13 +57,13 @@ class CellEditor : public QLineEdit {
   CellTable* table_;
 };
 
-/// Edits a cell as text, or as a choice where the variable has codes.
+/// Edits a cell as text, or as a choice for variables with codes.
 class CellDelegate : public QStyledItemDelegate {
  public:
   CellDelegate(Document& document, CellTable* table)
       : QStyledItemDelegate(table), document_(document), table_(table) {}
 
-  /// The value, and below it what it is in other units.
+  /// The value, and below it the value in the other unit system.
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override {
     const QString other = index.data(kOtherRole).toString();
@@ -78,7 +78,7 @@ class CellDelegate : public QStyledItemDelegate {
     painter->save();
     painter->setFont(cell.font);
     const QColor chosen = table_->palette().color(QPalette::HighlightedText);
-    const QColor plain = cell.palette.color(QPalette::Text);  // pale where it is not used
+    const QColor plain = cell.palette.color(QPalette::Text);  // pale if it is not used
     painter->setPen(selected ? chosen : plain);
     painter->drawText(rect, Qt::AlignLeft | Qt::AlignTop, text);
     painter->setPen(selected ? chosen : plain == theme.muted ? plain : theme.accent);
@@ -274,7 +274,7 @@ void CellTable::sync() {
       item(row, column)
           ->setBackground(wrong.count(cellAt(row, column)) > 0 ? QBrush(mark) : QBrush());
     }
-  constexpr int kMeasured = 64;  // more columns would take long
+  constexpr int kMeasured = 64;  // more columns would be slow
   if (columns <= kMeasured) {
     resizeColumnsToContents();
     for (int column = 0; column < columns; ++column)
@@ -283,7 +283,7 @@ void CellTable::sync() {
   verticalHeader()->setMinimumWidth(verticalHeader()->sizeHint().width());
   int height = 2 * frameWidth() + horizontalHeader()->sizeHint().height() + 2;
   for (int row = 0; row < rowCount(); ++row) height += rowHeight(row);
-  // A table is as wide as its cells, and scrolls where there is less room.
+  // A table is as wide as its cells, and scrolls if there is less space.
   const bool named = repeated_ || severalRecords();
   int width = 2 * frameWidth() + (named ? verticalHeader()->sizeHint().width() : 0) + 2;
   for (int column = 0; column < columns; ++column) width += columnWidth(column);

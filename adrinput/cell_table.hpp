@@ -21,9 +21,9 @@ class CellTable : public QTableWidget {
   static CellTable* ofListedDiameters(Document& document, QWidget* parent);
 
   void sync();
-  /// Shows below each value what it is in the other system of units.
+  /// Shows each value in the other unit system, too.
   void setOtherUnits(bool shown);
-  /// Takes the clipboard over from the current cell on: one step for undo.
+  /// Pastes the clipboard from the current cell on: one step for undo.
   void paste();
   /// False when the cell is not in this table.
   bool focusCell(const Cell& cell);

@@ -106,7 +106,7 @@ void CompareDialog::sync() {
   list_->setCurrentRow(std::clamp(current, list_->count() > 1 ? 1 : 0, list_->count() - 1));
 }
 
-/// A value that only the other deck has has no field; its record, if there is one, is shown.
+/// A value that only the other deck has has no field; its record is shown if it exists.
 void CompareDialog::choose(int row) {
   const int at = list_->item(row)->data(kRowRole).toInt();
   if (at < 0 || at >= static_cast<int>(rows_.size())) return;

@@ -16,7 +16,7 @@ namespace adore::adrinput {
 class CompareDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `name` is what the other deck is called in sentences: "the file as saved".
+  /// `name`: name of the other deck in sentences: "the saved file".
   CompareDialog(const Document& document, deck::Deck other, const QString& name,
                 QWidget* parent = nullptr);
 

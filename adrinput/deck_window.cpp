@@ -45,7 +45,7 @@
 namespace adore::adrinput {
 namespace {
 
-/// The letters of a file in UTF-8 or, where it is none, in Latin-1.
+/// Decodes a file as UTF-8 or, if invalid, as Latin-1.
 QString text_in(const std::string& bytes) {
   QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
   QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
@@ -54,7 +54,7 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kListWidth = 144;   // of the records, at least
-constexpr int kFormWidth = 320;   // of a record's page, which scrolls where it needs more
+constexpr int kFormWidth = 320;   // of the page of a record, which scrolls if necessary
 constexpr int kUsualForm = 390;   // fits the window at start
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
@@ -104,7 +104,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
     document_.set_rehearsal(of, std::move(rehearsal.refusals), std::move(rehearsal.remarks));
     if (edited) return;  // checkNow() comes
     check_->stop();
-    askForStart();  // of the deck as it is by now
+    askForStart();  // of the current deck
   };
   makeCentre();
   makeDrawing();
@@ -242,7 +242,7 @@ void DeckWindow::makeCentre() {
 }
 
 void DeckWindow::goTo(const Cell& cell) {
-  search_notice_->hide();  // of what was looked for before
+  search_notice_->hide();  // of the previous search
   if (document_.instances(cell.record) == 0) return goToOptionOf(cell);
   showRecord(cell.record);
   const std::optional<Cell> count = count_of_none(document_, cell);
@@ -271,7 +271,7 @@ void DeckWindow::makeDrawing() {
   charts_dock_->setWidget(charts_);
   addDockWidget(Qt::RightDockWidgetArea, charts_dock_);
   tabifyDockWidget(drawing_dock_, charts_dock_);
-  // In one place with the others: below each other they are higher than a small screen.
+  // In one area with the others: below each other they are higher than a small screen.
   tabifyDockWidget(charts_dock_, findChild<QDockWidget*>("lubricant-dock"));
   charts_dock_->hide();  // until there is a solution
   drawing_dock_->raise();

@@ -33,8 +33,8 @@ class SolutionCharts;
 class StartCheck;
 class TimeScale;
 
-/// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
-/// the plan and the quasi-static solution.
+/// Main window of AdrInput: the records on the left, the form of one of them, and below it
+/// problems, plan and quasi-static solution.
 class DeckWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -59,13 +59,13 @@ class DeckWindow : public QMainWindow {
   void goTo(const Cell& cell);
   /// Shows a page if the deck has it.
   void showPage(const std::string& record);
-  /// Panels that an earlier session left open and that have nothing to show yet.
+  /// Panels that an earlier session left open and that are still empty.
   void hideEmptyPanels();
   /// Place where a session asks about unsaved decks.
   [[nodiscard]] NoticeBar& sessionNotice() { return *session_notice_; }
   /// Restores a snapshot (document.hpp) after the current deck is saved or discarded.
   void restoreDeck(const std::string& bytes, std::function<void()> then);
-  /// Shows what differs from another deck; `name` is what it is called in sentences.
+  /// Shows the differences from another deck; `name`: its name in sentences.
   void compareWith(deck::Deck other, const QString& name);
   [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_; }
   /// The slower checks, which follow a change after a short pause, now.
@@ -92,7 +92,7 @@ class DeckWindow : public QMainWindow {
   void previousProblem();
   void showPlan();
   void runQuasiStatic();
-  /// Saves the deck where that is needed, then runs it whole.
+  /// Saves the deck if necessary, then runs it.
   void runDeck();
   void runInNewFolder();
   void continueRun();
@@ -107,7 +107,7 @@ class DeckWindow : public QMainWindow {
  signals:
   void documentChanged();
   void pageShown();
-  /// The user asks for decks that earlier sessions left unsaved.
+  /// The user wants to recover unsaved decks of earlier sessions.
   void unsavedWanted();
 
  protected:
@@ -129,7 +129,7 @@ class DeckWindow : public QMainWindow {
   void showCharts();
   /// Computes the scales for the times of a run, if they are shown.
   void askForScales();
-  /// Has found out whether a run would begin, where nobody knows.
+  /// Checks whether a run can start, if this is still unknown.
   void askForStart();
   void goToOptionOf(const Cell& cell);
   /// True if the deck can be computed; else a message gives the reason.
@@ -166,7 +166,7 @@ class DeckWindow : public QMainWindow {
   Document document_;
   std::string visited_problem_;  ///< its text
   std::string current_;
-  std::string shown_original_;  ///< what the panel "File as opened" shows
+  std::string shown_original_;  ///< content of the panel "File as opened"
   RecordPage* page_ = nullptr;
   RecordList* list_ = nullptr;
   QScrollArea* scroll_ = nullptr;

@@ -51,7 +51,7 @@ void DeckWindow::showCharts() {
     const bool as_made = std::abs(drawing_dock_->width() - made) < kDrawingWidth / 10;
     charts_dock_->show();
     charts_dock_->raise();
-    // Keys of curves need more room than the drawing; a width that somebody chose stays.
+    // Legends of curves need more space than the drawing; a width chosen by the user is kept.
     const int wanted = width() < kNarrow ? 0 : width() / 3;
     if (as_made)
       resizeDocks({charts_dock_}, {std::max(wanted, charts_->wholeWidth())}, Qt::Horizontal);

@@ -61,7 +61,7 @@ QAction* dock_action(QDockWidget* dock, const QString& text) {
   return action;
 }
 
-/// The pointer's sign that a deck of many megabytes takes its time.
+/// Wait cursor for decks of many megabytes.
 class Waiting {
  public:
   Waiting() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
@@ -78,7 +78,7 @@ void DeckWindow::makeFileMenu() {
   fresh->setObjectName("new");
   int number = 0;
   for (const deck::TemplateInfo& info : deck::templates()) {
-    constexpr int kTypes = 5;  // the types come first, then variants
+    constexpr int kTypes = 5;  // the types first, then variants
     if (number++ == kTypes) fresh->addSeparator();
     const QString name = QString::fromStdString(std::string(info.name));
     QAction* action = fresh->addAction(
@@ -189,7 +189,7 @@ void DeckWindow::forgetResults(bool reread) {
 bool DeckWindow::openFile(const std::filesystem::path& path) {
   const Waiting sign;
   try {
-    // A name from where the program was started means nothing in its dialogs.
+    // Paths relative to the start folder have no meaning in its dialogs.
     const std::filesystem::path file = whole_path(facade::deck_path(path));
     const bool reread = file == document_.path();
     document_.open(file);
@@ -336,7 +336,7 @@ void DeckWindow::refuseToSave(const std::vector<Issue>& issues, const QString& o
   box->setObjectName("message");
   box->setTextFormat(Qt::PlainText);
   desktop::delete_when_done(*box);
-  box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
+  box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would find none for Esc
   QPushButton* park = box->addButton(tr("Save as draft …"), QMessageBox::ActionRole);
   park->setObjectName("park-draft");
   connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-/// The panel of problems, and the way from one to the next.
+/// The panel of problems, and the commands for the next and previous one.
 namespace adore::adrinput {
 
 void DeckWindow::refreshProblems() {

@@ -262,7 +262,7 @@ void Document::accept_defaults(std::string_view record) {
   if (any) notify();
 }
 
-/// Keeps a record for the day when it applies again; of arrays that became shorter also the rest.
+/// Keeps a record for later use; for shortened arrays also the removed elements.
 void Document::remember(const deck::RecordData& record) {
   deck::RecordData kept = record;
   deck::RecordData& slot = state_.shelf[{record.id, record.instance}];
@@ -276,7 +276,7 @@ void Document::remember(const deck::RecordData& record) {
   slot = std::move(kept);
 }
 
-/// Records and array elements that the options ask for, from the shelf where they were before.
+/// Adds records and array elements needed by the options, with the values that they had before.
 void Document::settle() {
   for (const deck::RecordData& record : state_.deck.records) remember(record);
   bring_back();
@@ -442,7 +442,7 @@ void Document::check_model() {
   model_issues_ = std::move(found.issues);
   if (examined) refusals_ = std::move(found.refusals);
   if (examined) effects_ = std::move(found.effects);
-  if (examined) unused_.clear();  // else it stays as it was when the deck was last right
+  if (examined) unused_.clear();  // else it is unchanged since the last valid deck
   for (const deck::NoPart& value : found.unused) {
     Issue named;
     named.record = value.record;
@@ -453,7 +453,7 @@ void Document::check_model() {
   notify();
 }
 
-/// Findings of statics and plan that the checks of the deck do not say already. One that names no
+/// Findings of statics and plan that the checks of the deck do not contain. A finding without
 /// variable leads to the field of its kind.
 void Document::add_remarks() {
   if (!rehearsed_ || !(*rehearsed_ == candidate())) return;

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-/// The deck being prepared: what the user typed, what is wrong with it, and the way back. No Qt.
+/// The deck being edited: typed values, problems, and undo. No Qt.
 namespace adore::adrinput {
 
 /// A problem, and the place to correct it.
@@ -24,14 +24,14 @@ struct Problem {
   Issue issue;
   std::string page;          ///< record id; empty when it concerns no record
   std::optional<Cell> cell;  ///< empty when it concerns a whole record
-  bool refused = false;      ///< no error of the deck, but a reason why no run of it begins
+  bool refused = false;      ///< not an error of the deck, but a reason why a run cannot start
 };
 
 /// Of the deck as a whole.
 enum class DeckState : unsigned char {
   Wrong,      ///< has errors
   Refused,    ///< `adore run` ends before its first step
-  Unchecked,  ///< nobody has found out yet
+  Unchecked,  ///< not checked yet
   Ready       ///< a run begins
 };
 
@@ -55,7 +55,8 @@ class Document {
 
   /// A new data set from an example deck (deck/templates.hpp). @throws InputError
   void start_new(std::string_view template_name);
-  /// A new data set from the text of a deck without errors, whose remarks the saved file keeps.
+  /// A new data set from the text of a deck without errors; its comments are kept in the saved
+  /// file.
   /// @throws InputError
   void start_with(const std::string& text);
   /// Reads as much as possible of a deck with errors: texts that are not values stay in their
@@ -75,7 +76,7 @@ class Document {
   /// Saves the document, with errors, as a draft that only AdrInput reads: open() restores it. It
   /// counts as saved. @throws InputError
   void save_draft(const std::filesystem::path& path);
-  /// The draft that holds this document; empty when none does.
+  /// The draft file of this document; empty: none.
   [[nodiscard]] const std::filesystem::path& draft() const { return draft_; }
 
   [[nodiscard]] const deck::Deck& deck() const { return state_.deck; }
@@ -97,8 +98,8 @@ class Document {
 
   /// Run options as the page shows them, those that differ from their defaults.
   [[nodiscard]] std::map<std::string, std::string> options() const;
-  /// Effects of this deck's motion that run option effectsOff can leave out; empty when nobody
-  /// knows because the deck cannot be run.
+  /// Effects of this deck's motion that the run option effectsOff can disable; empty if unknown,
+  /// because the deck cannot be run.
   [[nodiscard]] const std::vector<std::string>& effects() const { return effects_; }
 
   /// Scales of the dimensionless times of the deck, if known for the current deck (step control and
@@ -111,8 +112,8 @@ class Document {
   /// The system of units that the numbers were given in before kUnit was changed, until one of the
   /// two answers below is given.
   [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return state_.numbers_in; }
-  /// After such a change: turns every number into the new units, but for those that were given
-  /// since; part of the last step.
+  /// After such a change: converts all values to the new units, except those entered since; part of
+  /// the last step.
   void convert_values();
   /// After such a change: the numbers stay as they are.
   void keep_numbers();
@@ -125,18 +126,17 @@ class Document {
   [[nodiscard]] std::string text(const Cell& cell) const;
   /// Does the field contain a text that is not a value (yet)?
   [[nodiscard]] bool is_draft(const Cell& cell) const { return state_.drafts.count(cell) > 0; }
-  /// Why a run of this deck does not use a value, as a clause; empty when it does, and when nobody
-  /// knows because the deck cannot be run.
+  /// Reason why a run of this deck does not use a value, as a clause; empty if it does, or if the
+  /// deck cannot be run.
   [[nodiscard]] std::string unused_because(const Cell& cell) const;
 
-  /// Takes what was typed. Options and counts make records and array elements come and go; values
-  /// typed before come back with them. Changes of the same cell are one step for undo until
-  /// end_step().
+  /// Applies a typed text. Options and counts add and remove records and array elements; earlier
+  /// values return with them. Changes of the same cell are one step for undo until end_step().
   void edit(const Cell& cell, std::string_view typed);
   /// Several values, one step for undo.
   void edit_all(const std::vector<std::pair<Cell, std::string>>& typed);
-  /// The same while a person is still typing: the text is shown and kept, but the deck keeps its
-  /// value until end_step() takes the text, so that the "12.7" of "12.7 mm" is never a value.
+  /// The same while the user is typing: the text is shown and kept, but the deck keeps its value
+  /// until end_step() applies the text, so that the "12.7" of "12.7 mm" is never used as a value.
   void type(const Cell& cell, std::string_view typed);
   /// Is there a text that is being typed?
   [[nodiscard]] const std::optional<Cell>& typing() const { return typing_; }
@@ -150,7 +150,7 @@ class Document {
 
   [[nodiscard]] bool can_undo() const { return !undo_.empty(); }
   [[nodiscard]] bool can_redo() const { return !redo_.empty(); }
-  /// Both return the page on which the change took place.
+  /// Both return the page of the change.
   std::string undo();
   std::string redo();
 
@@ -159,9 +159,10 @@ class Document {
   [[nodiscard]] bool has_errors() const;
   [[nodiscard]] int warnings() const;
   [[nodiscard]] DeckState deck_state() const;
-  /// Builds the model of a deck without errors and adds what shows only there; some milliseconds.
+  /// Builds the model of a deck without errors and adds the problems found only there; takes some
+  /// milliseconds.
   void check_model();
-  /// A deck with its options and its place, of which a run may begin or not.
+  /// A deck with its options and its path, for the check whether a run can start.
   struct Candidate {
     deck::Deck deck;
     std::map<std::string, std::string> options;
@@ -186,9 +187,9 @@ class Document {
     std::map<Cell, std::string> drafts;  ///< typed texts that are not values
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
     std::map<std::string, std::string> options;                     ///< run options that are given
-    std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; not yet answered
-    /// Bodies monitored with other counts of elements and segments, for the day when these come
-    /// back; and those that the last change of a count left.
+    std::optional<deck::UnitSystem> numbers_in;  ///< before kUnit was changed; unanswered
+    /// Bodies monitored with other counts of elements and segments, for the time when these counts
+    /// return; and those before the last change of a count.
     std::map<std::pair<long long, long long>, std::vector<long long>> monitored_with;
     std::vector<long long> followed;
     std::set<Cell> typed_since;  ///< values in the new units already
@@ -206,7 +207,7 @@ class Document {
   void note_typed(const deck::Deck& before);
   void note_taken_over();
   void keep_numbers_given();
-  enum class Given { Left, Alone };  ///< what was typed since kUnit changed
+  enum class Given { Left, Alone };  ///< values typed since kUnit changed
   void convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given);
   void convert(deck::RecordData& record, const deck::Deck& deck, deck::UnitSystem from,
                deck::UnitSystem to, Given given) const;
@@ -231,13 +232,13 @@ class Document {
   std::filesystem::path path_;
   std::string original_;
   bool original_kept_ = false;  ///< the deck alone makes the same text
-  bool foreign_ = false;        ///< the file holds what another program wrote
+  bool foreign_ = false;        ///< the file was written by another program
   bool broken_ = false;         ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
-  std::vector<Issue> change_issues_;    ///< what the last change took along
+  std::vector<Issue> change_issues_;    ///< records removed by the last change
   std::vector<Issue> refusals_;         ///< of the model issues those that no run accepts
-  std::vector<Issue> start_refusals_;   ///< what a run of `rehearsed_` would end with
-  std::vector<Finding> start_remarks_;  ///< what statics and plan find in it
+  std::vector<Issue> start_refusals_;   ///< error at the end of a run of `rehearsed_`
+  std::vector<Finding> start_remarks_;  ///< findings of statics and plan
   std::optional<Candidate> rehearsed_;
   std::map<Cell, std::string> unused_;  ///< values without a part, and why
   std::vector<std::string> effects_;

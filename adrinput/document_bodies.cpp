@@ -6,8 +6,8 @@
 
 namespace adore::adrinput {
 
-/// Monitored bodies stay the same when their count changes. When a count comes back, so do those
-/// that were chosen for it.
+/// Monitored bodies are kept when their count changes. When a count returns, so do the bodies
+/// chosen for it.
 void Document::follow_bodies(const deck::Deck& before) {
   if (deck::number_bodies_alike(state_.deck, before)) return;
   const auto counts = [](const deck::Deck& deck) {

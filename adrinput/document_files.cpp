@@ -54,7 +54,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Fields and files hold UTF-8: letters of an old code page would be lost in them.
+/// Fields and files contain UTF-8: characters of an old code page would be lost.
 std::string utf8_of_latin1(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
@@ -85,7 +85,7 @@ deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
   return read;
 }
 
-/// Drafts begin with this line; what follows are the bytes of Document::snapshot().
+/// Drafts begin with this line, followed by the bytes of Document::snapshot().
 constexpr std::string_view kDraftHead =
     "AdrInput draft: a deck that is not ready to be run. Open it with AdrInput.\n";
 

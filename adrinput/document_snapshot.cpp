@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <exception>
 
-/// A document as bytes (CBOR, so that numbers and foreign letters come back exactly), for the day
-/// after a crash.
+/// A document as bytes (CBOR, so that numbers and foreign characters are restored exactly), for
+/// crash recovery.
 namespace adore::adrinput {
 namespace {
 
@@ -179,7 +179,7 @@ std::string Document::restore(std::string_view bytes) {
     for (const Json& item : json.at("issues")) issues.push_back(issue_in(item));
     auto original = json.at("original").get<std::string>();
     const bool kept = json.at("original_kept").get<bool>();
-    // An earlier release kept names as they were typed: nobody knows from which folder.
+    // An earlier release stored relative paths: their folder is unknown.
     std::filesystem::path path = json.at("path").get<std::string>();
     if (path.is_relative()) path.clear();
     const bool has_options = json.at("has_option_file").get<bool>();

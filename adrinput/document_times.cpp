@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-/// Times of a run: dimensionless in the deck, seconds and turns for a person.
+/// Times of a run: dimensionless in the deck, displayed in seconds and revolutions.
 namespace adore::adrinput {
 namespace {
 
@@ -20,7 +20,7 @@ bool is_beside_the_scale(std::string_view record, std::string_view variable) {
          (record == kTimeVariation && (variable == "kNumPltElem" || variable == "kPltElemInd"));
 }
 
-/// Records that decide the scale of time, with what decides it.
+/// Records that determine the time scale, with these values.
 std::vector<deck::RecordData> deciding(const deck::Deck& deck) {
   std::vector<deck::RecordData> out;
   for (const deck::RecordData& record : deck.records) {
@@ -41,7 +41,7 @@ bool ends_with_letter(std::string_view text) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Texts in fields of times that are in seconds or turns and no values yet.
+/// Texts in time fields in seconds or revolutions that are not values yet.
 std::vector<std::pair<Cell, std::string>> typed_times(const Document& document) {
   std::vector<std::pair<Cell, std::string>> out;
   if (document.instances("2.1") == 0) return out;

@@ -26,7 +26,7 @@ void Document::note_typed(const deck::Deck& before) {
       for (std::size_t k = 0; k < record.values[v].size(); ++k) {
         const Cell cell{record.id, record.instance, v, k};
         const deck::Value* old = value_at(before, cell);
-        // Of a record or an element that was not there: what it would have come back with.
+        // For a record or an element that was missing: its stored values.
         if (const auto kept = state_.shelf.find({record.id, record.instance});
             old == nullptr && kept != state_.shelf.end() && v < kept->second.values.size() &&
             k < kept->second.values[v].size())
@@ -39,8 +39,8 @@ void Document::note_typed(const deck::Deck& before) {
       }
 }
 
-/// A cage that is cut, or made whole, starts with the numbers of the one before (Deck::complete()):
-/// what was given of that one in the units of the deck is in these here, too.
+/// A cage that is cut, or made whole, starts with the values of the previous one
+/// (Deck::complete()): values entered there in the units of the deck are in these units here, too.
 void Document::note_taken_over() {
   constexpr const char *kWhole = "9.6", *kSegment = "9.6.k";
   const bool cut = state_.shelf.count({kSegment, 1}) > 0;
@@ -75,7 +75,7 @@ void Document::convert_values() {
   notify();
 }
 
-/// Also what is on the shelf, for the day when its record applies again.
+/// Also stored values, for the time when their record applies again.
 void Document::convert_all(deck::UnitSystem from, deck::UnitSystem to, Given given) {
   for (const deck::RecordData& record : state_.deck.records) remember(record);
   // Codes that make a value a pure number: of records that are not there, the last ones.

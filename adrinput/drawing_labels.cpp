@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Names and measures of a drawing, written where nothing is written yet.
+/// Names and dimensions of a drawing, written in free areas.
 namespace adore::adrinput {
 
 using desktop::Theme;
@@ -78,8 +78,7 @@ void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, cons
     }
 }
 
-/// A name along an upright line, as in engineering drawings: lines stand closer than names are
-/// long.
+/// A name along a vertical line, as in engineering drawings: lines are closer than names are long.
 bool DrawingView::writeAlong(QPainter& painter, const QRectF& area, const drawing::Dimension& d,
                              const QTransform& place, const QString& text) {
   const QPointF from = place.map(QPointF(d.from.x, d.from.y)),

@@ -16,7 +16,7 @@ inline constexpr int kText = 11;                               ///< letters
 
 inline QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
-/// A shape as `place` puts it; `close`: its lines bound an area.
+/// A shape with positions from `place`; `close`: its lines bound an area.
 [[nodiscard]] QPainterPath path_of(const drawing::Shape& shape, const QTransform& place,
                                    bool close);
 

@@ -13,7 +13,7 @@ namespace {
 
 using drawing::Dimension;
 
-constexpr double kShortest = 20.0;  // a dimension line below this has its arrows outside, px
+constexpr double kShortest = 20.0;  // a shorter dimension line has its arrows outside, px
 
 QPointF map(const QTransform& place, const drawing::Point& p) {
   return place.map(QPointF(p.x, p.y));
@@ -21,7 +21,7 @@ QPointF map(const QTransform& place, const drawing::Point& p) {
 
 double length(QPointF v) { return std::hypot(v.x(), v.y()); }
 
-/// Arc of an angle on the screen, from the first to the second ray the short way.
+/// Arc of an angle on the screen, from the first to the second ray, the shorter way.
 QPolygonF arc_of(const Dimension& d, const QTransform& place) {
   const double r1 = std::hypot(d.from.x - d.centre.x, d.from.y - d.centre.y);
   const double a = std::atan2(d.from.y - d.centre.y, d.from.x - d.centre.x);
@@ -50,7 +50,7 @@ void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, doubl
   QPen pen(colour, faint ? 0.6 * width : width, faint ? Qt::DotLine : Qt::SolidLine, Qt::FlatCap);
   const QPointF tip = path.back();
   const double size = 4.0 + 3.0 * width;
-  // The head points the way of the last stretch that is as long as it.
+  // The head has the direction of the last part of its length.
   QPointF from = path.front();
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
     from = *p;

@@ -13,7 +13,7 @@ class QPainter;
 /// pixels.
 namespace adore::adrinput::marks {
 
-/// Section lines at 45°, leaning the other way when `mirrored`.
+/// Section lines at 45°, in the other direction if `mirrored`.
 void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bool mirrored);
 /// Along the polygon with a head at its end; `faint` for an arrow that only shows its sense.
 void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, double width,

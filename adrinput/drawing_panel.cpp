@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kDrawPause = 60;  // ms without a change before the picture is drawn again
 
-/// The drawing of a half-typed or damaged deck, or the reason why there is none: it is called by a
-/// timer, whose event loop an exception would end with every window.
+/// The drawing of an incomplete or damaged deck, or the reason why there is none: called by a
+/// timer, whose event loop an exception would end with all windows.
 drawing::Drawing draw_or_reason(drawing::View view, const deck::Deck& deck) {
   try {
     return drawing::draw(view, deck);

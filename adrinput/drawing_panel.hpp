@@ -22,9 +22,9 @@ class DrawingPanel : public QWidget {
   explicit DrawingPanel(QWidget* parent = nullptr);
 
   /// Draws after a short pause in typing.
-  /// What a field is called in a figure; without it the deck's own number and unit. Empty: that.
+  /// Name of a field in a figure; without it number and unit of the deck. Empty: default.
   std::function<QString(const std::string& variable, int instance, int index)> wording;
-  /// Names everything anew, in the units that are shown from now on.
+  /// Updates all names, in the units now displayed.
   void nameAnew() { drawNow(); }
   void setDeck(const deck::Deck& deck);
   /// Shows the view that the field belongs to, unless the user chose another one for it.
@@ -33,7 +33,7 @@ class DrawingPanel : public QWidget {
   /// The view that is shown.
   [[nodiscard]] drawing::View view() const;
   [[nodiscard]] DrawingView& picture() { return *picture_; }
-  /// Draws what was last given, without the pause.
+  /// Draws the last deck, without the pause.
   void drawNow();
 
  signals:

@@ -28,7 +28,7 @@ class DrawingView : public QWidget {
  public:
   explicit DrawingView(QWidget* parent = nullptr);
 
-  /// `stale`: why the drawing is an older one than the deck; it is shown pale with the reason.
+  /// `stale`: reason why the drawing is older than the deck; it is shown pale with the reason.
   void setDrawing(drawing::Drawing drawing, const QString& stale = {});
   void setFocusOn(DrawingFocus focus);
   /// "raceTemp1 = 293.15 K": written on the body that the field speaks of when it has no measure.

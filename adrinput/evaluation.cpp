@@ -39,7 +39,7 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
   const auto text = [&](double value, const deck::UnitPair& pair) {
     const std::string name(results::unit_name(pair, units));
     const double shown = results::from_si(value, pair, units);
-    // Below an atom's size stands rounding.
+    // Changes below the size of an atom are rounding.
     return desktop::pretty_quantity(std::abs(shown) < desktop::least_span_of(name) ? 0.0 : shown,
                                     name);
   };

@@ -51,14 +51,14 @@ class EvaluationPanel : public QWidget {
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);
-  /// Another deck was opened: what was computed before belongs to none that is here.
+  /// Another deck was opened: earlier results do not belong to it.
   void forget();
   /// The deck is this one now.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
   [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
-  /// Tables of what was computed last; nullptr when there are none.
+  /// Tables of the last result; nullptr: none.
   [[nodiscard]] const results::StaticTables* tables() const {
     return tables_ ? &*tables_ : nullptr;
   }
@@ -83,7 +83,7 @@ class EvaluationPanel : public QWidget {
   QString headline_;
   std::optional<results::StaticTables> tables_;
   bool stale_ = false;
-  bool another_ = false;  ///< what is under way is of a deck that is here no more
+  bool another_ = false;  ///< the running computation is for a previous deck
 };
 
 }  // namespace adore::adrinput

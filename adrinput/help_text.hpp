@@ -4,10 +4,10 @@
 
 #include <QString>
 
-/// Help in our words, generated from the schema; rich text.
+/// Help text, generated from the schema; rich text.
 namespace adore::adrinput {
 
-/// A record: what it is for, when a deck has it, and each of its variables.
+/// A record: its purpose, when a deck has it, and each of its variables.
 [[nodiscard]] QString record_help(const deck::Deck& deck, const deck::RecordSpec& record);
 /// How decks are written: rules of the format.
 [[nodiscard]] QString format_help();
@@ -18,7 +18,7 @@ namespace adore::adrinput {
 /// that every deck has.
 [[nodiscard]] QString reason_for(const deck::Deck& deck, std::string_view condition);
 
-/// "Record 5A — Ball bearing geometry", or what the page of options is called.
+/// "Record 5A — Ball bearing geometry", or the name of the page of options.
 [[nodiscard]] QString page_heading(const deck::RecordSpec& record);
 
 /// "5A", "7.2" without the letter of repeated records.

@@ -9,7 +9,7 @@ namespace adore::adrinput {
 /// Held by a running program and let go by the system when it ends, however it ends.
 class InstanceLock {
  public:
-  /// Nothing when another program, or this one, holds it, or when the file cannot be made.
+  /// Null if another program, or this one, holds it, or if the file cannot be created.
   [[nodiscard]] static std::optional<InstanceLock> take(const std::filesystem::path& file);
   InstanceLock(InstanceLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   InstanceLock& operator=(InstanceLock&& other) noexcept {

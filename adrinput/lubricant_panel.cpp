@@ -51,7 +51,7 @@ LubricantPanel::LubricantPanel(QWidget* parent) : QWidget(parent) {
   conditions_->setAccessibleName(tr("Chart conditions"));
   conditions_->setWordWrap(true);
   conditions_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // Docks ask no label how high it is at its width: three lines at the least width.
+  // Docks do not ask a label for its height: three lines at the smallest width.
   conditions_->setMinimumHeight(3 * conditions_->fontMetrics().lineSpacing() + 4);
   conditions_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   pause_ = new QTimer(this);

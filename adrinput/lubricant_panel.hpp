@@ -15,8 +15,8 @@ class ChartView;
 namespace adore::adrinput {
 
 /// Charts of the deck's lubricant (record 10.0) at the deck's temperatures, roughness and records
-/// 10.1 and 10.3: traction over slip, viscosity over pressure, film and lambda over speed. Draws
-/// nothing while it is hidden.
+/// 10.1 and 10.3: traction over slip, viscosity over pressure, film and lambda over speed. Not
+/// drawn while hidden.
 class LubricantPanel : public QWidget {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class LubricantPanel : public QWidget {
 
   /// Draws after a short pause in typing.
   void setDeck(const deck::Deck& deck);
-  /// Draws what was last given, without the pause.
+  /// Draws the last deck, without the pause.
   void drawNow();
   [[nodiscard]] desktop::ChartView& chart() { return *chart_; }
 

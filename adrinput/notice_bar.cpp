@@ -45,7 +45,7 @@ void NoticeBar::ask(const QString& text, std::vector<Answer> answers) {
     button->setObjectName(answer.name);
     button->setAutoDefault(true);
     connect(button, &QPushButton::clicked, this, [this, act = std::move(answer.act)] {
-      const auto after = act;  // the button goes with its functions when the next question comes
+      const auto after = act;  // the button is deleted with its functions by the next question
       hide();
       if (after) after();
     });

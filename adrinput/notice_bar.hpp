@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace adore::adrinput {
 
-/// A sentence above the form with buttons to answer it. It blocks nothing; it stays until it is
-/// answered or no longer true.
+/// A message above the form with buttons to answer it. It does not block; it stays until it is
+/// answered or obsolete.
 class NoticeBar : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class NoticeBar : public QWidget {
   };
   explicit NoticeBar(const QString& name, QWidget* parent = nullptr);
 
-  /// Shows it; the bar goes before an answer acts.
+  /// Shows it; the bar is hidden before an answer acts.
   void ask(const QString& text, std::vector<Answer> answers);
   [[nodiscard]] QString text() const;
 

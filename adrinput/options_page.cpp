@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// "[s]" in the meaning of an option is the unit of its number.
 bool is_time(std::string_view meaning) { return meaning.find("[s]") != std::string_view::npos; }
 
-/// "500 ms" as the seconds that the file holds; any other text as it is.
+/// "500 ms" as seconds, the unit of the file; other texts unchanged.
 std::string in_seconds(const deck::VariableSpec& option, const std::string& text) {
   double value = 0.0, seconds = 0.0;
   if (!is_time(option.help) || !deck::parse_real(text, value)) return text;
@@ -31,7 +31,7 @@ std::string in_seconds(const deck::VariableSpec& option, const std::string& text
 
 using Options = std::map<std::string, std::string>;
 
-/// Without what only says the default.
+/// Without values equal to the default.
 Options that_differ(const Options& given) {
   Options out;
   for (const facade::RunOptionInfo& option : facade::run_options()) {
@@ -152,8 +152,8 @@ void Document::find_option_problems() {
   }
 }
 
-/// Writes the file only when it would say something else than it does. What another program wrote
-/// into it since it was read, and what was never understood, stays as ADORE.json.bak.
+/// Writes the file only if its content changes. Changes of another program since reading, and
+/// unknown content, are kept in ADORE.json.bak.
 void Document::save_options(const fs::path& deck_file) {
   const facade::OptionFile there = facade::OptionFile::beside(deck_file);
   const Options wanted = options();

@@ -15,7 +15,7 @@ inline constexpr std::string_view kOptionsPage = "ADORE.json";
 
 [[nodiscard]] const deck::RecordSpec& options_record();
 
-/// A record of the schema, or the page of options; nullptr when there is no such page.
+/// A record of the schema, or the page of options; nullptr if there is no such page.
 [[nodiscard]] const deck::RecordSpec* page_record(std::string_view id);
 
 /// Content of the field of an option: its value, or the default.

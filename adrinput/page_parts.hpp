@@ -62,7 +62,7 @@ class ChoiceBox : public QComboBox {
   int widest_ = 0;
 };
 
-/// Is a list shown narrower than what is chosen in it?
+/// Is a list narrower than its selected text?
 [[nodiscard]] bool is_cut(const QComboBox& combo);
 /// Shows a text that is longer than its field from its beginning.
 void combo_home(QComboBox* combo);

@@ -114,8 +114,8 @@ QPixmap state_sign(RecordState state, const QColor& colour) {
   return pixmap;
 }
 
-/// With places where a narrow list may break words that are longer than it is wide: behind commas
-/// and slashes, between the parts of a name, and within long numbers.
+/// Adds possible line breaks to words that are wider than a narrow list: after commas and slashes,
+/// between the parts of a name, and within long numbers.
 QString breakable(const QString& text) {
   static const QRegularExpression longer("\\S{13,}");
   static const QRegularExpression places("([,/(\\[_])(?=\\S)|([a-z])(?=[A-Z])|(\\d{9})(?=\\d)");

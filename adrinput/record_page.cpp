@@ -154,7 +154,7 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-      event->ignore();  // the deck's own undo, not the field's
+      event->ignore();  // undo of the deck, not of the field
       return true;
     }
   }
@@ -162,7 +162,7 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
     return true;
   if (event->type() == QEvent::KeyPress && field->property("typing").toBool() &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {
-    // A count may make the table that comes next: it has to be there before Tab looks for it.
+    // A count may create the next table: it has to exist before Tab looks for it.
     if (auto* line = qobject_cast<QLineEdit*>(field)) emit line->editingFinished();
   }
   if (event->type() == QEvent::FocusIn) {
@@ -173,7 +173,7 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
   return QWidget::eventFilter(object, event);
 }
 
-/// Alt+Down opens what the button behind a field would.
+/// Alt+Down opens the menu of the button after a field.
 bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
   if (key.key() != Qt::Key_Down || !key.modifiers().testFlag(Qt::AltModifier)) return false;
   for (const Row& row : rows_) {
@@ -181,7 +181,7 @@ bool RecordPage::openMenuOf(const QWidget* field, const QKeyEvent& key) {
     if (row.line == nullptr || row.line != field || button == nullptr || button->isHidden())
       continue;
     button->menu()->popup(button->mapToGlobal(button->rect().bottomLeft()));
-    for (QAction* action : button->menu()->actions())  // the keys start from what is chosen
+    for (QAction* action : button->menu()->actions())  // the keys start from the current choice
       if (action->isChecked() && row.choice != nullptr) button->menu()->setActiveAction(action);
     return true;
   }

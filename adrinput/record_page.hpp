@@ -30,14 +30,14 @@ class RecordPage : public QWidget {
   ~RecordPage() override;
 
   [[nodiscard]] const std::string& record() const { return record_; }
-  /// Shows what the document holds. The field being typed in keeps its text unless `all`.
+  /// Shows the content of the document. The field being edited keeps its text unless `all`.
   void sync(bool all = false);
   /// Puts the keyboard focus on a value. False when this page has no field for it.
   bool focusCell(const Cell& cell);
   void focusFirst();
   /// Shows each value in the other unit system, too.
   void setOtherUnits(bool shown);
-  /// The field of a variable: QLineEdit or QComboBox, or the table that holds it.
+  /// The field of a variable: QLineEdit or QComboBox, or its table.
   [[nodiscard]] QWidget* fieldOf(std::size_t variable) const;
 
  signals:
@@ -59,7 +59,7 @@ class RecordPage : public QWidget {
     std::size_t variable = 0;
     QGridLayout* grid = nullptr;
     int at = 0;                    ///< the first of its rows in the grid
-    QVBoxLayout* value = nullptr;  ///< field and what belongs to it
+    QVBoxLayout* value = nullptr;  ///< field and its other widgets
     QHBoxLayout* side = nullptr;   ///< field, unit and, if there is space, its limits
     QLabel* help = nullptr;
     QLineEdit* line = nullptr;
@@ -69,7 +69,7 @@ class RecordPage : public QWidget {
     QToolButton* choice = nullptr;  ///< of the unit that the value is shown in
     QToolButton* names = nullptr;   ///< a list of names to choose from
     QLabel* name = nullptr;
-    QLabel* other = nullptr;   ///< the value in other units, and what it stands for
+    QLabel* other = nullptr;   ///< the value in other units, and its meaning
     QLabel* unused = nullptr;  ///< why nothing uses the value
     QLabel* problem = nullptr;
   };

@@ -15,7 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-/// The fields of a record's page, each with what belongs to it.
+/// The fields of a record's page, with labels, units and problems.
 namespace adore::adrinput {
 
 void RecordPage::finish(QWidget* field) {
@@ -134,7 +134,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   rows_.push_back(row);
 }
 
-/// Effects of this deck's motion by name, each to be left out or not.
+/// Effects of this deck's motion by name, each can be disabled.
 QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
   auto* button = new QToolButton(this);
   button->setObjectName("effect-names");
@@ -177,7 +177,7 @@ QToolButton* RecordPage::makeEffectNames(const Cell& cell) {
   return button;
 }
 
-/// By mouse, or by Alt+Down in the field: Tab goes from value to value.
+/// By mouse, or by Alt+Down in the field: Tab moves from value to value.
 QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
   auto* button = new QToolButton(this);
   button->setObjectName("unit-" + text_of(variable.name));

@@ -54,7 +54,7 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
                                                        : value);
       combo_home(row.combo);
     } else {
-      // A code of the file that does not exist is shown as what it is.
+      // An invalid code of the file is shown unchanged.
       if (index < 0 && !value.isEmpty()) {
         row.combo->addItem(value + " — invalid code", value);
         index = row.combo->count() - 1;
@@ -65,7 +65,7 @@ void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
         combo_home(row.combo);
       }
     }
-    row.combo->setToolTip(row.combo->currentText());  // whole, where the page is narrow
+    row.combo->setToolTip(row.combo->currentText());  // complete on a narrow page
   }
 }
 

@@ -100,7 +100,7 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
 }
 
 std::vector<fs::path> render_study(const fs::path& file, const RenderOptions& options) {
-  (void)read_text_file(file);  // throws for what cannot be read, before a window asks
+  (void)read_text_file(file);  // throws for unreadable files, before a window asks
   desktop::make_folder(options.folder);
   desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
   StudyWindow window;

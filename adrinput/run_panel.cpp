@@ -280,7 +280,7 @@ void RunPanel::show(const RunEnd& end) {
   if ((end.outcome && end.outcome->status == facade::RunStatus::Done) ||
       (end.sweep && end.sweep->exit_code == 0)) {
     const RunResults found = results();
-    // Nobody asked at this moment: somebody may be typing here.
+    // Not caused by a user action: the user may be typing.
     const bool plots = plots_at_end_->isChecked() && !found.plots.isEmpty();
     const bool animation = animation_at_end_->isChecked() && !found.animation.isEmpty();
     if (plots) showPlots(true);
@@ -330,7 +330,7 @@ void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck
       findings_->setFindings({});
   }
   if (first) return;
-  // Results of another file are those of its folder, even where the values have become the same.
+  // Results of another file are those of its folder, even if its values are now equal.
   const bool stale = another_ || !(deck == computed_ && options == computed_options_);
   if (stale == stale_) return;
   stale_ = stale;
@@ -339,7 +339,7 @@ void RunPanel::setDeck(const std::filesystem::path& file, const deck::Deck& deck
 
 void RunPanel::view(const QString& program, QStringList files, bool behind) {
   if (behind) files.prepend(desktop::kBehind);
-  // New folders of runs are part of it.
+  // New folders of runs are included.
   const bool ran = !computed_.records.empty();
   show_in_viewer(this, launch, program, desktop::folder_of(ran ? file_ : shown_file_), files);
 }

@@ -30,8 +30,8 @@ class FindingsBar;
 
 namespace adore::adrinput {
 
-/// The whole run of a saved deck: start, progress, cancel, what came out, and the way to the plots,
-/// the animation and PRINT.txt.
+/// The run of a saved deck: start, progress, cancel, results, and commands to open plots, animation
+/// and PRINT.txt.
 class RunPanel : public QWidget {
   Q_OBJECT
  public:
@@ -136,12 +136,12 @@ class RunPanel : public QWidget {
   QString headline_;
   std::filesystem::path file_;        ///< the deck that runs
   std::filesystem::path out_;         ///< folder of the results; empty: folder of the deck
-  std::filesystem::path shown_file_;  ///< the deck in the form; empty: it has no name yet
+  std::filesystem::path shown_file_;  ///< the deck in the form; empty: no name yet
   deck::Deck shown_;
   std::filesystem::file_time_type began_;
   /// The last run that this panel made in a folder.
   struct Made {
-    std::filesystem::file_time_type report;  ///< of RUN.json: later ones are of somebody else
+    std::filesystem::file_time_type report;  ///< of RUN.json: later ones are from another program
     deck::Deck deck;
     RunOptionValues options;
     bool whole = false;  ///< not cancelled

@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-/// The ways to run: anew, into a new folder, on from where a run ended, over a range.
+/// Commands to run: again, in a new folder, continuation, or over a range.
 namespace adore::adrinput {
 namespace {
 
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 QString from(const fs::path& path) { return QString::fromStdString(path.string()); }
 
-/// The first folder "<stem>-001" and on that is not there yet.
+/// The first free folder "<stem>-001" and so on.
 fs::path free_folder(const fs::path& beside, const std::string& stem) {
   std::error_code ignored;
   for (int number = 1;; ++number) {

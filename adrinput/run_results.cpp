@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "SOL3", or the name that record 2.3 has in its place.
+/// "SOL3", or its name in record 2.3.
 std::string plot_name(const deck::Deck& deck, int number) {
   const std::string variable = fmt::format("pltNames{}", number);
   const std::string given = deck.has(variable) ? deck.text(variable) : std::string();

@@ -4,20 +4,20 @@
 
 #include <optional>
 
-/// Times of a run that are typed in seconds or turns: what they are is known only when the
-/// equilibrium has given the scale of time.
+/// Times of a run typed in seconds or revolutions: their values are known only after the
+/// equilibrium has given the time scale.
 namespace adore::adrinput {
 
 /// Is there a time in seconds or revolutions that cannot be converted yet, because its scale is
 /// unknown?
 [[nodiscard]] bool has_waiting_times(const Document& document);
 
-/// Takes those whose scale is known by now. Was there one?
+/// Applies those whose scale is now known. True if there was one.
 bool take_waiting_times(Document& document);
 
-/// The deck whose scale of time is missing, without what does not decide it, so that an error there
-/// does not keep a time from being understood; nothing when another error does, when something is
-/// being typed, and when the scale is known.
+/// The deck whose time scale is missing, without values that do not determine it, so that an error
+/// there does not prevent the conversion of a time; no value if there is another error, if a value
+/// is being typed, or if the scale is known.
 [[nodiscard]] std::optional<deck::Deck> deck_without_scales(const Document& document);
 
 }  // namespace adore::adrinput

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-/// "Where is race curvature?": variables by name, help, record title and meaning of codes. No Qt.
+/// Search for variables by name, help, record title and meaning of codes: "Where is race
+/// curvature?" No Qt.
 namespace adore::adrinput {
 
 struct Found {
@@ -23,15 +24,15 @@ struct Found {
     std::string_view query, const std::function<bool(const Cell&)>& is_here = {},
     std::size_t most = 60);
 
-/// An option whose other code brings a record into a deck.
+/// An option that adds a record to a deck with another code.
 struct OptionWay {
   Cell option;
   std::string code;
   bool enough = true;  ///< false: only the first of several options that must change
 };
 
-/// The way to a record that the deck does not have; nothing for an unknown one, and when no code
-/// of a present option leads there.
+/// The option for a record that the deck does not have; no value for an unknown record, or if no
+/// code of a present option leads to it.
 [[nodiscard]] std::optional<OptionWay> way_to(const deck::Deck& deck, std::string_view record);
 
 }  // namespace adore::adrinput

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPause = 500;  // ms from a change until it is stored
+constexpr int kPause = 500;  // ms from a change to its storage
 constexpr std::string_view kSuffix = ".unsaved";
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
@@ -62,7 +62,7 @@ QString Session::defaultFolder() {
 
 Session::Session(DeckWindow& window, const QString& folder)
     : QObject(&window), window_(window), folder_(folder.toStdString()), timer_(new QTimer(this)) {
-  // Another program may clean up at the same moment: a lock whose file is gone protects nothing.
+  // Another program may clean up at the same time: a lock on a deleted file protects nothing.
   for (int number = 1; number < 1000 && !lock_; ++number) {
     make_own_folder(folder_);
     file_ = folder_ / fmt::format("{}-{}{}", QCoreApplication::applicationPid(), number, kSuffix);
@@ -143,7 +143,7 @@ void Session::reopen() {
   window_.showPage(page);
 }
 
-/// Files whose program does not run any more.
+/// Files of programs that have ended.
 void Session::lookForOrphans() {
   orphans_.clear();
   std::error_code error;
@@ -207,7 +207,7 @@ bool Session::offerNext() {
   return true;
 }
 
-/// The old file goes only when its content is stored under this program's own name.
+/// The old file is deleted only after its content is stored under the name of this program.
 void Session::restore() {
   window_.restoreDeck(bytes_of(orphans_.front().file), [this] {
     store();

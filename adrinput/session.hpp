@@ -20,19 +20,19 @@ class DeckWindow;
 class Session : public QObject {
   Q_OBJECT
  public:
-  /// `folder` holds the unsaved decks of all running programs, a file each.
+  /// `folder` contains the unsaved decks of all running programs, one file each.
   explicit Session(DeckWindow& window, const QString& folder = defaultFolder());
   /// After an orderly end nothing stays behind.
   ~Session() override;
 
   [[nodiscard]] static QString defaultFolder();
 
-  /// Size and place of the window; the deck and page of last time unless the user named a deck; and
-  /// the question what to do with decks that a program left behind when it was cut off.
+  /// Size and position of the window; the deck and page of the last session unless the user named a
+  /// deck; and the question about decks that an interrupted program left.
   void begin(bool deck_named);
   /// Asks about the first unsaved deck of earlier sessions; reports if there is none.
   void offerUnsaved();
-  /// Stores what is not saved, now.
+  /// Stores unsaved changes now.
   void store();
   /// File of the unsaved deck of this window.
   [[nodiscard]] std::filesystem::path file() const { return file_; }

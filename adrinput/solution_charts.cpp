@@ -19,7 +19,7 @@ namespace {
 constexpr int kHead = 150;        // title, note and the axis below
 constexpr int kPanel = 145;       // of several below each other
 constexpr int kOne = 370;         // alone, with a long title
-constexpr int kLeastWidth = 130;  // of the place in which a chart scrolls
+constexpr int kLeastWidth = 130;  // of the area in which a chart scrolls
 
 }  // namespace
 

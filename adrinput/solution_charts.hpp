@@ -21,15 +21,15 @@ class SolutionCharts : public QWidget {
  public:
   explicit SolutionCharts(QWidget* parent = nullptr);
 
-  /// Keeps the page that was shown where the new solution has it too.
+  /// Keeps the current page if the new solution has it.
   void setSolution(const results::StaticTables& tables);
-  /// There is no solution of the deck that is here.
+  /// The deck has no solution.
   void forget();
   /// The deck changed since.
   void setStale(bool stale);
   [[nodiscard]] QStringList pages() const;
   void choosePage(int index);
-  /// Of this place when a chart is whole in it, without scrolling sideways.
+  /// Size of the area for a complete chart, without horizontal scrolling.
   [[nodiscard]] int wholeWidth() const;
   [[nodiscard]] desktop::ChartView& view() { return *view_; }
 

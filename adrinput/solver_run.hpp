@@ -21,9 +21,9 @@ struct RunEnd {
       false;  ///< the reason: results of an earlier run, which may be allowed to go
 };
 
-/// One run of the solver in the background, the same as `adore run` makes. Its reports arrive in
-/// the thread of this object.
-/// Its end stops a run that is under way and waits for it; its files are valid.
+/// One run of the solver in the background, as by `adore run`. Its reports arrive in the thread of
+/// this object.
+/// Its end stops an active run and waits for it; its files are valid.
 class SolverRun : public QObject {
   Q_OBJECT
  public:

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// A study file while it is edited: its text, its values, what is wrong with it. No Qt.
+/// A study file while it is edited: its text, its values, its errors. No Qt.
 namespace adore::adrinput {
 
 class StudyDocument {
@@ -17,7 +17,7 @@ class StudyDocument {
 
   /// @throws InputError when the file cannot be read; a file with mistakes is opened.
   void open(const std::filesystem::path& file);
-  /// The explained example of a kind for a deck, not yet on the disk.
+  /// The explained example of a kind for a deck, not saved yet.
   void start_new(const std::filesystem::path& file, const std::string& kind,
                  const std::filesystem::path& deck);
 
@@ -25,8 +25,8 @@ class StudyDocument {
   [[nodiscard]] const std::string& text() const { return state_; }
   /// Null while the text is not JSON or TOML: the form is then empty.
   [[nodiscard]] const std::optional<StudyJson>& values() const { return values_; }
-  /// The last change wrote a TOML file anew (studies/study_splice.hpp), and comments behind values
-  /// or inside lists went.
+  /// The last change rewrote a TOML file (studies/study_splice.hpp), which removed comments after
+  /// values and in lists.
   [[nodiscard]] bool comments_went() const { return comments_went_; }
   [[nodiscard]] std::optional<studies::Kind> kind() const;
 
@@ -54,8 +54,8 @@ class StudyDocument {
   /// Problems of `adore study plan`, in the same words except for the folder; empty: none.
   struct Finding {
     std::string problem;  ///< empty: the study can start
-    std::string key;      ///< "variables[2].normal": what it is about; may be empty
-    long runs = 0;        ///< when there is no problem
+    std::string key;      ///< "variables[2].normal": key of the error; may be empty
+    long runs = 0;        ///< without errors
   };
   [[nodiscard]] Finding check() const;
 
@@ -67,14 +67,14 @@ class StudyDocument {
   [[nodiscard]] std::filesystem::path unsaved_path() const;
 
  private:
-  /// Changes in one place, one after the other, are one step back.
+  /// Successive changes at one place are one step for undo.
   void change(std::string text, const std::string& place, bool comments_went = false);
   void write_values(StudyJson values, const std::string& place);
   void read_values();
 
   std::filesystem::path path_;
   std::string state_;
-  std::optional<std::string> stored_;  ///< what the file holds; nothing: there is none yet
+  std::optional<std::string> stored_;  ///< content of the file; none: not saved yet
   std::optional<StudyJson> values_;
   bool loose_comments_ = false, comments_went_ = false;
   std::vector<std::string> undo_, redo_;

@@ -18,7 +18,7 @@ constexpr int kDigits = 4;  // of numbers that are an example
 constexpr const char* kLaws[] = {"grid", "list", "uniform", "normal"};
 constexpr const char* kLoads[] = {"appLoadX", "appLoadY", "appLoadZ"};
 
-/// "reDiaVar#" and "cageGsCls[1]" without what chooses an element.
+/// "reDiaVar#" and "cageGsCls[1]" without the part that selects an element.
 std::string variable_of_row(const StudyJson& row) {
   const auto name = row.find("name");
   if (name == row.end() || !name->is_string()) return {};
@@ -34,7 +34,7 @@ deck::Deck with_sets(deck::Deck deck, const StudyJson& study) {
   try {
     deck.set_all(sets);
   } catch (const InputError&) {
-    // The check of the study tells it.
+    // Reported by the check of the study.
   }
   return deck;
 }

@@ -39,7 +39,7 @@ std::vector<std::string> split(const std::string& text, const char* separators) 
   return out;
 }
 
-/// A number as JSON writes it stays one, whole numbers too; everything else is a text.
+/// A number as in JSON stays a number, also an integer; everything else is a text.
 StudyJson number_or_text(const std::string& text) {
   static const std::regex number(R"([+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)");
   if (!std::regex_match(text, number)) return text;
@@ -51,7 +51,7 @@ StudyJson number_or_text(const std::string& text) {
 }
 
 StudyJson settings(const std::string& text) {
-  // A comma ends a setting only where another one begins.
+  // A comma ends a setting only if another one follows.
   static const std::regex next(R"([;,\n]\s*(?=[A-Za-z_][^=;,\n]*=))");
   StudyJson out = StudyJson::object();
   for (std::sregex_token_iterator part(text.begin(), text.end(), next, -1), end; part != end;

@@ -25,7 +25,7 @@ enum class StudyCell : unsigned char {
   Truth
 };
 
-/// A set of studies::Kind; a field is shown for these, and for others while the file has its key.
+/// A set of studies::Kind; a field is shown for these, and for others if the file has its key.
 using StudyKinds = unsigned;
 [[nodiscard]] constexpr StudyKinds only(studies::Kind kind) {
   return 1U << static_cast<unsigned>(kind);
@@ -59,7 +59,7 @@ struct StudyTableSpec {
 };
 [[nodiscard]] const std::vector<StudyTableSpec>& study_tables();
 
-/// As a field shows it; empty for what is not there.
+/// Text of a field; empty for a missing value.
 [[nodiscard]] std::string shown_value(const StudyJson& value);
 /// Typed text as a value of the file; null for empty text.
 [[nodiscard]] StudyJson typed_value(StudyCell cell, const std::string& text);

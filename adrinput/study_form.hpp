@@ -23,7 +23,7 @@ class StudyForm : public QWidget {
   void sync();
   /// Marks the field or row that `key` ("variables[2].normal") names with the sentence.
   void showProblem(const std::string& key, const QString& sentence);
-  /// Shows that field; false when the form has none for it.
+  /// Shows that field; false if the form does not have it.
   bool goTo(const std::string& key);
   [[nodiscard]] StudyTable* table(std::string_view key) const;
 

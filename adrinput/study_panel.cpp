@@ -151,7 +151,7 @@ void StudyPanel::enableButtons() {
   start_->setText(started_ && !complete_ ? tr("&Resume") : tr("&Run"));
   cancel_->setEnabled(busy());
   retry_->setEnabled(fit && failed_ > 0);
-  // As long as the study is the one whose plan was too much; a save or a check changes nothing.
+  // Until the study whose plan exceeded the budget changes; saving or checking changes nothing.
   over_budget_->setVisible(fit && !over_budget_text_.empty() &&
                            over_budget_text_ == document_.text());
   engine_->setEnabled(!busy());
@@ -271,7 +271,7 @@ void StudyPanel::showStatus() {
     for (const std::string& text : status.diagnoses) failures += in_window_words(text) + "\n";
     view_->setPlainText(from(failures));
   } catch (const std::exception&) {
-    // Never started, or with mistakes that the check says.
+    // Never started, or with errors reported by the check.
   }
   enableButtons();
 }

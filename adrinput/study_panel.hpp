@@ -27,7 +27,7 @@ class StudyPanel : public QWidget {
 
   /// Starts AdrPlot; desktop::start_program unless a test looks on.
   Launch launch;
-  /// `adore`, whose processes compute the runs.
+  /// `adore`, whose processes compute the runs
   std::filesystem::path program;
 
   /// The document changed: checks follow after a short pause.
@@ -40,7 +40,7 @@ class StudyPanel : public QWidget {
   /// Of a saved study without mistakes.
   void startPlan();
   void startRun(bool retry_failed = false, bool over_budget = false);
-  /// How far it is, if it was ever started.
+  /// Its progress, if it was started.
   void showStatus();
 
  public slots:
@@ -74,7 +74,7 @@ class StudyPanel : public QWidget {
   QTimer* pause_;
   long failed_ = 0;
   std::string at_work_on_,
-      over_budget_text_;  ///< texts of the study: what was started, what was too much
+      over_budget_text_;  ///< texts of the study: when it was started, when it exceeded the budget
   bool planning_ = false, started_ = false, complete_ = false;
   StudyRun run_;  ///< last: ends before the widgets that it reports to
 };

@@ -54,7 +54,8 @@ void StudyRun::start(const Request& request, bool plan_only) {
   };
   background_.start(
       [request, plan_only, report, end](const std::stop_token& token) {
-        // A worker that dies while it is spoken to is found by its end; the signal would end us.
+        // A worker that dies during communication is detected by its end; the signal would end this
+        // process.
         sigset_t pipes;
         sigemptyset(&pipes);
         sigaddset(&pipes, SIGPIPE);

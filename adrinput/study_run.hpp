@@ -17,7 +17,7 @@ struct StudyEnd {
   std::optional<studies::Plan> plan;
   std::string text;  ///< of the plan, or the report
   std::optional<studies::CampaignOutcome> outcome;
-  std::string reason;        ///< why there is nothing; empty: there is
+  std::string reason;        ///< reason for a missing result; empty: there is one
   bool over_budget = false;  ///< reason of a rejection that the user may override
   bool interrupted = false;
 };

@@ -6,8 +6,8 @@
 
 namespace adore::adrinput {
 
-/// One table of a study: a row for each entry and an empty one to type the next into. What is typed
-/// reaches the document with every key.
+/// One table of a study: a row for each entry and an empty one for the next. The document is
+/// updated with every key.
 class StudyTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -16,7 +16,7 @@ class StudyTable : public QTableWidget {
   void sync();
   [[nodiscard]] const StudyTableSpec& spec() const { return spec_; }
   void removeCurrentRow();
-  /// The row that a sentence is about, or none (-1).
+  /// The row of an error, or none (-1).
   void markRow(int row, const QString& why);
 
  protected:

@@ -229,7 +229,7 @@ void StudyWindow::offerUnsaved() {
 
 void StudyWindow::newStudy(const fs::path& file, const QString& kind, const fs::path& deck) {
   fs::path name = fs::absolute(file);
-  std::error_code error;  // never in place of another study
+  std::error_code error;  // never replaces another study
   for (int number = 2; fs::exists(name, error); ++number)
     name.replace_filename(file.stem().string() + "-" + std::to_string(number) +
                           file.extension().string());

@@ -44,7 +44,7 @@ std::string with_unit(const std::string& value, const std::string& unit) {
 
 std::string name_in(std::string_view text) { return trimmed(text.substr(0, text.find('='))); }
 
-/// The variable in a deck that has it; nothing for a name that stands for none.
+/// The variable in a deck that has it; no value for other names.
 std::optional<Cell> cell_named(const Document& document, const std::string& name) {
   const deck::VariableRef ref = deck::find_present(document.deck(), name.substr(0, name.find('[')));
   if (ref.record == nullptr) return {};

@@ -10,7 +10,7 @@ namespace adore::adrinput {
 
 struct SweepRange {
   std::string set;   ///< as `--set` has it, in the deck's units: "appLoadZ=500:1500:5"
-  std::string told;  ///< what it means: "appLoadZ from 500 N to 1500 N, 5 runs"
+  std::string told;  ///< its meaning: "appLoadZ from 500 N to 1500 N, 5 runs"
 };
 
 /// "appLoadZ=0.5 kN:1.5 kN:3", "appLoadZ=0.5:1.5 kN:3", "appLoadZ=0.5:1.5:3 kN". Values mean the

@@ -11,7 +11,7 @@
 
 namespace adore::adrinput {
 
-/// Finds in the background what a deck's dimensionless time is in seconds and turns.
+/// Determines in the background the scale of dimensionless times in seconds and revolutions.
 class TimeScale : public QObject {
   Q_OBJECT
  public:

@@ -19,7 +19,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-/// Without blanks around it, with a plain minus sign and a decimal point.
+/// Without surrounding blanks, with a plain minus sign and a decimal point.
 std::string plain_number(std::string_view typed) {
   std::string text(typed);
   replace_all(text, "\u2212", "-");
@@ -32,7 +32,7 @@ std::string plain_number(std::string_view typed) {
   return text;
 }
 
-/// "10,000": ten to three decimals, or ten thousand. Nobody groups 0,125 or 1234,567.
+/// "10,000": ten with three decimals, or ten thousand. 0,125 and 1234,567 are not groups.
 deck::NumberProblem thousands_or_decimals(std::string_view typed) {
   static const std::regex kGroup("(^|[^0-9.,])([1-9][0-9]{0,2}),([0-9]{3})(?![0-9.,eEdD])");
   std::cmatch found;

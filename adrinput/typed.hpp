@@ -6,18 +6,17 @@
 #include <string>
 #include <string_view>
 
-/// From what a person types to a value of the deck, and back. The user's locale plays no part. No
-/// Qt.
+/// Conversion of typed texts to values of the deck, and back, independent of the locale. No Qt.
 namespace adore::adrinput {
 
 struct Typed {
-  deck::Value value;            ///< when there is no problem
+  deck::Value value;            ///< without errors
   deck::NumberProblem problem;  ///< continues "the value ..."
 };
 
-/// Understands a decimal comma ("0,05") and a typographic minus sign. An integer that the variable
-/// does not know (code, range) is a problem here, since other records depend on it; a real out of
-/// range is a value, which the deck's checks judge.
+/// Accepts a decimal comma ("0,05") and a typographic minus sign. An invalid integer (code, range)
+/// is an error here, because other records depend on it; a real number out of range is a value,
+/// which the checks of the deck judge.
 [[nodiscard]] Typed parse_typed(const deck::VariableSpec& variable, std::string_view text);
 
 /// The same for a field of a deck, which also accepts quantities with units and arithmetic
@@ -25,14 +24,14 @@ struct Typed {
 [[nodiscard]] Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
                                 std::string_view text);
 
-/// "3*0.0001" in a vector that has three values from there on: a product, or, as decks are written,
-/// three values. No problem where there are fewer.
+/// "3*0.0001" in a vector with three values from there on: ambiguous between a product and, as in
+/// decks, three values. No problem if there are fewer.
 [[nodiscard]] deck::NumberProblem product_or_values(std::string_view typed, std::size_t values);
 
 /// Is it a time of a run, in units of the time scale: fTime, stpInit, stpMin, stpMax?
 [[nodiscard]] bool is_run_time(const deck::VariableSpec& variable);
 
-/// A text without blanks around it; a number in it gets a plain minus sign and a decimal point.
+/// A text without surrounding blanks; numbers get a plain minus sign and a decimal point.
 [[nodiscard]] std::string plain_text(std::string_view typed);
 
 /// A value as a field shows it: shortest text that reads back the same, decimal point; "" for a
@@ -42,8 +41,7 @@ struct Typed {
 /// "m", "lbf.in"; "" for pure numbers, codes, and where this deck's codes make it a pure number.
 [[nodiscard]] std::string unit_of(const deck::Deck& deck, const deck::VariableSpec& variable);
 
-/// Valid range and default in the deck's units: "above 0 m · default 0.5"; "" when there is
-/// neither.
+/// Valid range and default in the deck's units: "above 0 m · default 0.5"; "" without both.
 [[nodiscard]] std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable);
 
 /// Meaning of a code; "" for a variable without codes or an unknown one.

@@ -21,7 +21,7 @@ struct Report {
   std::string deck, status;
 };
 
-/// Of a file that is none or is damaged: nothing.
+/// No value for a missing or damaged file.
 Report report_in(const fs::path& folder) {
   nlohmann::json json;
   try {
@@ -37,7 +37,7 @@ Report report_in(const fs::path& folder) {
   return {text("deck"), text("status")};
 }
 
-/// The folder of the deck, and those in it whose names begin so.
+/// The folder of the deck, and its subfolders with names that begin so.
 std::vector<fs::path> folders_of(const fs::path& deck_file, const char* start) {
   std::error_code error;
   const fs::path beside = deck_file.parent_path();

@@ -67,7 +67,7 @@ void choose_unit(std::string_view si, const QString& unit) {
 
 namespace {
 
-/// The unit that fields of a variable are shown in; empty for the deck's own.
+/// The display unit of a variable; empty: that of the deck.
 QString unit_in_view(const Document& document, const deck::VariableSpec& variable) {
   if (deck::unit_name(document.deck(), variable).empty()) return {};
   const QString unit = chosen_unit(variable.unit.si);

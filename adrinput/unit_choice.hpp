@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// Which unit a person wants to read each kind of quantity in. The deck keeps its own.
+/// Display unit of each kind of quantity. The deck keeps its units.
 namespace adore::adrinput {
 
 /// A kind of quantity that has more than one usual unit.
@@ -17,18 +17,18 @@ struct Quantity {
 };
 [[nodiscard]] const std::vector<Quantity>& quantities_with_a_choice();
 
-/// The unit chosen for a kind; empty for the deck's own.
+/// The unit chosen for a kind; empty: that of the deck.
 [[nodiscard]] QString chosen_unit(std::string_view si);
 void choose_unit(std::string_view si, const QString& unit);
 
-/// The unit that values of a variable are shown in, chosen or the deck's own; "" for pure numbers.
+/// The display unit of a variable, chosen or that of the deck; "" for pure numbers.
 [[nodiscard]] QString shown_unit(const Document& document, const deck::VariableSpec& variable);
 
 /// Content of a field: "12.7 mm" if millimeters are selected, else the number of the deck, or the
 /// text that is not a number.
 [[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
 
-/// "appLoadX = 3 kN" where a unit of view is chosen for the variable; else empty.
+/// "appLoadX = 3 kN" if a display unit is chosen for the variable; else empty.
 [[nodiscard]] QString named_value(const Document& document, const Cell& cell);
 
 /// Meaning of a text typed in the field of shown_value(): a number without a unit is in the unit of
@@ -36,10 +36,9 @@ void choose_unit(std::string_view si, const QString& unit);
 [[nodiscard]] std::string as_meant(const Document& document, const Cell& cell,
                                    const std::string& typed);
 
-/// Of a time of a run what it is in seconds and turns: "0.0256 s = 4.27 revolutions"; empty while
-/// nobody knows.
+/// A time of a run in seconds and revolutions: "0.0256 s = 4.27 revolutions"; empty if unknown.
 [[nodiscard]] QString run_time(const Document& document, const Cell& cell);
-/// Of the end of a run that no step comes near, why: "maxStps is 0: no step is made".
+/// Reason why a run makes no steps: "maxStps is 0: no motion".
 [[nodiscard]] QString no_run_time(const Document& document, const Cell& cell);
 
 /// For a typed text that is not a number in the unit of the deck: its value in the deck, "0.0127

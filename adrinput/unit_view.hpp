@@ -12,7 +12,7 @@ namespace adore::adrinput {
 /// and for texts that are not numbers.
 [[nodiscard]] QString in_other_units(const Document& document, const Cell& cell);
 
-/// "English units" in a deck in SI units, and the other way round.
+/// "English units" for a deck in SI units, and vice versa.
 [[nodiscard]] QString other_system_name(const deck::Deck& deck);
 
 }  // namespace adore::adrinput

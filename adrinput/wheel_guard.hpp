@@ -6,8 +6,8 @@ class QWidget;
 
 namespace adore::adrinput {
 
-/// Scrolling over a form must not change it: a list or a number takes the wheel only while it has
-/// the focus, and gets that by a click or a key.
+/// The mouse wheel must not change values of a form: a list or a number reacts to the wheel only
+/// while it has the focus, after a click or a key.
 class WheelGuard : public QObject {
  public:
   explicit WheelGuard(QWidget* field);

@@ -6,8 +6,8 @@
 namespace adore::adrinput {
 namespace {
 
-/// Whole sentences first, what an option is called in general last. Buttons and menus by their
-/// names; a program to be typed stays between its marks, where the window has nothing for it.
+/// Complete sentences first, general option names last. Buttons and menus by their names; commands
+/// without equivalent in the window stay in backquotes.
 constexpr std::pair<std::string_view, std::string_view> kWords[]{
     {"choose another folder with --out", "run it in a new folder (Shift+F7)"},
     {"another folder with --out", "run it in a new folder (Shift+F7)"},

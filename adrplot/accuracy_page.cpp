@@ -48,7 +48,7 @@ nlohmann::json part(const nlohmann::json& of, const char* key) {
 class Chance {
  public:
   explicit Chance(double times) : times_(times) {}
-  /// Of runs whose loads differ by a millionth, or of two accurate methods: the larger ones.
+  /// From runs whose loads differ by 1e-6, or from two accurate methods: the larger values.
   void add(const nlohmann::json& noise) {
     for (std::size_t q = 0; q < limits_.size(); ++q)
       limits_[q] = std::max(limits_[q], times_ * number(noise, kQuantities[q]));
@@ -83,7 +83,7 @@ std::vector<Point> points_of(const nlohmann::json& rows, const Chance& chance) {
     point.own = own != row.end() && own->is_boolean() && own->get<bool>();
     point.stands_out =
         errors != row.end() && point.error <= chance.largest() && chance.left_behind(*errors);
-    // A logarithmic axis has no place for others.
+    // A logarithmic axis cannot show others.
     if (point.seconds > 0.0 && point.error > 0.0 && !point.curve.empty())
       out.push_back(std::move(point));
   }
@@ -195,7 +195,7 @@ std::vector<desktop::ChartPage> accuracy_pages(const std::filesystem::path& path
     const std::string found = word(study, key);
     return found.empty() ? std::string(otherwise) : found;
   };
-  constexpr double kBeyondNoise = 1.5;  // of studies that do not say
+  constexpr double kBeyondNoise = 1.5;  // for studies without this value
   const double said = number(study, "beyond_noise"), times = said > 0.0 ? said : kBeyondNoise;
   Chance brief(times), whole(times);
   brief.add(part(part(study, "short_reference"), "noise"));

@@ -27,7 +27,7 @@ struct CurveChoice {
 class CurveDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `files` live as long as the dialog. Curves of `before` are ticked where their file is open.
+  /// `files` must outlive the dialog. Curves of `before` are checked if their file is open.
   CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
               const CurveChoice& before = {}, QWidget* parent = nullptr);
   /// In the order of the tree; for differences the reference first.
@@ -44,7 +44,7 @@ class CurveDialog : public QDialog {
   QComboBox* how_;
   QComboBox* reference_;
   std::vector<QTreeWidgetItem*> order_;  ///< of ticking
-  QTreeWidgetItem* chosen_ = nullptr;    ///< as reference; none: the first of them
+  QTreeWidgetItem* chosen_ = nullptr;    ///< as reference; none: the first one
 };
 
 }  // namespace adore::adrplot

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfiniteLife = 9.9e30;
-constexpr double kNoSpin = 1e-9;  ///< spin over roll below which it is the rounding of angles
+constexpr double kNoSpin = 1e-9;  ///< smaller spin-to-roll ratios are rounding of angles
 
 bool zero(const std::vector<double>& values) {
   return !values.empty() &&
@@ -34,14 +34,14 @@ bool varies(const std::vector<double>& values) {
   return low != values.end() && *high - *low > kDigits * std::max(std::abs(*low), std::abs(*high));
 }
 
-/// "element.radial_velocity", "_position" -> "element.radial_position"; another one comes back.
+/// "element.radial_velocity", "_position" -> "element.radial_position"; others unchanged.
 std::string instead(const std::string& id, std::string_view of, std::string_view other) {
   const std::size_t at = id.find(of);
   return at == std::string::npos ? id : std::string(id).replace(at, of.size(), other);
 }
 constexpr std::string_view kPosition = "_position", kVelocity = "_velocity",
                            kAcceleration = "_acceleration";
-/// A rate of a place, in one direction.
+/// Rate of a coordinate.
 bool is_rate(const std::string& id) {
   return id.find("angular") == std::string::npos &&
          (id.find(kVelocity) != std::string::npos || id.find(kAcceleration) != std::string::npos);
@@ -149,7 +149,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
     if (open && some) out.why_gaps = "no contact";
     if (open && !some)
       nothing(file_.part ? "No contact at these steps." : "No contact in this run.");
-    // A roller that keeps straight between its races turns about its axis only.
+    // A roller aligned with its races turns about its axis only.
     if (is("contact.spin_to_roll.") &&
         std::any_of(out.values.begin(), out.values.end(),
                     [](double v) { return std::isfinite(v); }) &&

@@ -19,34 +19,33 @@ namespace adore::adrplot {
 }
 
 struct KnownValues {
-  std::vector<double> values;  ///< one per step, in the file's unit; NaN: none
+  std::vector<double> values;  ///< one per step, in the unit of the file; NaN: none
   std::string unit;
   std::string why_none;       ///< a message if the column contains no meaningful values
   std::string why_gaps = {};  ///< reason for missing values at some steps
 };
 
-/// Rules, each only where the stored numbers leave no other meaning:
-/// - a film thickness or a temperature rise of exactly 0 at every step: the run has no such model;
-/// - a guide land whose force, gap and angle are exactly 0 at every step: the cage has no such
-/// land;
-/// - a flange gap of exactly 0: no flange there, or the roller's end is nowhere near it;
-/// - contact angle, spin to roll and slip at a load of exactly 0: the contact is open;
-/// - a life of 0: no life model, or none computed yet; 9.99E+30: infinite (N77);
-/// - the angle of a land of exactly 0 while the cage has not left its middle;
-/// - an average wear rate at time 0: there is no time to average over; all of exactly 0 at every
-/// step: they were not integrated, or nothing wears;
-/// - a velocity or acceleration of exactly 0 at every step, of a place that moves: modes 1 and 2
-/// have it from a balance;
-/// - an orientation of exactly 0 at every step, of what turns;
+/// Rules, each only where the stored numbers have no other meaning:
+/// - a film thickness or a temperature rise of exactly 0 at all steps: the run has no such model;
+/// - a guide land whose force, gap and angle are exactly 0 at all steps: the land does not exist;
+/// - a flange gap of exactly 0: no flange, or the roller end is far away;
+/// - contact angle, spin to roll and slip at a load of exactly 0: no contact;
+/// - a life of 0: no life model, or not computed yet; 9.99E+30: infinite (N77);
+/// - the angle of a land of exactly 0 while the cage is centered;
+/// - an average wear rate at time 0: no averaging time; exactly 0 at all steps: not integrated, or
+/// no wear;
+/// - a velocity or acceleration of exactly 0 at all steps, of a moving coordinate: given by a force
+/// balance in modes 1 and 2;
+/// - an orientation of exactly 0 at all steps, of a rotating body;
 /// - a heat over a thermal step, before the first one has ended;
-/// - temperatures of a coolant that never takes heat while there is some: none flows.
+/// - coolant temperatures without heat flow to the coolant: no coolant flow.
 class KnownColumns {
  public:
   explicit KnownColumns(const results::SolFile& file);
   [[nodiscard]] bool has(const std::string& id) const { return find(id) < columns_.size(); }
   [[nodiscard]] KnownValues values(const std::string& id) const;
   [[nodiscard]] std::string unit(const std::string& id) const;
-  /// The columns that the rules for a column look at besides its own.
+  /// Additional columns needed by the rules for a column.
   [[nodiscard]] static std::vector<std::string> sources(const std::string& id);
   [[nodiscard]] const std::vector<results::SolColumn>& columns() const { return columns_; }
 

@@ -57,7 +57,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
     return !project.empty() && !files.empty() && desktop::hand_over("adrplot", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AdrPlot")) return 0;
-  // For this time: what was chosen in a window stays chosen.
+  // For this session: the setting of the window is kept.
   if (options.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   adrplot::PlotWindow window;
   std::optional<desktop::OneWindow> one;
@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
                  "curve of the waterfall: its name, part of its name, or its number on the page "
                  "(first unless given)")
       ->type_name("CURVE");
-  // A window that is there takes files alone.
+  // An existing window accepts only files.
   for (const char* of_first : {"--render", "--page", "--from", "--to", "--every", "--abscissa",
                                "--domain", "--curve", "--dark"})
     one_window->excludes(cli.get_option(of_first));

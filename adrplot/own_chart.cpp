@@ -25,7 +25,7 @@ using Names = std::array<std::string, 3>;
 struct Taken {
   std::string name, unit, title;
   Names names = {};
-  std::string brief = {};  ///< without what all curves of the chart have in common
+  std::string brief = {};  ///< without the common part of all curves
   std::vector<double> x, y;
   bool wraps = false;
   std::vector<bool> own = {};  ///< as long as x: a value that is stored; empty: all are
@@ -33,7 +33,7 @@ struct Taken {
   std::vector<double> low = {}, high = {};
 };
 
-/// Which of the places `where`, which rise, are stored ones of a curve.
+/// Which of the increasing points `where` are stored points of a curve.
 std::vector<bool> own_places(const Taken& curve, const std::vector<double>& where) {
   std::vector<bool> out(where.size(), false);
   std::size_t at = 0;
@@ -54,7 +54,7 @@ std::string end_of_path(const PlotDocument& file, std::size_t parts) {
   return out.generic_string();
 }
 
-/// Names of the runs' files, "ball/SOL7": as long as tells different ones apart.
+/// Names of the files, "ball/SOL7": as long as needed to distinguish them.
 std::vector<std::string> runs_of(const std::vector<CurvePick>& picks) {
   constexpr std::size_t kLongest = 8;
   std::set<std::filesystem::path> files;
@@ -76,7 +76,7 @@ std::string joined(const Names& names, const std::array<bool, 3>& which) {
   return out;
 }
 
-/// Which of their names tell curves apart, and the quantity always.
+/// The names that distinguish the curves, and always the quantity.
 std::array<bool, 3> telling(const std::vector<Taken>& curves) {
   std::array<bool, 3> out{true, false, false};
   for (const Taken& one : curves)
@@ -230,7 +230,7 @@ std::vector<double> all_places(const std::vector<Taken>& curves) {
   return x;
 }
 
-/// Shortest and longest step between places.
+/// Smallest and largest distance of points.
 std::pair<double, double> steps_of(const std::vector<double>& x) {
   std::pair<double, double> out{std::numeric_limits<double>::infinity(), 0.0};
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -262,7 +262,7 @@ std::vector<double> places_for_spectrum(const Taken& a, const Taken& b, desktop:
   return out;
 }
 
-/// Every curve but the first one less that, over the places of both.
+/// Differences of all other curves to the first one, at the points of both.
 std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra,
                                desktop::ChartPage& page) {
   const Taken& first = taken.front();
@@ -296,7 +296,7 @@ std::vector<Taken> differences(const std::vector<Taken>& taken, bool for_spectra
   return out;
 }
 
-/// A curve from its first value to its last: a run that ended earlier has none behind.
+/// A curve from its first value to its last: a shorter run has no later values.
 void trim(Taken& one) {
   const auto known = [](double v) { return std::isfinite(v); };
   const auto first = std::find_if(one.y.begin(), one.y.end(), known) - one.y.begin();
@@ -325,7 +325,7 @@ void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
     if (!alone.note.empty())
       add_note(page, curves.size() > 1 ? one.name + ": " + alone.note : alone.note);
     one.wraps = false;
-    one.own.clear();  // lines of a spectrum are its own
+    one.own.clear();  // the lines of a spectrum are stored points
     one.low.clear(), one.high.clear();
     one.x = has ? alone.x : std::vector<double>();
     one.y = has ? alone.panels[0].curves[0].y : std::vector<double>();
@@ -399,7 +399,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   page.title = less ? "Differences" : "Selected curves";
   SourceNotes notes;
   std::vector<Taken> curves = take(picks, history, options.domain, page, notes);
-  // Spectra are of time: sweeps, tables and curves over frequency have none.
+  // Spectra need curves over time: not available for sweeps, tables and curves over frequency.
   const Domain domain =
       page.x_title == "Time" && page.x_unit == "s" ? options.domain : Domain::History;
   page.x = all_places(curves);
@@ -411,7 +411,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   }
   if (domain != options.domain) add_note(page, "Spectra need curves over time.");
   if (domain == Domain::Waterfall) {
-    // One of them: pieces of two would stand in each other.
+    // Only one curve: two waterfalls would overlap.
     std::vector<std::string> names;
     for (const Taken& one : curves) names.push_back(one.name);
     const std::size_t chosen = choice_of(names, options.waterfall_of).value_or(0);
@@ -442,7 +442,7 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   add_panels(page, curves, less);
   notes.tell(page);
   if (domain == Domain::Spectrum) {
-    // Runs turn at their own speeds: marks of one are wrong over another.
+    // Runs have different speeds: marks of one are wrong for another.
     if (of_one_run(picks))
       page.marks = picks.front().file->build(picks.front().page, options).marks;
     first_view_of_spectra(page, options.spectrum.scale);

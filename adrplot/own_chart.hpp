@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-/// Charts of the user's own: any curves of any open files over one abscissa.
+/// User-defined charts: any curves of the open files over one horizontal axis.
 namespace adore::adrplot {
 
 /// A curve of a page of an open file.
@@ -17,11 +17,11 @@ struct CurvePick {
 
 enum class Combine : unsigned char { Overlay, Difference };
 
-/// One page: curves of one unit share a panel. The abscissa has every value of every curve; between
-/// its own values a curve is a straight line, outside of them it is not drawn.
-/// Difference: every curve less the first one, which must have the same unit.
-/// With the domain of spectra each curve's own is drawn, or that of its difference; of waterfalls
-/// the first curve's.
+/// One page: curves of one unit share a panel. The abscissa contains the values of all curves;
+/// between its own values a curve is interpolated linearly, outside it is not drawn.
+/// Difference: each curve minus the first one, which must have the same unit.
+/// For spectra, the spectrum of each curve or difference is drawn; for waterfalls that of the first
+/// curve.
 /// @throws InputError without curves, with different abscissae or, for differences, units
 [[nodiscard]] desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                                 const PageOptions& options);

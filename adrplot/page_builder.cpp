@@ -101,8 +101,8 @@ std::vector<std::string> add_panels(ChartPage& chart, const SolFile& file, const
   return out;
 }
 
-/// Components of one force, moment or acceleration: what is below a ten-millionth of the largest is
-/// the rounding of sums and fills no axis.
+/// Components of one force, moment or acceleration: values below 1e-7 of the largest are rounding
+/// of sums and are not enlarged.
 void limit_detail(ChartPage& chart) {
   constexpr double kDetail = 1e-7;
   for (ChartPanel& panel : chart.panels) {
@@ -127,7 +127,7 @@ double spread(const std::vector<double>& values) {
   return high - low;
 }
 
-/// Coordinates of one place: a change below a ten-millionth of the largest one is rounding.
+/// Coordinates of one point: changes below 1e-7 of the largest one are rounding.
 void limit_components(ChartPage& chart) {
   constexpr double kDetail = 1e-7;
   double largest = 0.0;
@@ -186,7 +186,7 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.along = std::move(history.x);
   chart.along_title = history.x_title;
   chart.along_unit = history.x_unit;
-  // The unit circle is where a land without a second support touches; it means nothing against the
+  // The unit circle shows the contact of a land without a second support; it has no meaning for the
   // axial coordinate.
   const KnownColumns columns(file);
   std::string suffix = " position";

@@ -26,8 +26,8 @@ struct PageOptions {
   OrbitPair orbit;
   SpectrumOptions spectrum = {};
   Domain domain = Domain::History;
-  /// Which curve of a page its waterfall is of: its name as ChartPage::choices have it, a part of
-  /// that, or its number among them. Empty, and where a page has no such curve: the first one.
+  /// Curve of a page for its waterfall: its name in ChartPage::choices, part of it, or its number.
+  /// Empty, or not found: the first one.
   std::string waterfall_of = {};
 };
 
@@ -51,7 +51,7 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
 /// Columns that the notes and scales of a page are from, besides its curves.
 [[nodiscard]] std::vector<std::string> page_sources(results::SolKind kind, const PageSpec& page);
 
-/// How the run of a file turned; marks of its rotation alone where the context has none.
+/// Rotation in the run of a file; without marks in the context only marks of its rotation.
 [[nodiscard]] RunMotion motion_of(const results::SolFile& file, const PageContext& context);
 
 /// The chart of one page, with values from the file. @throws InputError for a page number outside 1

@@ -29,8 +29,8 @@ std::vector<double> times_of(const SolFile& file) {
   return out;
 }
 
-/// The usual stored interval when it is too long to show a vibration of that frequency (less than
-/// two samples a period), else 0.
+/// The usual stored interval if it is too long for a vibration of that frequency (less than two
+/// samples per period), else 0.
 double alias_interval(const SolFile& file, double frequency) {
   const std::vector<double> times = times_of(file);
   const double values = desktop::values_per_period(times, frequency);
@@ -119,7 +119,7 @@ void tell_life(ChartPage& chart, const SolFile& file, const PageSpec& page, cons
   }
 }
 
-/// Temperatures that nothing computes are what the deck gives.
+/// Temperatures that are not computed are input values of the deck.
 void tell_temperatures(ChartPage& chart, const SolFile& file, const PageSpec& page,
                        const RunFacts& facts) {
   if (facts.temperatures_computed.value_or(false)) return;
@@ -183,7 +183,7 @@ void tell_holding(ChartPage& chart, const SolFile& file, const PageSpec& page,
              "the deck.");
 }
 
-/// Speeds of outer and inner race [rpm], from what the marks count; none where one of them varies.
+/// Speeds of outer and inner race [rpm], from the counted marks; no value for a varying speed.
 std::optional<std::array<double, 2>> race_speeds(const SolFile& file, const PageContext& context) {
   constexpr double kSteady = 1e-3;
   const auto mark = [&context](std::string_view label) {

@@ -146,7 +146,7 @@ class StepPages {
     file_ = results::read_sol(path_, one);
     pages_ = plot_pages(file_.kind, file_.header);
     std::error_code ignored;
-    // A value takes 16 characters and more.
+    // A value needs at least 16 characters.
     const std::uintmax_t stored =
         std::filesystem::file_size(path_, ignored) / (16U * std::max(file_.header.value_count, 1));
     const auto asked = static_cast<std::uintmax_t>((range.to - range.from) / range.every + 1);

@@ -18,18 +18,18 @@ struct PlotDocument {
   };
   std::filesystem::path path;
   std::string subject;  ///< "rolling element 3", "quasi-static solution"
-  std::string note;     ///< what is wrong with the file; empty: nothing
+  std::string note;     ///< problem of the file; empty: none
   std::vector<Entry> pages;
   /// The chart of page 1 .. pages.size(). @throws InputError for another number
   std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
-  /// How the run turned; empty: nobody knows.
+  /// Rotation of the run; empty: unknown.
   std::function<RunMotion()> motion;
-  /// Of a study: a run in words, and the folder of its files (empty: not kept).
+  /// For a study: a run in words, and the folder of its files (empty: not kept).
   std::function<std::string(long run)> about_run;
   std::function<std::filesystem::path(long run)> files_of_run;
 };
 
-/// The folder of a file, the same for every way of writing it: it tells runs apart.
+/// The folder of a file in canonical form: it distinguishes runs.
 [[nodiscard]] std::filesystem::path run_folder(const std::filesystem::path& file);
 
 /// Numbers of a file that are held at a time [values]; of longer ones those of a few pages, and the

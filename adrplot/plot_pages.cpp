@@ -113,7 +113,7 @@ std::vector<PageSpec> power_pages(const SolHeader& header) {
                  false},
        single("Housing outside diameter", "thermal.housing")}));
   pages.push_back(history(
-      "Average heat flows in a thermal step",
+      "Average heat distribution in a thermal step",
       {single("Total heat", "thermal.total_heat"), single("To the coolant", "thermal.coolant_heat"),
        PanelSpec{"To the races",
                  {{"outer race", "thermal.outer_heat"}, {"inner race", "thermal.inner_heat"}},
@@ -174,7 +174,7 @@ std::vector<PageSpec> element_pages(const SolHeader& header) {
   return pages;
 }
 
-/// Contact angle of a pocket surface, or the contact's position on it; `where` is ".7.1".
+/// Contact angle of a pocket surface, or contact position on it; `where`: e.g. ".7.1".
 PanelSpec pocket_contact(const SolHeader& header, const std::string& where,
                          const std::string& surface) {
   constexpr int kSpherical = 1, kCylindricalRollerPocket = -1;
@@ -195,8 +195,7 @@ void add_pocket_pages(std::vector<PageSpec>& pages, const SolHeader& header) {
   const auto place = [](int pocket, int surface) {
     return "." + std::to_string(pocket) + "." + std::to_string(surface);
   };
-  // The count decides: a segment whose cut goes through a pocket carries half a pocket more than
-  // the header says.
+  // The count decides: a segment cut through a pocket has half a pocket more than in the header.
   for (int pocket = 1; columns.has("pocket.phi" + place(pocket, surfaces)); ++pocket) {
     for (int begin = 1; begin <= surfaces; begin += kSurfacesPerPage) {
       const int end = std::min(begin + kSurfacesPerPage - 1, surfaces);

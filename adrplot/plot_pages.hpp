@@ -32,7 +32,7 @@ struct PageSpec {
   std::string title;
   PageKind kind = PageKind::History;
   std::vector<PanelSpec> panels;  ///< of an orbit or spectrum: one panel per coordinate x, y, z
-  std::string note;               ///< what a full page would show beyond this file's values
+  std::string note;               ///< part of a full page that this file does not have
 };
 
 /// Pages of a file, in the order of their numbers.

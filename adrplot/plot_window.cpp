@@ -109,7 +109,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     showCurrent();
   });
   connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
-  // The panel that somebody points at is the one whose waterfall is wanted.
+  // The panel under the pointer provides the curve of the waterfall.
   connect(view_, &desktop::ChartView::panelClicked, this, [this](std::size_t index) {
     const desktop::ChartPage& page = view_->chartScene().page();
     if (!page.choices.empty() || page.equal_axes || index >= page.panels.size()) return;
@@ -204,7 +204,7 @@ void PlotWindow::showCurrent() {
     orbit_action_->setVisible(kind == PageKind::Orbit);
     offerChoices(kind, chart);
     offerCurves(chart);
-    // Races that do not turn against each other have no turns.
+    // Races without relative rotation have no revolutions.
     const bool no_turns = kind == PageKind::History && options_.domain == Domain::History &&
                           options_.abscissa == Abscissa::Revolutions && chart.x_title == "Time";
     abscissa_->setItemText(0, no_turns ? tr("over time (no turns)") : tr("over revolutions"));
@@ -256,7 +256,7 @@ void PlotWindow::showFindings() {
       tr("This page"));
 }
 
-/// A sign at the pages that warnings concern.
+/// Marks the pages of warnings.
 void PlotWindow::markPages() {
   const Document* const here = document();
   std::set<std::string> topics;
@@ -283,7 +283,7 @@ void PlotWindow::goToFinding(const Finding& finding) {
   if (here == nullptr) return;
   const std::filesystem::path folder = run_folder(here->path);
   const int element = desktop::element_of_body(finding.body);
-  // The best page: of this run and topic, over time where the finding has one, of its element.
+  // The best page: of this run and topic, over time if the finding has one, of its element.
   int best = -1, best_page = 0, best_score = 0;
   for (int k = 0; k < fileCount(); ++k) {
     const Document& one = *documents_[static_cast<std::size_t>(k)];
@@ -324,7 +324,7 @@ void PlotWindow::resizeEvent(QResizeEvent* event) {
   fitCursors();
 }
 
-/// How long the status line tells that pages end [ms].
+/// Duration of the message at the first and last page [ms].
 static constexpr int kTold = 4000;
 
 void PlotWindow::previousPage() {

@@ -33,8 +33,8 @@ enum class ChartDeed : unsigned char;
 
 namespace adore::adrplot {
 
-/// AdrPlot's window: files and their pages in a tree, one page as charts, and the buttons that turn
-/// pages.
+/// Main window of AdrPlot: files and their pages in a tree, one page as charts, and the navigation
+/// buttons.
 class PlotWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -47,12 +47,11 @@ class PlotWindow : public QMainWindow {
   /// The same for results in memory.
   void addFile(results::SolFile file, const results::SolRange& range = {});
 
-  /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
+  /// All plot files of a folder: SOL1 to SOL7, or those listed in RUN.json or SWEEP.csv.
   void openFolder(const QString& folder, const results::SolRange& range = {});
   /// Opens the files of a dialog or a drop; for a single file the user selects the steps.
   void openSeveral(const QStringList& paths);
-  /// Files that another program wants shown: read again where they are open, and brought to the
-  /// front.
+  /// Files requested by another program: reloaded if open, and brought to the front.
   void showFiles(const QStringList& paths, bool to_front = true);
   /// Curves of open files as a separate chart in the tree.
   void addChart(const std::vector<CurvePick>& picks, Combine how);
@@ -67,9 +66,9 @@ class PlotWindow : public QMainWindow {
   /// Which curve of a page its waterfall is of (PageOptions::waterfall_of).
   void setWaterfallOf(const std::string& curve);
   void setLogAxes(std::optional<bool> abscissa, std::optional<bool> values);
-  /// Saves the page, or all pages of the file, by the name's suffix (desktop/page_export.hpp). Of
-  /// all pages PDF makes one file, others one for each, numbered. Of `seen` numbers those in the
-  /// view of curves that are shown are written, else all of them. False after a message.
+  /// Exports the page, or all pages of the file, by the suffix of the name
+  /// (desktop/page_export.hpp). For all pages PDF gives one file, other formats one per page,
+  /// numbered. `seen`: only values of visible curves in the visible range. False after a message.
   bool exportTo(const QString& path, bool all_pages, bool seen = false);
 
  public slots:
@@ -77,7 +76,7 @@ class PlotWindow : public QMainWindow {
   void askForFolder();
   void askForCurves();
   void closeFile();
-  void copyPicture();     ///< or the words that are marked in the statistics
+  void copyPicture();     ///< or the selected text of the statistics
   void copyStatistics();  ///< values at the cursors and between them, as text
   void exportPage();
   void exportAll();
@@ -97,7 +96,7 @@ class PlotWindow : public QMainWindow {
  private:
   struct Document : PlotDocument {
     results::SolRange range;  ///< of the steps that were read
-    bool on_disk = true;      ///< else a chart of the user's own
+    bool on_disk = true;      ///< else a user-defined chart
     std::string seen;         ///< size and time of the file when it was read
   };
   [[nodiscard]] static QString nameOf(const Document& document);
@@ -125,14 +124,14 @@ class PlotWindow : public QMainWindow {
   void makeChoices(QToolBar* bar);
   /// Enables the choices that apply to a page; the others have a tooltip with the reason.
   void offerChoices(PageKind kind, const desktop::ChartPage& chart);
-  /// The curves that a waterfall could be of, where it is one.
+  /// The possible curves of a waterfall.
   void offerCurves(const desktop::ChartPage& chart);
   void fillTree();
   void showCurrent();
-  /// Shows the findings of the run of the current file. Those that concern the page come first.
+  /// Shows the findings of the run of the current file. Those of the page come first.
   void showFindings();
   void markPages();
-  /// To the page that shows what a finding is about, with a cursor at its time.
+  /// Goes to the page of a finding, with a cursor at its time.
   void goToFinding(const Finding& finding);
   void makeReadout();
   void fitReadout();
@@ -144,7 +143,7 @@ class PlotWindow : public QMainWindow {
   /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
   bool watchReading(double part);
 
-  static constexpr const char* kApp = "adrplot";  ///< whose settings and recent files
+  static constexpr const char* kApp = "adrplot";  ///< name of the settings and recent files
   enum TreeRole { kPageRole = Qt::UserRole, kFileRole };
 
   std::vector<std::unique_ptr<Document>> documents_;
@@ -164,7 +163,7 @@ class PlotWindow : public QMainWindow {
   QTimer* growth_ = nullptr;
   bool unreadable_ = false;  ///< the followed file cannot be read at the moment; see the status bar
   std::unique_ptr<QProgressDialog> reading_;
-  std::optional<bool> log_x_, log_y_;  ///< none: as the page begins
+  std::optional<bool> log_x_, log_y_;  ///< none: start of the page
   QAction* log_x_action_ = nullptr;
   QAction* log_y_action_ = nullptr;
   QList<QAction*> spectrum_actions_;
@@ -173,7 +172,7 @@ class PlotWindow : public QMainWindow {
   QComboBox* domain_ = nullptr;
   QComboBox* curve_ = nullptr;  ///< that a waterfall is of
   QAction* curve_action_ = nullptr;
-  QMenu* curve_menu_ = nullptr;  ///< the same, where the buttons have no room
+  QMenu* curve_menu_ = nullptr;  ///< the same, if the buttons do not fit
   QMenu* names_menu_ = nullptr;  ///< curves of the legends
   QList<QAction*> names_;        ///< as many as a page ever had; the others are hidden
   std::vector<std::pair<QAction*, desktop::ChartDeed>> deeds_;

@@ -68,7 +68,7 @@ void PlotWindow::askForCurves() {
 }
 
 void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
-  // Copies share what the files have read, and outlive them in the tree.
+  // Copies share the data read from files, and outlive them in the tree.
   auto files = std::make_shared<std::vector<PlotDocument>>();
   std::vector<std::size_t> of;
   for (const CurvePick& pick : picks) {

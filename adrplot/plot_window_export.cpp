@@ -21,8 +21,8 @@
 namespace adore::adrplot {
 namespace {
 
-/// The file's own name with its folder, where pictures of it are looked for. Without a point:
-/// behind one ("SWEEP.csv") no suffix is added, and a picture would get the name of its data.
+/// The name of the file with its folder, used to find its pictures. Without a dot: after one
+/// ("SWEEP.csv") no suffix is added, and a picture would get the name of its data.
 QString besideFile(const PlotDocument& doc) {
   const QFileInfo file(QString::fromStdString(doc.path.string()));
   QString name = file.completeBaseName();
@@ -155,7 +155,7 @@ QString plain(QString text) {
 
 void PlotWindow::copyPicture() {
   if (!document()) return;
-  // Somebody has marked words of the statistics: these are meant.
+  // Selected text of the statistics is copied.
   if (cursors_->hasSelectedText()) {
     QGuiApplication::clipboard()->setText(plain(cursors_->selectedText()));
     desktop::tell_in_foot(this, tr("Copied the selected text."));

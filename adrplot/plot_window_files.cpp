@@ -34,7 +34,7 @@ std::string state_of(const std::filesystem::path& path) {
   return fmt::format("{} {}", size, time.time_since_epoch().count());
 }
 
-/// Does the tree call the file what it is now?
+/// Does the tree show the current state of the file?
 bool names_hold(const PlotDocument& doc) {
   const results::SolFile now = results::read_sol(doc.path, {1, 1, 1});
   const std::vector<PageSpec> pages = plot_pages(now.kind, now.header);
@@ -174,7 +174,7 @@ void PlotWindow::openSeveral(const QStringList& paths) {
 }
 
 void PlotWindow::showFiles(const QStringList& paths, bool to_front) {
-  if (reading_) {                // it comes while another file is read: that one goes first
+  if (reading_) {                // requested while another file is read: that one is finished first
     constexpr int kLater = 300;  // ms
     QTimer::singleShot(kLater, this, [this, paths, to_front] { showFiles(paths, to_front); });
     return;

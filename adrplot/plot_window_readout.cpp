@@ -36,7 +36,7 @@ void PlotWindow::makeReadout() {
 void PlotWindow::fitReadout() {
   const QFontMetrics metrics(readout_->font());
   constexpr int kMostHeight = 1000;
-  // Other places have longer numbers.
+  // Other positions have longer numbers.
   const int width = std::max(100, static_cast<int>(0.95 * (this->width() - kGrip)));
   int height = metrics.lineSpacing();
   const desktop::ChartScene& scene = view_->chartScene();
@@ -59,8 +59,8 @@ void PlotWindow::fitReadout() {
   showReadout();
 }
 
-/// Over the foot and, where that is too low for all values, over the end of the window farther from
-/// the pointer.
+/// Over the status bar and, if it is too low for all values, over the end of the window that is
+/// farther from the pointer.
 void PlotWindow::showReadout() {
   readout_->resize(std::max(100, width() - kGrip), readout_->height());
   readout_->setText(fittedReadout());

@@ -33,7 +33,7 @@ RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QD
   every_ = box("every", 1);
   for (const QSpinBox* spin : {from_, to_, every_})
     connect(spin, &QSpinBox::valueChanged, this, &RangeDialog::count);
-  // The end never lies before the start.
+  // The end is never before the start.
   connect(from_, &QSpinBox::valueChanged, to_, &QSpinBox::setMinimum);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

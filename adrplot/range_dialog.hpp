@@ -9,8 +9,8 @@ class QSpinBox;
 
 namespace adore::adrplot {
 
-/// Start point, end point and interval of the stored steps to plot: the whole run unless the user
-/// says otherwise. How many steps that are stands below.
+/// Dialog for start, end and interval of the stored steps to plot: the whole run by default. Shows
+/// the number of steps.
 class RangeDialog : public QDialog {
   Q_OBJECT
  public:

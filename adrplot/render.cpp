@@ -69,7 +69,7 @@ std::vector<fs::path> draw_document(const PlotDocument& document, const std::str
   return written;
 }
 
-/// @param file the name of the one that was asked; empty: there were several
+/// @param file name of the requested file; empty: several files
 void refuse_curve(const std::string& file, const RenderOptions& options,
                   const std::string& others) {
   throw InputError(
@@ -83,7 +83,7 @@ void refuse_curve(const std::string& file, const RenderOptions& options,
                   others));
 }
 
-/// The beginning of a picture's name, which tells it from those of the other files.
+/// Prefix of the picture names of a file, which distinguishes it from other files.
 std::string stem_of(const fs::path& path, const std::vector<fs::path>& files) {
   const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
                       return other.filename() == path.filename();
@@ -94,7 +94,7 @@ std::string stem_of(const fs::path& path, const std::vector<fs::path>& files) {
   return (twin ? folder + "-" : "") + name.string();
 }
 
-/// A file that has no page of the number, in words.
+/// Message for a file without the requested page.
 std::string too_short(const PlotDocument& document) {
   const std::size_t count = document.pages.size();
   return fmt::format("{} has {}", document.path.string(),

@@ -14,7 +14,7 @@ struct RenderOptions {
   results::SolRange range;
   int width = 1280, height = 800;
   std::function<void(long done, long total)> progress;  ///< called after each file; may be empty
-  /// Told of each file that has no such page, when others were drawn; may be empty.
+  /// Called for each file without such a page, if others were drawn; may be empty.
   std::function<void(const std::string& sentence)> tell;
   bool dark = false;
   PageOptions view;

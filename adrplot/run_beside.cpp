@@ -30,7 +30,7 @@ class Looks {
     count_ = (reader.steps() - 1) / every_ + 1;
     last_ = (count_ - 1) * every_ + 1 < reader.steps();
   }
-  /// Rows of a channel, one for each look; empty: the run has none.
+  /// Rows of a channel, one per sample; empty: the run has none.
   [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& id) const {
     if (id != kTime && reader_.find(id) == nullptr) return {};
     std::vector<double> values = reader_.read(id, 0, count_, every_);
@@ -52,7 +52,7 @@ class Looks {
   bool last_ = false;  ///< the last step is not a multiple of them
 };
 
-/// Turns of elements about themselves, seen from their orbit: the mean of all, added up.
+/// Rotation of elements relative to their orbit: mean of all, accumulated.
 std::vector<double> spin_turns(const std::vector<std::vector<double>>& omega,
                                const std::vector<double>& times, const std::vector<double>& orbit) {
   std::vector<double> out(omega.size(), 0.0);
@@ -156,7 +156,7 @@ void read_run(const std::filesystem::path& run_json, const std::string& run_id, 
   try {
     run = parse_json(read_text_file(run_json), run_json.string());
   } catch (const InputError&) {
-    return;  // none, or not ours: the page goes without it
+    return;  // missing or another file: the page is built without it
   }
   if (!run.is_object() || run.value("run", nlohmann::json()) != run_id) return;
   out.facts = read_facts(run.value("stored", nlohmann::json()));

@@ -10,10 +10,10 @@
 /// fastest contact from RUN.json, and extremes between stored steps.
 namespace adore::adrplot {
 
-/// Mean frequencies of a run, measured over it [Hz]: of the shaft (inner against outer race), FTF
-/// (the elements' orbit), BSF (an element's spin about itself, seen from its orbit), BPFO and BPFI
-/// (elements that pass a point of the outer, inner race: n |f_orbit - f_race|), with twice and
-/// three times them, and the cage's whirl. Those that the run holds.
+/// Mean frequencies of a run, measured over it [Hz]: shaft (inner relative to outer race), FTF
+/// (orbit of the elements), BSF (spin of an element relative to its orbit), BPFO and BPFI (elements
+/// that pass a point of the outer or inner race: n |f_orbit - f_race|), with twice and three times
+/// these values, and the whirl of the cage. Only those contained in the run.
 [[nodiscard]] std::vector<desktop::ChartMark> bearing_frequencies(
     const std::filesystem::path& results_h5);
 

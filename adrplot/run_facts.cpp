@@ -13,7 +13,8 @@ namespace {
 using Of = results::CageScale::Of;
 constexpr double kInch = 0.0254;
 
-/// Radial positions over ratios, where the cage is farthest from its middle: the most digits.
+/// Radial positions divided by ratios, at the largest distance of the cage from its center: most
+/// accurate.
 double length_of(const KnownColumns& columns) {
   for (const char* id : {"cage.radial_position", "cage.y_over_clearance", "cage.z_over_clearance"})
     if (!columns.has(id)) return 0.0;

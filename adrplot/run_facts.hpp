@@ -15,11 +15,11 @@ namespace adore::adrplot {
 /// From "stored" of the RUN.json of the run. Empty: unknown.
 struct RunFacts {
   std::optional<int> life_every;              ///< steps between life predictions; 0: first, last
-  std::optional<bool> temperatures_computed;  ///< else the deck gives them
-  std::optional<bool> races_held;             ///< loads move none of them
-  /// Flanges of the races: "inner.1" at −x, "outer.2" at +x. Empty optional: not known.
+  std::optional<bool> temperatures_computed;  ///< else input values of the deck
+  std::optional<bool> races_held;             ///< no race moves under loads
+  /// Flanges of the races: "inner.1" at −x, "outer.2" at +x. Empty optional: unknown.
   std::optional<std::set<std::string>> flanges;
-  std::optional<results::CageScale> cage_scale;  ///< what a cage's orbit is divided by
+  std::optional<results::CageScale> cage_scale;  ///< divisor of the cage orbit
 };
 
 /// Divisor of a cage orbit (N71): from the run, else from the file. Length: positions [m or in]
@@ -36,11 +36,11 @@ struct OrbitScale {
 [[nodiscard]] std::string orbit_note(const OrbitScale& scale);
 [[nodiscard]] std::string orbit_divisor(const OrbitScale& scale);
 
-/// In which directions a race file shows what holds the race, not what loads it: where its position
-/// (or angle, or speed) never changes. Empty: in none.
+/// Directions in which a race file contains reactions instead of loads: its position (or angle, or
+/// speed) is constant. Empty: none.
 [[nodiscard]] std::string held_note(const KnownColumns& columns, bool moments);
 
-/// A column whose values are all one: it was made once. False below two steps.
+/// A column with a constant value. False for fewer than two steps.
 [[nodiscard]] bool never_changes(const std::vector<double>& values, double rounding);
 
 /// Reason for a flange column without values, from the known data of the race. `where`: e.g.

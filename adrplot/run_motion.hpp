@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// How a run turned: what the frequencies of its marks are the rates of.
+/// Rotation in a run: its rates are the frequencies of the marks.
 namespace adore::adrplot {
 
 /// Number of events of a mark up to each time: revolutions of the shaft, or elements that passed a
@@ -16,7 +16,7 @@ struct MarkTurns {
 };
 
 struct RunMotion {
-  std::vector<double> times, turns;   ///< stored times [s] and turns of one race against the other
+  std::vector<double> times, turns;   ///< stored times [s] and relative revolutions of the races
   std::vector<MarkTurns> marks = {};  ///< empty: not known
 };
 
@@ -24,7 +24,7 @@ struct RunMotion {
 /// interval is used.
 [[nodiscard]] double frequency_between(const MarkTurns& mark, double from, double to);
 
-/// The marks with their mean frequencies over the run; those that do not turn are none.
+/// The marks with their mean frequencies over the run, without those of zero frequency.
 [[nodiscard]] std::vector<desktop::ChartMark> mean_marks(const std::vector<MarkTurns>& marks);
 
 }  // namespace adore::adrplot

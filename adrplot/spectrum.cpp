@@ -205,7 +205,7 @@ std::vector<double> without_trend(const std::vector<double>& samples) {
   for (const double s : samples) mean += s / n;
   for (std::size_t i = 0; i < samples.size(); ++i)
     moment += (static_cast<double>(i) - middle) * (samples[i] - mean);
-  // Sum of the squares of the places about their middle: n (n^2 - 1) / 12.
+  // Sum of the squares of the indices about their mean: n (n^2 - 1) / 12.
   const double slope = samples.size() > 1 ? 12.0 * moment / (n * (n * n - 1.0)) : 0.0;
   std::vector<double> out(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)

@@ -22,7 +22,7 @@ struct Samples {
   std::vector<double> values;
   double start = 0.0, step = 0.0;  ///< [s]
   bool resampled = false;          ///< between stored steps of unequal length, by straight lines
-  std::string note;                ///< what was done; or, without values, why there are none
+  std::string note;                ///< processing applied or, without values, the reason
 };
 
 /// Stored values at equal intervals. Increments are equal if they agree to 0.1 % of their mean plus
@@ -46,7 +46,7 @@ struct Spectrum {
 [[nodiscard]] Spectrum amplitude_spectrum(const std::vector<double>& samples, double step,
                                           Window window = Window::None);
 
-/// The same over its largest amplitude (all zero when the signal stands still), or in dB over it.
+/// The same relative to its largest amplitude (all zero for a constant signal), or in dB.
 void scale_spectrum(Spectrum& spectrum, SpectrumScale scale);
 
 /// Less the straight line of least squares: mean and trend.

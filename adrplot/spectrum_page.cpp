@@ -50,7 +50,7 @@ struct Reason {
   std::string curve, why;
 };
 
-/// Not "here": the curve, or the panel with all of it.
+/// Without "here": the curve, or the panel for all curves.
 std::string named(const std::string& name, std::string why) {
   if (!name.empty() && why.starts_with(kHere)) why.erase(0, kHere.size());
   return capital(name.empty() ? why : name + ": " + why);
@@ -73,7 +73,7 @@ void add_aside(std::vector<Aside>& asides, const Reason& reason, const std::stri
     same->panels += " and " + small(panel);
 }
 
-/// In the panel when none of its curves is drawn, else for the page's note.
+/// In the panel if none of its curves is drawn, else for the note.
 void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
                   std::vector<Aside>& asides) {
   const bool drawn = std::any_of(panel.curves.begin(), panel.curves.end(),
@@ -100,8 +100,8 @@ void tell_reasons(ChartPanel& panel, const std::vector<Reason>& reasons,
 
 constexpr double kVisible = 0.01;  ///< of a curve's largest amplitude
 
-/// Is the first line, which reaches far up, of motion that goes one way from end to end of the run?
-/// A straight line taken off leaves less than half of it; of a sine of one period it leaves more.
+/// Does the first line, which is high, result from monotonic motion over the whole run? Removing a
+/// linear trend leaves less than half of it; for a sine of one period more remains.
 bool first_line_is_drift(const Spectrum& spectrum, const Samples& samples, Window window) {
   constexpr double kTall = 0.1, kLost = 0.5;
   const auto& all = spectrum.amplitude;
@@ -358,8 +358,8 @@ void first_view_of_spectra(ChartPage& chart, SpectrumScale scale) {
       ends.push_back(last_above(chart.x, relative.back(), kVisible));
     }
   choose_frequency_axis(chart, ends, kVisible);
-  if (scale == SpectrumScale::Decibel) return;  // all of it is seen
-  // A little beyond the last line that is seen, and ten lines at least.
+  if (scale == SpectrumScale::Decibel) return;  // everything is visible
+  // A little beyond the last visible line, and at least ten lines.
   const double beside = chart.log_x ? 1.4 : 1.15;
   double shown = beside * chart.x[std::min<std::size_t>(10, chart.x.size() - 1)];
   for (const double end : ends) shown = std::max(shown, beside * end);

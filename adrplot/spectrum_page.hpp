@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Pages whose curves are amplitudes over frequency.
+/// Pages with amplitudes over frequency.
 namespace adore::adrplot {
 
 /// Appends a sentence to the page's note, once.

@@ -5,7 +5,7 @@
 /// Results of `adore study` as pages: the pictures of its report.
 namespace adore::adrplot {
 
-/// A study's folder, or one of RUNS.csv, STUDY.h5 and CHARTS.json, wherever it is.
+/// The folder of a study, or its RUNS.csv, STUDY.h5 or CHARTS.json, at any place.
 [[nodiscard]] bool is_study(const std::filesystem::path& path);
 
 /// With CHARTS.json in the same folder its charts; else those that the table allows.

@@ -17,7 +17,7 @@
 namespace adore::adrplot {
 namespace {
 
-/// Each curve stands this part of the largest amplitude above the one before.
+/// Offset of each curve as a fraction of the largest amplitude.
 constexpr double kDistance = 0.2;
 
 /// In dB this is all that is drawn of a line.
@@ -75,7 +75,7 @@ std::string lower(std::string text) {
 std::pair<double, double> speed_range(const std::vector<double>& times,
                                       const std::vector<double>& turns) {
   if (turns.size() != times.size() || turns.size() < 2) return {};
-  // By parts of the run: single steps hold few digits.
+  // Averaged over parts of the run: single steps have few digits.
   constexpr std::size_t kParts = 20;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t part = 0; part < kParts; ++part) {
@@ -178,7 +178,7 @@ void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const Spect
   for (const auto& piece : fall.amplitude)
     ends.push_back(last_above(fall.frequency, piece, kVisible * largest));
   desktop::ChartPanel panel{name, unit, {}, false};
-  // Races that do not turn against each other have no speed to tell.
+  // Races without relative rotation have no speed.
   const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   const MarkTurns shaft{"", times, turns};
   const auto speed_at = [&](double time) {  // while its piece lasts

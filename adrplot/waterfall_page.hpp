@@ -11,7 +11,7 @@
 
 namespace adore::adrplot {
 
-/// "Contact load, outer race"; a chart of one's own names its curves by their quantity.
+/// "Contact load, outer race"; user-defined charts name curves by their quantity.
 [[nodiscard]] std::string curve_name(const desktop::ChartPanel& panel,
                                      const desktop::ChartCurve& curve);
 
@@ -30,15 +30,15 @@ namespace adore::adrplot {
 void to_waterfall(desktop::ChartPage& page, const RunMotion& motion, const SpectrumOptions& options,
                   const std::string& of = {});
 
-/// Does the shaft keep its speed within 1 % over the whole run? Then the frequencies of its
-/// elements are the same in all of it.
+/// Is the shaft speed constant within 1 % over the whole run? Then the frequencies of its elements
+/// are constant.
 [[nodiscard]] bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns);
 
-/// Lowest and highest speed of the shaft over twentieths of a run [turns/s]; 0, 0: not known.
+/// Lowest and highest shaft speed over twentieths of a run [rev/s]; 0, 0: unknown.
 [[nodiscard]] std::pair<double, double> speed_range(const std::vector<double>& times,
                                                     const std::vector<double>& turns);
 
-/// "10000 rpm", of turns per second: four digits, never a power of ten.
+/// "10000 rpm", from rev/s: four digits, never a power of ten.
 [[nodiscard]] std::string rpm_text(double speed);
 
 }  // namespace adore::adrplot

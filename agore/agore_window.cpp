@@ -96,7 +96,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   }
   connect(&growth_, &QTimer::timeout, this, &AgoreWindow::lookForGrowth);
   follow_->setChecked(QSettings("Adore", kApp).value(kFollow, false).toBool());
-  // The foot is there while it says something: its room is the picture's.
+  // The status bar is visible only with a message: otherwise the picture uses its space.
   statusBar()->setSizeGripEnabled(false);
   statusBar()->hide();
   connect(statusBar(), &QStatusBar::messageChanged, this,
@@ -108,7 +108,7 @@ AgoreWindow::~AgoreWindow() = default;
 
 /// In the unit that the file has the values in, which the question names.
 void AgoreWindow::askForLimits() {
-  refresh();  // the check mark belongs to what is shown
+  refresh();  // the check mark shows the displayed state
   if (!picture_) return askForFile();
   const Colouring now = colouring(picture_->animation(), frame_, options_.colour);
   if (!now.any()) return desktop::show_message(this, tr("First select the element colors (C)."));
@@ -170,7 +170,7 @@ void AgoreWindow::setFrame(std::size_t frame) {
   showFrame();
 }
 
-/// Findings about the body of the view come first.
+/// Findings of the body of the view come first.
 void AgoreWindow::placeFindings() {
   const View view = options_.view;
   const int element = options_.element;
@@ -227,7 +227,7 @@ void AgoreWindow::setView(View view, int element) {
     options_.zoom = beside->zoom;
     options_.pan = beside->pan;
     *beside = first;
-  } else if (view != options_.view) {  // a place in one view is none in another
+  } else if (view != options_.view) {  // a position in one view has no meaning in another
     options_.zoom = 1.0;
     options_.pan = {0.0, 0.0};
   }

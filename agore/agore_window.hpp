@@ -32,9 +32,9 @@ inline constexpr const char* kApp = "agore";
 inline constexpr const char* kFollow = "follow";
 
 /// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
-/// moment. The wheel zooms the picture under the pointer, dragging moves it (with Shift where it
-/// is the 3D view, whose eye dragging turns), a double click shows all of it. Shift and a drag in
-/// the time bar or a curve mark what is to be repeated.
+/// time. The wheel zooms the picture under the pointer, dragging moves it (with Shift in the 3D
+/// view, where dragging rotates), a double click shows all of it. Shift+drag in the time bar or a
+/// curve sets the repeated range.
 class PictureWidget : public QWidget {
   Q_OBJECT
  public:
@@ -46,7 +46,7 @@ class PictureWidget : public QWidget {
   void soughtFrame(std::size_t frame);
   void viewMoved(std::size_t tile, double zoom, QPointF pan);
   void eyeMoved(double yaw, double elevation);
-  /// Shift and a drag in the time bar or a curve: what is to be played again and again [s].
+  /// Shift+drag in the time bar or a curve: range that is repeated [s].
   void spanMarked(double from, double to);
 
  protected:
@@ -97,9 +97,9 @@ class AgoreWindow : public QMainWindow {
   [[nodiscard]] const ViewOptions& options() const { return options_; }
   [[nodiscard]] MotionPicture* picture() { return picture_.get(); }
   void setFrame(std::size_t frame);
-  void setView(View view, int element = 0);  ///< element 0: the one shown last
-  /// All that the options of a command choose, as --render draws it; false, after a message with
-  /// the reason, for what this file cannot show.
+  void setView(View view, int element = 0);  ///< element 0: the last one
+  /// Applies all view options of a command, as --render draws them; false, after a message with the
+  /// reason, if this file cannot show them.
   bool showAsAsked(const ViewOptions& asked);
   void setExaggeration(double factor);
   void setColour(ColourBy colour);
@@ -135,10 +135,10 @@ class AgoreWindow : public QMainWindow {
  protected:
  private:
   void lookForGrowth();
-  /// The animation of a file in place of the one before, whose picture stays.
+  /// Replaces the animation by that of a file; the previous picture stays until then.
   void adopt(Animation animation);
   [[nodiscard]] bool showable(const Animation& animation) const;
-  /// First and last frame of what is played.
+  /// First and last frame of the played range.
   [[nodiscard]] std::pair<std::size_t, std::size_t> playedFrames() const;
   void markEnd(bool first);
   QAction* add(QMenu* menu, const QString& text, const QString& name, const QKeySequence& key,
@@ -161,7 +161,7 @@ class AgoreWindow : public QMainWindow {
   void advance();
   void refresh();
   void placeFindings();
-  /// To frame and view of what a finding is about.
+  /// Goes to frame and view of a finding.
   void goToFinding(const Finding& finding);
   void showFrame();
   [[nodiscard]] QString besideFile(const QString& name) const;
@@ -174,7 +174,7 @@ class AgoreWindow : public QMainWindow {
   QComboBox *speed_ = nullptr, *slow_motion_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_;
-  double pending_ = 0.0;  ///< frames due but not yet shown
+  double pending_ = 0.0;  ///< frames due but not shown yet
   bool loop_ = false;
   double slow_ = 0.0;       ///< simulated seconds per second
   double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
@@ -183,9 +183,9 @@ class AgoreWindow : public QMainWindow {
   long most_frames_ = 1'000'000'000;  ///< as specified when the file was opened
   QTimer growth_;
   QAction *follow_ = nullptr, *repeat_ = nullptr;
-  std::string seen_;      ///< the files of what is shown, when they were read
-  int refused_ = 0;       ///< looks at files that could not take the place of what is shown
-  bool writing_ = false;  ///< a film, from what is shown
+  std::string seen_;      ///< modification times of the displayed files
+  int refused_ = 0;       ///< checks files that could not replace the displayed ones
+  bool writing_ = false;  ///< a movie of the displayed views
   ViewOptions options_;
 };
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// First number with a point in a text: "ADORE 0.1" -> 0, 1. False when there is none.
+/// First number with a point in a text: "ADORE 0.1" -> 0, 1. False without one.
 bool find_version(const std::string& text, int& major, int& minor) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] < '0' || text[i] > '9') continue;
@@ -65,7 +65,7 @@ std::vector<double> find_pockets(const Animation& animation) {
   return angles;
 }
 
-/// Sizes of RESULTS.h5 in the file's unit; 0 where there is none.
+/// Dimensions of RESULTS.h5 in the unit of the file; 0 if missing.
 double size_of(const Animation& animation, const std::string& name) {
   if (!animation.motion) return 0.0;
   const auto& geometry = animation.motion->geometry();
@@ -127,8 +127,8 @@ void find_parts(Animation& animation) {
   if (!animation.motion || animation.motion->segment_frames().empty()) return;
   const int parts = static_cast<int>(animation.motion->segment_frames().front().size());
   animation.segments = parts;
-  // The first pocket of the first segment need not be that of element 1. A segment's z axis goes
-  // through its angular middle, so its own pockets are those nearest to it.
+  // The first pocket of the first segment is not always that of element 1. The z axis of a segment
+  // is at its angular middle, so its pockets are those nearest to it.
   const int per = std::max(1, n / parts);
   const double pitch_radius = 0.5 * animation.file.geometry.pitch_diameter;
   constexpr std::size_t kLooks = 40;
@@ -178,7 +178,7 @@ std::optional<ContactFrames> contacts_of(const Animation& animation) {
   return out;
 }
 
-/// Frames of SOL8 behind the end of RESULTS.h5, of whose stored steps only every second, third ...
+/// Frames of SOL8 after the end of RESULTS.h5, of which only every second, third ... stored step
 /// may be a frame; times of SOL8 are rounded.
 std::vector<results::Sol8Frame> frames_behind(const results::MotionFile& motion,
                                               const std::vector<results::Sol8Frame>& frames) {
@@ -226,7 +226,7 @@ bool curves_beside(const Animation& animation) {
 Known known_of(std::size_t frames, const std::function<bool(std::size_t)>& known) {
   std::size_t count = 0;
   for (std::size_t i = 1; i < frames; ++i) count += known(i) ? 1 : 0;
-  // A last step that is shorter than all the others makes no way.
+  // A last step shorter than all others does not interrupt the path.
   return count + 1 >= frames ? Known::All : 10 * count > frames ? Known::Some : Known::None;
 }
 
@@ -244,8 +244,8 @@ void check_frames(const results::Sol8File& file, const std::string& name) {
     throw InputError(name + " has no pitch diameter or rolling element size; the file is damaged");
 }
 
-/// RESULTS.h5 of an earlier program that leaves out steps of the run: forces of its curves have no
-/// extremes. (What never has any, such as a speed, does not jump from step to step.)
+/// RESULTS.h5 of an earlier program that omits steps of the run: forces of its curves have no
+/// extremes. (Quantities without extremes, such as a speed, do not jump between steps.)
 bool peaks_unknown(const results::MotionFile& motion) {
   const auto& frames = motion.frames().frames;
   const std::size_t stored = motion.every() * (std::max<std::size_t>(frames.size(), 1) - 1);

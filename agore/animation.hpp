@@ -24,7 +24,7 @@
 /// RESULTS.h5 of a killed or active run may end before SOL8: later frames are those of SOL8.
 namespace adore::agore {
 
-/// Oldest program version whose data sets are accepted.
+/// Oldest accepted program version of data sets.
 inline constexpr const char* kLowestVersion = "0.1";
 
 /// @throws InputError when `version` names a version below kLowestVersion or no version at all.
@@ -62,16 +62,16 @@ struct ContactFrames {
   std::array<double, 2> largest_of_race{};        ///< of largest_load, by race
 };
 
-/// Of how many of a run's frames the way from the frame before is known.
+/// Fraction of the frames of a run for which the path from the previous frame is known.
 enum class Known : unsigned char { All, Some, None };
 
 struct Animation {
   results::Sol8File file;
-  std::shared_ptr<const results::MotionFile> motion;  ///< RESULTS.h5, where it could be used
-  std::size_t exact = 0;  ///< frames of RESULTS.h5; those behind them are SOL8's
-  /// What SOL8 itself holds, where RESULTS.h5 ends before it.
+  std::shared_ptr<const results::MotionFile> motion;  ///< RESULTS.h5, if usable
+  std::size_t exact = 0;  ///< frames of RESULTS.h5; later ones are from SOL8
+  /// Content of SOL8, if RESULTS.h5 ends earlier.
   std::shared_ptr<const Animation> alone;
-  std::string source;  ///< what the pictures rest on, for people
+  std::string source;  ///< source of the pictures, as text
   bool has_cage = false;
   int segments = 0;                ///< of the cage; 1: in one piece
   std::vector<int> pocket_part{};  ///< segment that the element's pocket belongs to
@@ -98,9 +98,9 @@ struct Animation {
   [[nodiscard]] const results::Sol8Frame& frame(std::size_t i) const { return file.frames.at(i); }
   /// Is it a frame of SOL8 behind the end of RESULTS.h5?
   [[nodiscard]] bool behind(std::size_t frame) const { return motion && frame >= exact; }
-  /// "from SOL8 alone from frame 120 on"; nothing where RESULTS.h5 holds all.
+  /// "from SOL8 only from frame 120 on"; empty if RESULTS.h5 has all frames.
   [[nodiscard]] std::string behind_words() const;
-  /// Contacts of the elements at a frame; null where it has none, for the reason of `no_loads`.
+  /// Contacts of the elements at a frame; null without contacts, see `no_loads`.
   [[nodiscard]] const std::vector<ContactFrame>* contacts_at(std::size_t frame) const;
   [[nodiscard]] std::string no_loads(std::size_t frame) const;
   /// May the path of a center be drawn as a line from the previous frame? Not if the bearing turns
@@ -109,7 +109,7 @@ struct Animation {
   /// The same for an element; `past_others`: compared with its neighbors, so that elements are not
   /// confused.
   [[nodiscard]] bool way_known(std::size_t frame, std::size_t element, bool past_others) const;
-  /// Cage, or the segment that holds an element's pocket, at a frame.
+  /// Cage, or segment with the pocket of an element, at a frame.
   [[nodiscard]] const results::Sol8Body& cage_of(std::size_t frame, std::size_t element) const;
   [[nodiscard]] const results::Sol8Body& part(std::size_t frame, int segment) const;
   /// Continuous for a cage in one piece [rad].
@@ -117,13 +117,13 @@ struct Animation {
   [[nodiscard]] LandTouch land_touch(std::size_t i, int segment, std::size_t which) const;
   /// ", segment 2 of 3", or nothing for a cage in one piece.
   [[nodiscard]] std::string segment_remark(int segment) const;
-  /// Value of a channel of RESULTS.h5 at a frame; NaN where there is none.
+  /// Value of a channel of RESULTS.h5 at a frame; NaN if missing.
   [[nodiscard]] double value(const std::string& channel, std::size_t frame,
                              std::size_t place) const;
 };
 
-/// The most that the races, or an element, turn from frame to frame where the way between is
-/// known [rev]: a chord of it leaves its circle by a hundredth of the radius.
+/// The largest rotation of races or elements between frames for which the path between is known
+/// [rev]: its chord deviates from the circle by a hundredth of the radius.
 inline constexpr double kKnownTurn = 1.0 / 24.0;
 
 /// A curve next to the picture: at the steps of RESULTS.h5, else of the SOL file of that body, else
@@ -175,8 +175,8 @@ std::vector<double> continuous(std::vector<double> angle);
 /// are fewer than three frames.
 std::vector<double> rate(const std::vector<double>& angle, const std::vector<double>& time);
 
-/// Speed of the inner relative to the outer race [rad/s], averaged over the file; 0 when nothing
-/// turns.
+/// Speed of the inner relative to the outer race [rad/s], averaged over the file; 0 without
+/// rotation.
 double shaft_speed(const Animation& animation);
 
 /// Rotation matrix of transformation angles: about X by eta, then the new Y by xi, then the newest

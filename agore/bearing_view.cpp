@@ -103,8 +103,8 @@ bool draw_trails(const Scene& s) {
   return any;
 }
 
-/// Forces of both races on every element, the largest of the run as long as an element's radius
-/// where the outer race is as thick: its arrows end below the elements' numbers.
+/// Forces of both races on every element, the largest of the run with the length of an element
+/// radius if the outer race is as thick: its arrows end below the element numbers.
 /// @return are there any, by race?
 std::array<bool, 2> draw_all_loads(const Scene& s) {
   std::array<bool, 2> any{};
@@ -148,7 +148,7 @@ struct TurningFrame {
   QColor colour;
 };
 
-/// How far a place is from a line between two others.
+/// Distance of a point from a line between two others.
 double away_from(QPointF place, QPointF from, QPointF to) {
   const QPointF way = to - from;
   const double size = QPointF::dotProduct(way, way);
@@ -157,8 +157,8 @@ double away_from(QPointF place, QPointF from, QPointF to) {
   return QLineF(place, from + part * way).length();
 }
 
-/// Arms of frames about the bearing's axis. All of a picture have names, or none, so that what the
-/// key says of arms is true of all. @return have they names?
+/// Arms of frames about the bearing axis. In a picture all or none have names, so that the key on
+/// arms is valid for all. @return are they named?
 bool draw_frames(const Scene& s, const std::vector<TurningFrame>& frames) {
   const bool named = std::all_of(frames.begin(), frames.end(), [&](const TurningFrame& frame) {
     return s.sketch.frame_named(frame.length);

@@ -18,7 +18,7 @@ namespace adore::agore {
 class CageOutlines {
  public:
   static constexpr double kRadius = 1000.0;
-  /// No point that is left out lies farther than this from the outline that is drawn [pixels].
+  /// Largest distance of an omitted point from the drawn outline [pixels].
   static constexpr double kTolerance = 0.1;
   using Pieces = std::vector<QPolygonF>;
   struct Outline {

@@ -103,7 +103,7 @@ Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by,
     return out;
   }
   if (by == ColourBy::Temperature) {
-    // A temperature that nothing raises is the deck's own.
+    // A temperature without rise is an input value.
     const results::MotionChannel* rise = animation.motion->channel("contact.temperature_rise");
     if (rise != nullptr &&
         std::none_of(rise->values.begin(), rise->values.end(), [](double v) { return v > 0.0; })) {
@@ -175,7 +175,7 @@ void draw_scale(const Scene& s, const Colouring& colours) {
               top = area.top() + 20.0;
   p.setPen(sketch.theme().muted);
   const auto write = [&](const QString& text, qreal y) {
-    // In smaller letters where a line of one word, or of a number, is longer than the bar.
+    // In smaller letters if a line of one word, or of a number, is longer than the bar.
     for (const int letters : {12, 11, 10}) {
       p.setFont(desktop::ui_font(letters));
       if (QFontMetricsF(p.font()).horizontalAdvance(text) <= width) break;
@@ -232,7 +232,7 @@ std::vector<KeyEntry> scale_entries(const Scene& s) {
          QString::fromStdString(fmt::format("{} {} to {} ({})", colours.title, colours.low_end(),
                                             colours.high_end(), colours.scale)),
          KeyMark::Scale});
-  // Of a run without such elements it would speak of what nobody ever sees.
+  // Omitted for runs without such elements.
   if (s.animation.some_free)
     out.push_back(now_and_then(
         no_contact_colour(),

@@ -13,7 +13,8 @@ namespace {
 /// Speeds by differences of three-digit angles are good to about 1 %; finer detail is not shown.
 constexpr double kRatioSpan = 0.05;
 
-/// A panel of one history, with its reason where it has no values. All of a page share their times.
+/// A panel of one history, with its reason if it has no values. All panels of a page share their
+/// times.
 void add(desktop::ChartPage& page, const std::string& title, const std::string& name,
          const History& history, bool exact, bool ratio = false) {
   if (page.panels.empty() || page.panels.back().title != title)

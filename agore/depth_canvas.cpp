@@ -35,7 +35,7 @@ Shades shades_of(const QColor& colour) {
 }
 
 float light_of(float x, float y, float z) {
-  // Directions of the lamp and of the way half between lamp and viewer, both of length 1.
+  // Directions of the lamp and of the bisector between lamp and viewer, unit vectors.
   const float lamp = -0.37F * x + 0.53F * y + 0.763F * z;
   const float half = -0.197F * x + 0.282F * y + 0.939F * z;
   float shine = std::max(0.0F, half);

@@ -33,7 +33,7 @@ class DepthCanvas {
   };
 
   void reset(QSize size, QRgb paper);
-  /// Is as `other` again: copies only where something was drawn since it was.
+  /// Restores the state of `other`: copies only parts drawn since.
   void restore(const DepthCanvas& other);
   [[nodiscard]] QSize size() const { return {width_, height_}; }
   void triangle(const Point& a, const Point& b, const Point& c, const Shades& shades);
@@ -41,8 +41,8 @@ class DepthCanvas {
     triangle(a, b, c, shades);
     triangle(a, c, d, shades);
   }
-  /// Of a closed body: nothing of what is turned away, which is behind the rest of it. The side
-  /// that is seen has its corners clockwise in the picture.
+  /// A closed body, without surfaces turned away from the viewer. Visible surfaces have clockwise
+  /// corners in the picture.
   void front_triangle(const Point& a, const Point& b, const Point& c, const Shades& shades) {
     if (clockwise(a, b, c)) triangle(a, b, c, shades);
   }
@@ -59,7 +59,7 @@ class DepthCanvas {
   [[nodiscard]] QImage image(int shrink) const {
     return image(shrink, QRect(0, 0, width_ / shrink, height_ / shrink));
   }
-  /// Of the nearest surface there; minus infinity where nothing is drawn.
+  /// Depth of the nearest surface; minus infinity if nothing is drawn.
   [[nodiscard]] float depth_at(QPointF pixel) const;
   /// Bounds of everything drawn since reset().
   [[nodiscard]] QRect drawn() const { return drawn_; }
@@ -68,7 +68,7 @@ class DepthCanvas {
   [[nodiscard]] static bool clockwise(const Point& a, const Point& b, const Point& c) {
     return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
   }
-  /// Notes that the pixels from `left` to `right` of these rows are drawn on.
+  /// Records that the pixels from `left` to `right` of these rows are drawn.
   void touch(int left, int top, int right, int bottom);
   int width_ = 0, height_ = 0;
   QRect drawn_, since_restored_;

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-/// One element on its way, with the loads of both races.
+/// The path of one element, with the loads of both races.
 namespace adore::agore {
 
 namespace {
@@ -88,7 +88,7 @@ void element_view(const Scene& s) {
   const double aside = loads ? 24.0 / (rim * s.sketch.scale()) : 0.0;
   s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
                  QString::number(k + 1), t.text, 13, true);
-  // The element lies over the path's end.
+  // The element covers the end of its path.
   const QPointF over = s.sketch.at(centre.x(), centre.y());
   const bool seen = std::any_of(way.begin(), way.end(), [&](const WayPoint& point) {
     return QLineF(point.at, over).length() > g.element_radius * s.sketch.scale() + 2.0;

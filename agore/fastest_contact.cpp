@@ -24,7 +24,7 @@ double fastest_frequency(const Animation& animation) {
   } catch (const InputError&) {
     return 0.0;  // none, or not ours
   } catch (const nlohmann::json::exception&) {
-    return 0.0;  // of a run that has none
+    return 0.0;  // of a run without it
   }
 }
 

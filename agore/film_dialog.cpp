@@ -66,7 +66,7 @@ FilmDialog::End FilmDialog::makeEnd(const QString& name, std::size_t frame) {
   out.time->setRange(kMs * time_.front(), kMs * time_.back());
   out.time->setSingleStep(kMs * (time_.back() - time_.front()) / 100.0);
   out.time->setValue(kMs * time_[frame]);
-  // A number shows its time; a time that is typed takes the frame next to it.
+  // A number shows its time; a typed time selects the nearest frame.
   connect(out.frame, &QSpinBox::valueChanged, this, [this, out](int number) {
     const QSignalBlocker quiet(out.time);
     out.time->setValue(kMs * time_[static_cast<std::size_t>(number - 1)]);

@@ -11,8 +11,8 @@
 #include <cmath>
 
 /// A roller between the flanges of one race, seen from outside: +x to the right, up against
-/// increasing azimuth, so that it is turned by Phi of SOL1. Gaps are magnified, and the factor
-/// stated; a flange that is touched stands at the roller's end, however far that is pressed in.
+/// increasing azimuth, so that it is rotated by Phi of SOL1. Gaps are magnified by the stated
+/// factor; a loaded flange is drawn at the roller end, for any penetration.
 namespace adore::agore {
 double flange_picture_radius(const Animation& animation) {
   return 0.95 * std::max(2.0 * roller_profile(animation).half,

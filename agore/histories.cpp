@@ -164,7 +164,7 @@ std::optional<Stored> stored_beside(const Animation& animation, int index,
 }
 
 int cage_index(const Animation& animation) { return animation.file.elements + 1; }
-/// With one cage, or none at all.
+/// For a cage without segments, or none.
 int race_index(const Animation& animation, std::size_t race) {
   return animation.file.elements + (animation.has_cage ? 1 : 0) + 1 + static_cast<int>(race);
 }
@@ -197,7 +197,7 @@ History of_frames(const Animation& animation, std::string unit, Value value) {
   return out;
 }
 
-/// Most that the shaft turns from one frame to the next [rev].
+/// Largest shaft rotation between frames [rev].
 double turns_per_frame(const Animation& animation) {
   double most = 0.0;
   const auto& frames = animation.file.frames;
@@ -206,8 +206,8 @@ double turns_per_frame(const Animation& animation) {
   return most;
 }
 
-/// Speeds from angles of SOL8, unless the body may turn further from frame to frame than an angle
-/// can tell. `ratio`: about how fast it turns against the shaft.
+/// Speeds from angles of SOL8, unless the body may turn farther between frames than an angle can
+/// show. `ratio`: approximate speed relative to the shaft.
 History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
   constexpr double kMostTurn = 0.45;  // of half a revolution, minus rounding
   History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
@@ -313,7 +313,7 @@ History cage_speed(const Animation& animation, int segment) {
       animation, [segment](const Animation& alone) { return cage_speed(alone, segment); });
   if (animation.motion && outer_turns(animation) &&
       animation.motion->has("cage.angular_velocity")) {
-    // The file's ratio is a size, and the way it turns matters as soon as both races do.
+    // The ratio in the file is a magnitude; its sign matters if both races rotate.
     History out = of_motion(animation, "cage.angular_velocity", 3 * part);
     for (double& value : out.value) value *= kRpm;
     divide(out.value, divisor_of_motion(animation));

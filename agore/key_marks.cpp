@@ -12,7 +12,7 @@ namespace adore::agore {
 namespace {
 
 void draw_star(QPainter& p, QPointF middle, const QColor& colour) {
-  // Without the rim that keeps it readable on steel: on paper it needs none.
+  // Without the edge for steel backgrounds: not needed on the page background.
   p.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
   for (int i = 0; i < 3; ++i) {
     const double a = std::numbers::pi * (i / 3.0 + 0.5);
@@ -34,7 +34,7 @@ void draw_key_mark(QPainter& p, const KeyEntry& entry, const desktop::Theme& the
     case KeyMark::Star:
       return draw_star(p, middle, colour);
     case KeyMark::Dots: {
-      constexpr double kWidth = 2.0;  // of the ways in the pictures
+      constexpr double kWidth = 2.0;  // of the paths in the pictures
       for (const double part : {0.1, 0.5, 0.9})
         draw_frame_mark(p, at + QPointF(part * length, 0.0), kWidth, colour);
       return;

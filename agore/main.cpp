@@ -98,7 +98,7 @@ int show(int& argc, char** argv, const Request& request) {
            desktop::hand_over("agore", folder, names);
   };
   if (left_to_another() || !desktop::ask_for_disclaimer("AGORE")) return 0;
-  // For this time: what was chosen in a window stays chosen.
+  // For this session: the setting of the window is kept.
   if (request.options.view.dark) desktop::apply_theme(desktop::ThemeKind::Dark);
   agore::AgoreWindow window;
   std::optional<desktop::OneWindow> one;
@@ -208,7 +208,7 @@ int main(int argc, char** argv) {
   cli.add_flag("--behind", request.behind, "open in the background without taking focus")
       ->excludes(folder);
   cli.add_flag("--dark", request.options.view.dark, "dark theme");
-  // A window that is there takes files alone.
+  // An existing window accepts only files.
   for (const char* of_first :
        {"--render", "--view", "--beside", "--race", "--element", "--exaggerate", "--colour",
         "--scale", "--contacts", "--trails", "--follow", "--dark"})

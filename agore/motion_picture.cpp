@@ -15,7 +15,7 @@
 namespace adore::agore {
 namespace {
 
-constexpr int kSmall = 11;  // letters of two lines where else one is
+constexpr int kSmall = 11;  // letters of two lines in the space of one
 constexpr double kHeading = 58, kMargin = 22;
 constexpr double kTileFoot = 2;  // of one of several views: its frame
 
@@ -26,8 +26,8 @@ double tile_top(const QRectF& tile) { return tile.height() < 200.0 ? 20.0 : 28.0
 bool low(const QRectF& area) { return area.height() < 520.0; }
 double bar_space(const QRectF& area) { return low(area) ? 44.0 : 58.0; }
 
-/// Value of each curve nearest to a time, as text under the data area's title: one line or, where
-/// that is too narrow, two; the values alone in the order of the legends where these are as well.
+/// Values of all curves at the nearest time, as text under the title of the data area: one line or,
+/// if too narrow, two; only the values, in the order of the legends, if these are shown, too.
 QStringList present_values(const desktop::ChartScene& scene, double time, double width) {
   const desktop::ChartPage& page = scene.page();
   QStringList parts, values;
@@ -39,7 +39,7 @@ QStringList present_values(const desktop::ChartScene& scene, double time, double
       const std::string name = curve.name.empty()                ? panel.title
                                : first && page.panels.size() > 1 ? panel.title + " " + curve.name
                                                                  : curve.name;
-      // Below an atom's size stands rounding.
+      // Changes below the size of an atom are rounding.
       const bool nothing = std::abs(curve.y[at]) < desktop::least_span_of(panel.unit);
       const std::string value =
           desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3);
@@ -78,7 +78,7 @@ double MotionPicture::progressAt(double time) const {
 
 namespace {
 
-/// Places of several pictures of a size, in the number of columns that leaves the largest squares.
+/// Positions of several pictures of one size, with the number of columns for the largest squares.
 std::vector<QRectF> tiles_of(const QRectF& all, std::size_t views) {
   int columns = 1;
   double best = 0.0;
@@ -282,7 +282,7 @@ void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
   data_.setTheme(theme_of(options));
   data_.setPageSize(size);
   desktop::ChartPage page = data_page(animation_, options);
-  // Stored values are marked where they are seen apart: nothing is known between them.
+  // Stored values are marked if they are visibly apart: values in between are unknown.
   constexpr double kApart = 6.0;  // pixels
   page.points = static_cast<double>(page.x.size()) * kApart < size.width();
   data_.setPage(std::move(page));
@@ -337,7 +337,7 @@ void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size
   painter.drawRoundedRect(filled, radius, radius);
   const auto at = [&](double time) { return bar.left() + bar.width() * progressAt(time); };
   if (options.span_from || options.span_to) {
-    // Brackets about what is repeated.
+    // Brackets around the repeated range.
     painter.setPen(QPen(t.text, 2.0, Qt::SolidLine, Qt::FlatCap));
     constexpr double kOver = 3.0, kArm = 5.0;
     const auto bracket = [&](double x, double arm) {

@@ -36,10 +36,10 @@ class MotionPicture {
   [[nodiscard]] double progressAt(double time) const;
   /// The time bar inside `area`, so that a window can be clicked there.
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
-  /// Places of the pictures (one for each view) and of the curves inside `area`.
+  /// Areas of the pictures (one for each view) and of the curves inside `area`.
   [[nodiscard]] static std::vector<QRectF> pictureAreas(const QRectF& area, std::size_t views);
   [[nodiscard]] static QRectF dataArea(const QRectF& area, std::size_t views = 1);
-  /// Place of the key that several views share where they are too low for their own; empty: none.
+  /// Area of the common key of views that are too low for separate keys; empty: none.
   [[nodiscard]] static QRectF sharedKeyArea(const QRectF& area, std::size_t views);
   /// Time at a position on a panel of the curves, as painted last; none elsewhere.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;

@@ -9,7 +9,7 @@ namespace adore::agore {
 
 namespace {
 
-/// Of the rest of an orbit: greyer and paler than its way so far, and still seen on paper.
+/// Color of the remaining orbit: grayer and paler than the path so far, but visible.
 QColor later_colour(const desktop::Theme& theme) {
   return theme.kind == desktop::ThemeKind::Dark ? theme.muted.darker(130) : theme.curves[7];
 }

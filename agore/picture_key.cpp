@@ -17,7 +17,7 @@ namespace adore::agore {
 
 namespace {
 
-/// Of a text, with what no line may end within: "78 N" and "× 10" mean nothing in two parts.
+/// Splits a text into parts that must not be broken: "78 N" and "× 10".
 QStringList unbroken(const QString& text) {
   QStringList out;
   bool goes_on = false;
@@ -58,7 +58,7 @@ namespace {
 constexpr std::size_t kMany = 6;  // entries of a key in columns, if they fit
 /// For texts after their mark, at a font size.
 double indent_of(int letters) { return letters < 11 ? 21.0 : 26.0; }
-constexpr double kKeyColumn = 182.0;  // that holds the entries of views with many
+constexpr double kKeyColumn = 182.0;  // width for the entries of views with many
 
 /// A remark in lines that fit, broken between its parts.
 QStringList wrapped(const QString& remark, double width, const QFontMetricsF& metrics) {
@@ -149,7 +149,7 @@ struct Layout {
 
 Layout empty_layout(int letters) { return {letters, key_line(letters), 0, {}}; }
 
-/// An entry, measured once: of several layouts the best is taken.
+/// An entry, measured once, to select the best of several layouts.
 struct Measured {
   const KeyEntry* entry;
   double width;       ///< of the mark and its text, or of the alternatives in other frames
@@ -190,8 +190,8 @@ std::optional<Layout> in_columns(const std::vector<Measured>& entries, std::size
   return out;
 }
 
-/// Each beginning at one of the columns' left edges, in the first line that has room: entries that
-/// are wider than a column go over the next ones, those wider than all on into next lines.
+/// Each starts at the left edge of a column, in the first line with enough space: wide entries
+/// extend over the next columns or into the next lines.
 Layout at_stops(const std::vector<Measured>& entries, const std::vector<double>& stops, double room,
                 int letters) {
   constexpr double kGap = 10.0;
@@ -231,8 +231,9 @@ Layout aligned(const std::vector<KeyEntry>& entries, double room, int letters) {
   return best;
 }
 
-/// Two columns in a small picture or of many entries, one of others; in smaller letters, and
-/// wide entries over several columns, where those cut an entry or take too much of the picture.
+/// Two columns in a small picture or for many entries, else one; in smaller letters, and wide
+/// entries over several columns, if otherwise an entry is cut or the key takes too much of the
+/// picture.
 Layout layout_of(const std::vector<KeyEntry>& entries, QSizeF area) {
   const double width = area.width() - 12.0;
   constexpr double kMostOfHeight = 1.0 / 3.0;

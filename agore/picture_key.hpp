@@ -29,18 +29,18 @@ enum class KeyMark {
   Arrow,    ///< a broad one
   Contact,  ///< dashes to a contact, and the arrow that presses on it
   Frame,    ///< two arms, the longer one up
-  Turning,  ///< the mark of a ball that turns, on steel
+  Turning,  ///< rotation mark of a ball, on steel
   Sector,   ///< that of a roller
   Disc,     ///< a body of that color
   Scale,    ///< the colors of a scale, from end to end
-  None      ///< what the picture has in other frames: its room alone
+  None      ///< entries of other frames: only their space
 };
 
 struct KeyEntry {
-  QColor colour;  ///< invalid: words about what is not drawn
+  QColor colour;  ///< invalid: entry without a drawn mark
   QString text;
   KeyMark mark = KeyMark::Line;
-  QString room{};  ///< words whose width is kept: those of other frames, so that nothing jumps
+  QString room{};           ///< alternative texts of other frames: the width of the longest is kept
   bool on_colours = false;  ///< the mark is on colors of the scale: pale on dark ones
   bool operator==(const KeyEntry&) const = default;
 };
@@ -49,20 +49,20 @@ struct KeyEntry {
 void draw_key_mark(QPainter& painter, const KeyEntry& entry, const desktop::Theme& theme,
                    QPointF at, double length);
 
-/// Words in lines that fit, broken between words; a number and what it counts are one.
+/// Wraps words to lines; a number and its unit stay together.
 [[nodiscard]] QStringList in_lines(const QString& text, double width, const QFontMetricsF& metrics);
 
 /// Number of columns of a key with that many entries in a picture of a size: two for many entries,
 /// and in a small picture, where one would need half of it.
 [[nodiscard]] int key_columns(std::size_t entries, QSizeF size);
-/// Letters of a key of so many entries and a line of remarks [pixels]: smaller ones where it would
-/// take more than a quarter of the picture's height from what it explains.
+/// Letters of a key of that many entries and a line of remarks [pixels]: smaller if it would take
+/// more than a quarter of the picture height.
 [[nodiscard]] int key_letters(std::size_t entries, QSizeF size);
 /// Height of its lines [pixels].
 [[nodiscard]] double key_line(int letters = 12);
 
-/// The key in a picture's lower left corner. Setting its lines takes longer than all else of a
-/// quick picture, so on a screen they are kept as an image until they say something else.
+/// The key in the lower left corner of a picture. Its layout takes longer than the rest of a quick
+/// picture, so on a screen it is kept as an image until its content changes.
 class KeyPicture {
  public:
   void draw(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);

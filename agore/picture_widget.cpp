@@ -99,7 +99,7 @@ void PictureWidget::mousePressEvent(QMouseEvent* event) {
 void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
   if (!picture_ || !(event->buttons() & Qt::LeftButton)) return;
   if (span_from_) {
-    // As long as it is about the height at which it began, wherever the hand goes.
+    // Keeps the height at which dragging began.
     const auto to = momentAt({event->position().x(), drag_from_.y()});
     if (to && *to != *span_from_) emit spanMarked(*span_from_, *to);
     return;

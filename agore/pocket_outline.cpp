@@ -14,8 +14,8 @@ double wall(const PocketOutline& p, std::size_t end) {
   return 0.5 * (p.roller_length + p.clearance_1) + p.leaning.at(end);
 }
 
-/// How far a roller reaches to one side (-1 left, 1 right) of the middle of its pocket, where its
-/// walls were as wide as at its middle.
+/// Extent of a roller to one side (-1 left, 1 right) of the middle of its pocket, for walls with
+/// constant width.
 double reach(const QPolygonF& roller, double taper, double side) {
   double out = -std::numeric_limits<double>::infinity();
   for (const QPointF& p : roller) out = std::max(out, side * p.x() - taper * p.y());
@@ -61,7 +61,8 @@ double drawn_skew(const QPainterPath& silhouette, double taper, double skew, dou
   };
   const double straight = wide(0.0);
   // A silhouette is a chain of chords: a barrel that turns by less than one of them (a degree)
-  // would take nothing. There an arc takes as much less as 1 - cos is less; ends take more.
+  // would not change. Then the reduction is proportional to 1 - cos for the arc; ends reduce it
+  // more.
   constexpr double kArc = 0.08;  // [rad], five chords
   const double of_arc = wide(std::copysign(kArc, skew)) - straight;
   const auto taken = [&](double angle) {
@@ -150,7 +151,7 @@ QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
                        std::optional<double> along) {
   const double way = side == 0 ? -1.0 : 1.0, most = reach(roller, taper, way);
   const QRectF box = roller.boundingRect();
-  // Of a side that lies along the wall the middle.
+  // For a side parallel to the wall the middle.
   const double near = 1e-3 * box.width();
   double low = box.bottom(), high = box.top();
   for (const QPointF& p : roller)

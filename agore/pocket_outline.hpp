@@ -23,7 +23,8 @@ struct PocketOutline {
   double roller_length = 0.0;                   ///< 0: balls
   double taper = 0.0;                           ///< of a roller and its window, along the axis
   double clearance_1 = 0.0, clearance_2 = 0.0;  ///< diametral, as drawn
-  /// How much farther than half a roller its end walls at -x and +x stand, of one that leans.
+  /// Additional distance of the end walls at -x and +x from the middle of the pocket, for a tilted
+  /// roller.
   std::array<double, 2> leaning{};
   std::vector<GuideFace> faces{};  ///< of record 7.3, in place of the window's sides
 };
@@ -54,7 +55,7 @@ struct PocketPlay {
 /// at its ends, however it leans toward the viewer (decision 213), and its window its taper.
 [[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
 
-/// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
+/// The other, hidden edge of a conical pocket; empty for other shapes.
 [[nodiscard]] QPainterPath pocket_far_edge(const PocketOutline& pocket);
 
 /// Direction from the center of an element to the wall that carries it, at most 1 long: for a ball
@@ -67,7 +68,7 @@ struct PocketPlay {
 [[nodiscard]] QPointF touching_place(const QPolygonF& roller, double taper, std::size_t side,
                                      std::optional<double> along);
 
-/// Half sizes of it, the way round and along the axis, the larger one.
+/// Half sizes of the larger opening, around the cage and along the axis.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
 
 }  // namespace adore::agore

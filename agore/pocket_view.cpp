@@ -105,7 +105,7 @@ AxisAngles in_pocket(const Animation& animation, const results::Sol8Element& ele
 /// force unit.
 struct SideWalls {
   std::array<double, 2> gap{}, force{}, angle{};
-  std::array<std::optional<double>, 2> along{};  ///< where they touch, from the pocket's middle
+  std::array<std::optional<double>, 2> along{};  ///< contact points, from the pocket center
 };
 
 /// Drawn position of a roller in its pocket, and its gaps to the side walls.
@@ -113,7 +113,7 @@ struct RollerPose {
   QPointF centre;
   double skew = 0.0;  ///< as drawn [rad]
   SideWalls walls;
-  std::array<QPointF, 2> touch;  ///< where it meets those walls
+  std::array<QPointF, 2> touch;  ///< contact points with those walls
 };
 
 /// For each side the guide surface with the largest load, or else the nearest: surfaces are stored
@@ -128,7 +128,7 @@ std::optional<SideWalls> stored_walls(const Animation& animation, std::size_t fr
   if (surfaces == 0 || surfaces % 2 != 0) return std::nullopt;
   for (const results::MotionChannel* channel : {gap, force, angle})
     if (channel == nullptr || first + surfaces > channel->width) return std::nullopt;
-  // Of two surfaces each has its middle where the pocket has; of more nobody knows it here.
+  // With two surfaces their middles are at the pocket middle; for more this is unknown here.
   const results::MotionChannel* const place =
       surfaces == 2 ? animation.motion->channel("pocket.position") : nullptr;
   SideWalls out;
@@ -160,7 +160,7 @@ RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAng
   const auto& element = s.frame.elements.at(k);
   if (const auto stored = stored_walls(s.animation, s.index, k, to_the_right)) {
     out.walls = *stored;
-  } else {  // SOL8 tells the force of one
+  } else {  // SOL8 contains the force of one contact
     out.walls.gap = sides.sides;
     const std::size_t side = (std::cos(element.pocket_angle) > 0.0) == to_the_right ? 0 : 1;
     out.walls.force[side] = element.pocket_force;
@@ -169,15 +169,15 @@ RollerPose roller_pose(const Scene& s, const PocketOutline& drawn, const AxisAng
   out.centre = {moved(play_in(drawn, seen.translated(0.0, up)).sides, out.walls.gap), up};
   for (const std::size_t side : {0U, 1U}) {
     std::optional<double> along = out.walls.along[side];
-    if (along) *along += up - way[0];  // the roller's end play is drawn larger
+    if (along) *along += up - way[0];  // the end play of the roller is magnified
     out.touch[side] = touching_place(seen.translated(out.centre), pocket.taper, side, along);
   }
   return out;
 }
 
-/// A contact in the pocket: where it is on the element as drawn, and the way from there to the
-/// wall, which presses against it. An arrow from the middle of the element, as the classic tool
-/// draws it, points against the force and away from its place.
+/// A contact in the pocket: its point on the element as drawn, and the direction to the wall. An
+/// arrow from the center of the element, as in the classic tool, is against the force and does not
+/// show the point.
 struct WallTouch {
   QPointF at, wall;
   double force, angle;
@@ -199,7 +199,7 @@ std::vector<WallTouch> touches_of(const Scene& s, std::size_t k, const PocketOut
                                   QPointF centre, double direction) {
   std::vector<WallTouch> out;
   const double radius = s.geometry().element_radius;
-  // Flat walls, and such as are longer than round, are not where the ball is off the middle.
+  // Flat and elongated walls are not in the direction of the displacement of the ball.
   const bool round = pocket.code != 2 && pocket.code != 3;
   const auto add = [&](double force, double angle) {
     if (!(force > 0.0)) return;
@@ -244,8 +244,8 @@ std::string skew_remark(double skew, double drawn, bool low) {
                      desktop::tick_text(degrees(drawn), 1));
 }
 
-/// "side walls: left touched, right 38.1 µm away". A wall that carries nothing is not touched,
-/// though it may be at no distance to the digits of the file.
+/// "side walls: left touched, right 38.1 µm away". A wall without force is not touched, even if the
+/// gap is 0 within the digits of the file.
 QString gaps_text(const SideWalls& walls, const std::string& unit) {
   const auto text = [&](std::size_t side) {
     return walls.gap[side] <= 0.0 && walls.force[side] > 0.0
@@ -335,7 +335,7 @@ void pocket_view(const Scene& s) {
   const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
   const bool arrow_named = above.y() > s.sketch.area().top() - 2.0;
   if (arrow_named) s.sketch.label(above, "cage rotation", t.muted, 13);
-  const auto degrees = [](double angle) {  // 0 to 360, as the plot files tell it
+  const auto degrees = [](double angle) {  // 0 to 360, as in the plot files
     const double turn = 2.0 * kPi, rest = std::fmod(angle, turn);
     return std::fmod(std::round((rest < 0.0 ? rest + turn : rest) * 180.0 / kPi), 360.0);
   };

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr const char* kRaceRotation = "race.rotation";
 
-/// Turns of one thing over the frames at which they are known.
+/// Rotation of a body at the frames where it is known.
 struct Turns {
   std::vector<double> time, turns;
 };

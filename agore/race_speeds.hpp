@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// How the races turn, and what the ratios of speeds are divided by: everywhere inner minus outer
-/// race (decision 776).
+/// Rotation of the races, and divisor of the ratios of speeds: always inner minus outer race
+/// (decision 776).
 namespace adore::agore {
 
 /// Divisor of a ratio of speeds.
@@ -21,11 +21,11 @@ enum class Over : unsigned char {
 /// Does the outer race turn, according to the known data?
 [[nodiscard]] bool outer_turns(const Animation& animation);
 
-/// Do both races turn as one? Then nothing can be divided by the difference of their speeds, and
-/// ratios are over the speed of both.
+/// Do both races rotate together? Then their speed difference is 0, and ratios are relative to
+/// their common speed.
 [[nodiscard]] bool races_alike(const Animation& animation);
 
-/// "runs at 10000 rpm", "races at -8000 (outer) and 0 rpm (inner)"; empty when nothing turns.
+/// "runs at 10000 rpm", "races at -8000 (outer) and 0 rpm (inner)"; empty without rotation.
 [[nodiscard]] std::string speed_text(const Animation& animation);
 
 /// Text of the divisor of a ratio: "inner minus outer race, 16000 rpm".

@@ -85,7 +85,7 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
                     span, kMost, options.slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {
-    // A frame that rounding puts behind its own time is meant.
+    // Includes a frame that is later than the time by rounding.
     const double now = time[first] + static_cast<double>(i) * step + 1e-9 * step;
     const auto after = std::upper_bound(time.begin(), time.end(), now);
     out.push_back(static_cast<std::size_t>(after - time.begin()) - 1);
@@ -108,7 +108,7 @@ bool draw_all(const std::vector<std::size_t>& frames, const RenderOptions& optio
   return true;
 }
 
-/// Numbered pictures: by the frames of the file, or by those of the film where it is slow motion.
+/// Numbers of pictures: by frames of the file, or by those of the movie in slow motion.
 std::vector<fs::path> render_pictures(MotionPicture& picture,
                                       const std::vector<std::size_t>& frames,
                                       const fs::path& folder, const RenderOptions& options) {

@@ -14,7 +14,7 @@ struct RenderOptions {
   ViewOptions view;
   int width = 1280, height = 800;
   std::function<void(long done, long total)> progress;  ///< called after each picture; may be empty
-  std::function<bool()> stop = {};  ///< asked before each picture of a film; may be empty
+  std::function<bool()> stop = {};  ///< called before each picture of a movie; may be empty
   bool replace = false;             ///< any existing file of that name: the user has confirmed
   /// Simulated seconds per second of a movie that shows frames at their times, also with unequal
   /// intervals; 0: one picture per frame.
@@ -23,9 +23,9 @@ struct RenderOptions {
   int first = 1, last = 0;
 };
 
-/// Frames that a film shows, one after the other, counted from 0: every `every`-th one or, in slow
-/// motion, at equal steps of the simulated time the last one that is not after it.
-/// @throws InputError for first and last frames that are none, or too many pictures
+/// Frames of a movie, counted from 0: every `every`-th one or, in slow motion, at equal steps of
+/// simulated time the latest frame.
+/// @throws InputError for invalid first and last frames, or too many pictures
 [[nodiscard]] std::vector<std::size_t> film_frames(const MotionPicture& picture, int every,
                                                    int frames_per_second,
                                                    const RenderOptions& options);

@@ -16,13 +16,13 @@ namespace adore::agore {
 /// A dimension of RESULTS.h5 (SI), or `otherwise` if missing.
 [[nodiscard]] double size_number(const Animation& animation, const char* name,
                                  double otherwise = 0.0);
-/// A length of RESULTS.h5 in the file's unit; `otherwise` where it is not above 0.
+/// A length of RESULTS.h5 in the unit of the file; `otherwise` if it is not above 0.
 [[nodiscard]] double size_length(const Animation& animation, const char* name,
                                  double otherwise = 0.0);
 /// [m] per unit of length of the file.
 [[nodiscard]] double length_unit(const Animation& animation);
 
-/// A ring at one place of its width: from the side of the elements to the far one.
+/// A ring at one axial position: from the side of the elements to the far one.
 struct RingColumn {
   double x = 0.0, near = 0.0, far = 0.0;
 };
@@ -32,7 +32,7 @@ struct LandPlace {
   double low = 0.0, high = 0.0;
   double on_cage = 0.0, on_race = 0.0;
 };
-/// @param clearance of lands, times what it is
+/// @param clearance magnification of the land clearance
 [[nodiscard]] std::vector<LandPlace> land_places(const Animation& animation,
                                                  double clearance = 1.0);
 
@@ -42,8 +42,8 @@ struct LandPlace {
 [[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race,
                                                    double clearance = 1.0);
 
-/// Its corners (x, r) in turn. The far side is one straight line: where a leaning roller's end
-/// overhangs, columns go back, and the far side would be drawn there three times.
+/// Its corners (x, r) in order. The far side is one straight line: at an overhanging end of a
+/// tilted roller columns go back, and the far side would be drawn three times.
 [[nodiscard]] std::vector<QPointF> ring_outline(const std::vector<RingColumn>& profile);
 
 /// Lean of the rollers' axes outward [rad] as the run began; 0 for balls.
@@ -57,21 +57,20 @@ struct AxisAngles {
 /// (u, v) of a body at (x, r) whose axis leans outward by `lean`.
 [[nodiscard]] QPointF leaned(double x, double r, double lean, double u, double v);
 
-/// The cut through the cage, its corners in turn about (0, pitch radius); a conical cage leans as
-/// its rollers do. Empty without a cage.
+/// The section of the cage, its corners about (0, pitch radius); a conical cage is tilted like its
+/// rollers. Empty without a cage.
 struct CageProfile {
   double lean = 0.0, half_width = 0.0;
   double low = 0.0, high = 0.0;  ///< from the pitch radius, across
   /// Half of a pocket along its axis: `hole` in the middle of the cage's height; a sphere of
   /// `round` or a cone of `flare` over the height is less or more elsewhere.
   double hole = 0.0, round = 0.0, flare = 0.0;
-  std::array<double, 2> leaning{};  ///< what leaning_walls() adds
+  std::array<double, 2> leaning{};  ///< addition of leaning_walls()
   /// @param end 0 at -u, 1 at +u
   [[nodiscard]] double hole_at(double across, std::size_t end) const;
 };
-/// How much farther from the pocket's middle than half a roller its end walls at -u and +u stand
-/// when the nominal roller leans in it: it has half of clearance I at each end however it lies
-/// (decision 213).
+/// Additional distance of the end walls at -u and +u from the middle of the pocket for the nominal
+/// tilted roller: it has half of clearance I at each end for any tilt (decision 213).
 [[nodiscard]] std::array<double, 2> leaning_walls(const RollerProfile& roller, double lean);
 [[nodiscard]] CageProfile cage_profile(const Animation& animation);
 /// The part of a land along x on the bar next to a pocket, in the section plane; all of it if the

@@ -9,8 +9,7 @@
 namespace adore::agore {
 namespace {
 
-/// How far a circle has left its tangent at distance `at` from where it touches; a radius of 0: not
-/// at all.
+/// Distance of a circle from its tangent at distance `at` from the tangent point; radius 0: none.
 double sagitta(double radius, double at) {
   if (!(radius > 0.0)) return 0.0;
   const double reach = std::min(std::abs(at), 0.99 * radius);
@@ -53,7 +52,7 @@ std::vector<QPointF> RollerProfile::meridian() const {
   };
   out = end(0);
   std::reverse(out.begin(), out.end());
-  // The side ends at its corner, or where a dome has come back further than that.
+  // The side ends at its corner, or where a dome has receded farther.
   const auto body_end = [&](std::size_t k) {
     const double way = k == 0 ? -1.0 : 1.0, before = half - corner[k];
     const double widest = std::max(line(way * before), line(way * half));
@@ -116,13 +115,13 @@ QPainterPath RollerProfile::outline(double lean) const {
 
 QPainterPath RollerProfile::end_seen(double lean) const {
   QPainterPath path;
-  constexpr double kSeen = 0.02;  // below it an end is a line, which nobody takes for an end
+  constexpr double kSeen = 0.02;  // a smaller end is drawn as a line
   if (std::abs(std::sin(lean)) < kSeen) return path;
   const bool far_end = lean > 0.0;  // the end at +u looks toward the viewer
   const double way = far_end ? 1.0 : -1.0, round = corner[far_end ? 1 : 0];
   const double rim = line(way * half) - round;
-  // A dome's rim stands back from its middle, which hides the far half of it until the end leans
-  // more than the dome does there.
+  // The rim of a dome is behind its middle, which hides the far half of it until the tilt exceeds
+  // the slope of the dome there.
   const double bulge = dome[far_end ? 1 : 0], u = way * (half - sagitta(bulge, rim));
   const double thin = rim * std::abs(std::sin(lean));
   const QRectF box(u * std::cos(lean) - thin, -rim, 2.0 * thin, 2.0 * rim);

@@ -82,7 +82,7 @@ void draw_turning_mark(QPainter& painter, QPointF middle, double r,
                        const std::array<double, 3>& mark, const QColor& colour) {
   if (!drawable(mark, middle)) return;
   const QPointF way = QPointF(mark[0], -mark[1]) * r * 0.8, tip = middle + way;
-  constexpr double kBehind = -0.05;  // clearly: at the edge the sign is rounding
+  constexpr double kBehind = -0.05;  // clearly: at the edge the sign is determined by rounding
   const double width = std::clamp(0.09 * r, 1.4, 5.0),
                dot = std::clamp(0.15 * r, std::min(2.6, 0.3 * r), 10.0);
   const double ring = std::clamp(0.06 * r, 1.2, 3.0), hole = dot - 0.5 * ring;
@@ -314,7 +314,7 @@ int letters_of(double pixels) { return std::clamp(static_cast<int>(pixels * 0.16
 }  // namespace
 
 bool Sketch::frame_named(double length) const {
-  constexpr double kLeast = 28.0;  // pixels: names of shorter axes lie over those of the others
+  constexpr double kLeast = 28.0;  // pixels: names of shorter axes would overlap
   return length * scale_ >= kLeast;
 }
 
@@ -350,7 +350,7 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   // A short arrow keeps half of its shaft, which is thinner than its head.
   const double head = std::min(0.5 * length, 5.0 + 3.2 * width);
   const double shaft = std::min(width, 0.4 * head);
-  const double casing = std::min(kCasing, 0.2 * length);  // no more of it than of the arrow
+  const double casing = std::min(kCasing, 0.2 * length);  // at most the length of the arrow
   const QPointF neck = to - u * head * 0.8;
   painter_.setPen(QPen(theme_.surface, shaft + 2.0 * casing, Qt::SolidLine, Qt::FlatCap));
   painter_.drawLine(from, neck);

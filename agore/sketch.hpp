@@ -11,7 +11,7 @@
 /// unit.
 namespace adore::agore {
 
-/// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
+/// Is the target made of pixels, so that cached images can be used? Else vector graphics.
 bool on_pixels(const QPainter& painter);
 
 /// Adds a point to a line in the picture unless it is within half a pixel of the last one.
@@ -23,7 +23,8 @@ inline constexpr double kShorterArm = 0.6;
 /// Width of the edge in the background color for marks over bodies [pixels on each side].
 inline constexpr double kCasing = 1.2;
 
-/// The mark of a contact, about a place of the picture, with a rim that keeps it readable on steel.
+/// The mark of a contact, centered at a point of the picture, with an edge that keeps it readable
+/// on steel.
 void draw_asterisk(QPainter& painter, QPointF where, double size, const QColor& colour,
                    const QColor& rim);
 
@@ -50,7 +51,7 @@ class Sketch {
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
   [[nodiscard]] const QRectF& area() const { return area_; }
   [[nodiscard]] double scale() const { return scale_; }
-  /// Half of what the picture has each way [pixels].
+  /// Half size of the picture in each direction [pixels].
   [[nodiscard]] double half() const { return half_; }
   /// Picture position of a point (y, z), and of a point at azimuth `angle` and `radius` about (y,
   /// z).
@@ -74,7 +75,7 @@ class Sketch {
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
   /// The same of a segment: from `begin` to `end` [rad], as azimuths.
   void cage_rail(QPointF centre_yz, const Animation& animation, double begin, double end) const;
-  /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
+  /// An outline of CageOutlines, rotated by `angle`, scaled to `outer_radius`.
   void cage(QPointF centre_yz, double angle, double outer_radius,
             const CageOutlines::Outline& outline) const;
   /// Two arms along the y and z axes of the body. Without names, z is the longer one.

@@ -177,7 +177,7 @@ void SolidLayer::draw(const Scene& s, int oversample, double pixel_ratio) {
     const Shades shades = shades_of(spot.race == 0 ? t.light_blue : t.blue);
     m.sphere(spot.centre, race_spot_radius(s), Vec3::Zero(), shades, shades);
   }
-  // The rest is paper, which lies there already.
+  // The rest is background.
   const QRect drawn = canvas_.drawn();
   if (drawn.isEmpty()) return;
   const QRect box(drawn.topLeft() / oversample - QPoint(1, 1),

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-/// Lines over the bodies of a frame: paths of the elements and arrows of loads, each dashed where
-/// bodies hide it, as hidden edges of engineering drawings are.
+/// Lines over the bodies of a frame: paths of the elements and load arrows, dashed behind bodies,
+/// like hidden edges of engineering drawings.
 namespace adore::agore {
 namespace {
 
@@ -86,7 +86,7 @@ class Projection {
   const Eye& eye_;
 };
 
-/// An arrow in space, as it is drawn.
+/// An arrow in space, as drawn.
 struct LoadArrow {
   CutWay shaft;
   QPointF tip, way;  ///< `way`: of length 1

@@ -55,7 +55,7 @@ void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<
 void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, double azimuth,
                    const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
                    const std::array<bool, 2>& open_end, const Shades& shades) {
-  // On the cage: the way round s (an angle at the pitch radius), along u, across v.
+  // Coordinates on the cage: s around it (an angle at the pitch radius), along u, across v.
   const auto place = [&](double angle, double u, double v) {
     const QPointF p = leaned(0.0, pitch_radius, cage.lean, u, v);
     return Vec3(turn * Vec3(Vec3(p.x(), 0.0, 0.0) + p.y() * outwards(azimuth + angle)) + shift);
@@ -64,8 +64,8 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
     return Vec3(turn * Vec3(Vec3(-std::sin(cage.lean), 0.0, 0.0) +
                             std::cos(cage.lean) * outwards(azimuth + angle)));
   };
-  // A square's way round, so that corners are points of it: about the bearing (`along` and back),
-  // and straight along it, where only round holes need points.
+  // Points around a square, including its corners: around the bearing (`along` and back), and
+  // straight along it, where only round holes need points.
   constexpr int kMost = 10;
   const int round = 2 * m.parts(pocket.half_round, 1.0);
   const int arc = std::min(

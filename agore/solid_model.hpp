@@ -44,7 +44,7 @@ class Modeller {
     const auto lit = lit_corners(a, b, c, d);
     if (lit) canvas_.quad((*lit)[0], (*lit)[1], (*lit)[2], (*lit)[3], shades);
   }
-  /// Of a closed body, its corners clockwise where they are seen.
+  /// A closed body with corners that are clockwise if visible.
   void front_flat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                   const Shades& shades) {
     if (!((c - a).cross(d - b).dot(eye_.toward) < 0.0)) return;
@@ -59,8 +59,8 @@ class Modeller {
                    shades, mark);
   }
   [[nodiscard]] DepthCanvas& canvas() { return canvas_; }
-  /// Parts into which an arc [rad] of a radius is cut, so that its chords leave it by a quarter of
-  /// a pixel at most: as fine as it is seen.
+  /// Number of parts of an arc [rad] of a radius for which its chords deviate by at most a quarter
+  /// of a pixel.
   [[nodiscard]] int parts(double radius, double arc) const {
     constexpr double kSeen = 0.25, kMost = 1000.0;
     return static_cast<int>(
@@ -97,7 +97,7 @@ void add_strip(Modeller& m, const LandPlace& land, const Vec3& shift, std::pair<
 
 /// Position of the sector of one pocket of the cage, and its hole, as drawn.
 struct PocketMesh {
-  double half_angle, half_round;  ///< of the sector [rad]; of the hole, length the way round
+  double half_angle, half_round;  ///< of the sector [rad]; of the hole, length around the cage
   bool round;                     ///< hole: an ellipse, or a window
   double taper = 0.0;             ///< of a window, as its roller
 };
@@ -107,7 +107,7 @@ void add_cage_part(Modeller& m, const CageProfile& cage, double pitch_radius, do
                    const PocketMesh& pocket, const Mat3& turn, const Vec3& shift,
                    const std::array<bool, 2>& open_end, const Shades& shades);
 
-/// `first`: where its mark is, across the axis; none: no mark.
+/// `first`: position of its mark, across the axis; none: no mark.
 void add_roller(Modeller& m, const RollerProfile& shape, const Vec3& middle, const Vec3& axis,
                 const Vec3& first, const Shades& shades, const Shades& mark);
 

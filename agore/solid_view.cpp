@@ -46,7 +46,7 @@ std::array<bool, 2> draw_spots(const Scene& s, const SolidLayer& layer, const Ey
     const QPointF at = s.sketch.at(spot.centre.dot(eye.right), spot.centre.dot(eye.up));
     const double radius = race_spot_radius(s) * s.sketch.scale();
     const double front = s.sketch.scale() * spot.centre.dot(eye.toward) + radius;
-    if (!std::isfinite(at.x() + at.y() + front)) continue;  // the file has no place of it
+    if (!std::isfinite(at.x() + at.y() + front)) continue;  // the file has no position of it
     if (layer.hides(at, front)) continue;
     p.setPen(QPen(t.surface, kCasing));
     p.setBrush(race_colour(t, spot.race));
@@ -122,7 +122,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
   name_lines(s, paths, loads, key);
   if (s.options.colour != ColourBy::None)
     draw_scale(s, colouring(s.animation, s.index, s.options.colour, s.options.scale));
-  // The bearing's axes, in the upper left corner.
+  // The axes of the bearing, in the upper left corner.
   const double high = s.sketch.area().height();
   const double arm = high < 200.0 ? 10.0 : high < 420.0 ? 18.0 : 30.0;
   const int letters = high < 200.0 ? 9 : 12;

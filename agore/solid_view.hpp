@@ -21,7 +21,7 @@ struct Eye {
   Vec3 right, up, toward;
 };
 
-/// Half of what is cut out of the outer race, about the viewer's side [rad].
+/// Half angle of the cut of the outer race, about the direction of the viewer [rad].
 inline constexpr double kOpen = 70.0 * kPi / 180.0;
 [[nodiscard]] double viewers_azimuth(const Eye& eye);
 /// Is the spot of the outer race on metal that is drawn?
@@ -44,16 +44,16 @@ struct RaceSpot {
 /// pale ones.
 [[nodiscard]] QColor solid_mark_colour(const desktop::Theme& theme, const QColor& tint = {});
 
-/// Draws frames of one animation; keeps between them what does not move.
+/// Draws frames of one animation; caches constant parts.
 class SolidLayer {
  public:
-  /// Draws the bodies into the area of the scene's sketch, `oversample` pixels for one of it each
-  /// way.
+  /// Draws the bodies into the area of the scene's sketch, with `oversample` pixels per pixel in
+  /// each direction.
   void draw(const Scene& scene, int oversample, double pixel_ratio);
   /// Do the bodies drawn last lie before a place of the picture, that far toward the viewer
   /// [pixels]?
   [[nodiscard]] bool hides(QPointF place, double depth) const;
-  /// Magnification of skew and tilt of the rollers; 0 where there is none.
+  /// Magnification of skew and tilt of the rollers; 0 without them.
   double roller_factor(const Animation& animation);
 
  private:
@@ -77,8 +77,8 @@ class SolidLayer {
 struct DrawnLines {
   bool seen = false, hidden = false;
 };
-/// Paths of the elements; arrows of the loads of both races. In dashes where bodies hide them,
-/// heads hollow.
+/// Paths of the elements; arrows of the loads of both races. Dashed behind bodies, with hollow
+/// heads.
 DrawnLines draw_paths(const Scene& scene, const SolidLayer& layer, const Eye& eye);
 std::array<DrawnLines, 2> draw_loads(const Scene& scene, const SolidLayer& layer, const Eye& eye);
 

@@ -33,7 +33,8 @@ class Stamps {
     std::array<QRgb, 3> colours{};
     auto operator<=>(const Look&) const = default;
   };
-  /// Draws what `paint` draws about `middle`, where it reaches `reach` pixels each way at most.
+  /// Draws `paint` centered at `middle`, with an extent of at most `reach` pixels in each
+  /// direction.
   void draw(QPainter& painter, QPointF middle, double reach, const Look& look,
             const std::function<void(QPainter&, QPointF)>& paint);
   /// Images that are kept.

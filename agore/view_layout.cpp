@@ -92,7 +92,7 @@ double key_height(const Animation& animation, const ViewOptions& options, QSizeF
     return static_cast<double>((entries + columns - 1) / columns + 1) *
            key_line(key_letters(entries, size));
   }
-  constexpr double kWide = 520.0;  // remarks of narrower ones take a line more
+  constexpr double kWide = 520.0;  // remarks of narrower ones need another line
   const auto lines = [&] {
     switch (options.view) {
       case View::Element:
@@ -142,7 +142,7 @@ double foot_below(const Animation& animation, const ViewOptions& options, QSizeF
   const double height = std::min(lines + 4.0, 0.45 * size.height());
   if (!round || (low && options.view == View::Solid)) return height;
   const double beside = std::max(0.0, 0.5 * size.width() - key_width(animation, options, size));
-  // Rings end a margin before the picture does; the numbers of elements stand in it.
+  // Rings end a margin before the picture; the margin contains the element numbers.
   const double half = 0.5 * std::min(size.width(), size.height());
   const bool numbers = options.view == View::Bearing || options.view == View::Cage;
   const double rim = options.view == View::Solid ? 0.05 * half : numbers ? 0.0 : 20.0;

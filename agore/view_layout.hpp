@@ -14,7 +14,7 @@ inline constexpr double kTooLow = 200.0, kTooLowBeside = 330.0;
   return height < (options.one_of_several ? kTooLowBeside : kTooLow);
 }
 
-/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
+/// Outer radius of the outer race in the picture: a little beyond its groove if the file has none.
 double outer_rim(const results::Sol8Geometry& geometry);
 
 /// Pixels about a ring for the numbers of elements, in a picture of that half size.
@@ -30,8 +30,8 @@ double numbers_margin(double half);
 /// `size` pixels.
 double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size);
 
-/// Height at the bottom of a picture that it leaves to its key: as little as lifts a round picture
-/// out of the key's corner, and all of the key where the picture is not round.
+/// Height at the bottom of a picture for its key: just enough to keep a round picture out of the
+/// corner of the key, and all of the key otherwise.
 double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size);
 
 }  // namespace adore::agore

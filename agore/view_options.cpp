@@ -177,7 +177,7 @@ void check_view(const Animation& animation, const ViewOptions& options) {
 
 namespace {
 
-/// The farthest of the cage, or a part of it, from the axis, by a thousand looks at most.
+/// Largest distance of the cage, or a part of it, from the axis, from at most a thousand samples.
 double way_of_cage(const Animation& animation) {
   constexpr std::size_t kLooks = 1000;
   const std::size_t every = std::max<std::size_t>(1, animation.frames() / kLooks);

@@ -28,18 +28,18 @@ enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
 
 /// How the scale of colors is chosen.
 enum class ColourScale : unsigned char {
-  Usual,   ///< what 19 of 20 values of the run stay below: a short peak hides no differences
+  Usual,   ///< limit for 95 % of the values of the run: a short peak does not hide differences
   Run,     ///< to the largest of the run
   Moment,  ///< to the largest of the frame
   Typed
 };
 struct ScaleChoice {
   ColourScale kind = ColourScale::Usual;
-  double low = 0.0, high = 0.0;  ///< where typed, in the unit of the file's channel
+  double low = 0.0, high = 0.0;  ///< specified limits, in the unit of the channel
   bool operator==(const ScaleChoice&) const = default;
 };
 
-/// A further view, with its own zoom.
+/// An additional view, with its own zoom.
 struct SideView {
   View view = View::Section;
   double zoom = 1.0;
@@ -57,12 +57,12 @@ struct ViewOptions {
   ColourBy colour = ColourBy::None;
   ScaleChoice scale;
   bool contacts = false;  ///< arrows of the race loads on all elements
-  bool trails = false;    ///< the way of the elements so far
+  bool trails = false;    ///< paths of the elements so far
   double zoom = 1.0;
   QPointF pan{0.0, 0.0};                ///< of the picture, in parts of its size
   double yaw = 32.0, elevation = 18.0;  ///< of the 3D view's eye [degrees], from +X
   bool moving = false;                  ///< a quick picture of the 3D view is enough
-  /// What is to be repeated, as the time line shows it [s]; none: to that end of the run.
+  /// Repeated range, as shown in the time bar [s]; none: to that end of the run.
   std::optional<double> span_from, span_to;
   bool one_of_several = false;        ///< one of several: smaller pictures share a key below them
   std::vector<SideView> beside = {};  ///< additional views of the same frame
@@ -78,13 +78,14 @@ struct ViewOptions {
 /// @throws InputError with the list of names.
 View view_named(const std::string& name, const std::string& race = "inner");
 
-/// "3d,section": of several, separated by commas; empty: none. @throws InputError as view_named()
+/// "3d,section": several views, separated by commas; empty: none. @throws InputError as
+/// view_named()
 std::vector<SideView> views_beside(const std::string& names, const std::string& race = "inner");
 
 /// "none", "load", "slip", "heat", "temperature". @throws InputError with the list of names.
 ColourBy colour_named(const std::string& name);
 
-/// "usual", "run", "moment", or two limits: "0:0.02". @throws InputError with what is valid.
+/// "usual", "run", "moment", or two limits: "0:0.02". @throws InputError with the valid values.
 ScaleChoice scale_named(const std::string& name);
 /// The way back.
 std::string scale_name(const ScaleChoice& scale);
@@ -98,14 +99,14 @@ std::string view_title(View view);
 /// Why a view cannot be shown for this file ("the bearing has no cage"), or empty.
 std::string why_not(View view, const Animation& animation);
 
-/// Nobody chose a race: the flange view is of one that has a flange.
+/// No race is selected: the flange view uses one with a flange.
 void choose_flange_race(const Animation& animation, ViewOptions& options);
 
 /// @throws InputError when the file cannot show this view or has no such element.
 void check_view(const Animation& animation, const ViewOptions& options);
 
-/// The exaggeration in use: what the user chose, or the largest of 1, 2, 5, 10 ... that keeps
-/// pockets apart and shows the guide clearance as about 3 % of the pitch radius.
+/// The magnification in use: that of the user, or the largest of 1, 2, 5, 10 ... for which pockets
+/// do not overlap and the guide clearance is about 3 % of the pitch radius.
 double used_exaggeration(const Animation& animation, const ViewOptions& options);
 
 }  // namespace adore::agore

@@ -35,7 +35,7 @@ struct Scene {
   [[nodiscard]] double pocket_radius() const {
     return geometry().element_radius + 0.5 * factor * geometry().pocket_clearance_1;
   }
-  /// Of the cage: the one that holds the chosen element's pocket.
+  /// Of the cage: the segment with the pocket of the selected element.
   [[nodiscard]] int segment() const {
     return animation.pocket_part.at(static_cast<std::size_t>(options.element - 1));
   }
@@ -65,7 +65,7 @@ void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QS
 struct TrailPoint {
   QPointF centre;
   double x = 0.0;
-  bool joined = false;  ///< is the way to the point before, which is a later frame, known?
+  bool joined = false;  ///< is the path to the previous point, a later frame, known?
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
 /// Name of the lands that guide the cage, in all views.
@@ -76,19 +76,20 @@ void name_arms(const Scene& scene, bool named, std::vector<KeyEntry>& key);
 /// in the same place, so that the key does not jump.
 [[nodiscard]] KeyEntry now_and_then(const QColor& colour, bool now, const QString& there,
                                     const QString& none, KeyMark mark = KeyMark::Line);
-/// Names the mark that turns with an element, or with all of them, where it is drawn: where a run
-/// followed the turning.
+/// Adds the rotation mark of an element, or of all, to the key if it is drawn, that is if the run
+/// stored the rotation.
 void name_turning_mark(const Scene& scene, std::optional<std::size_t> element,
                        std::vector<KeyEntry>& key);
 /// Of the rest of an orbit.
 [[nodiscard]] KeyEntry later_entry(const Scene& scene);
 
-/// Of a way in a key; `what`: "path" or the like, `places`: what its marks are where it is unknown.
+/// Key entry of a path; `what`: "path" or similar, `places`: name of its marks if the path is
+/// unknown.
 [[nodiscard]] KeyEntry way_entry(const QColor& colour, Known known, const QString& what,
                                  const QString& places);
 /// Addition to the key in this case.
 inline constexpr const char* kTooSmall = ", arrow too small";
-/// Of the ways that element_trail() makes, if there are any.
+/// Key entry of the paths of element_trail(), if there are any.
 [[nodiscard]] KeyEntry trail_entry(const Scene& scene, bool any);
 /// Told apart from loads, frames and marks with every color vision.
 [[nodiscard]] QColor trail_colour(const Scene& scene);
@@ -97,8 +98,8 @@ inline constexpr const char* kTooSmall = ", arrow too small";
 /// not be in the frame that is drawn.
 [[nodiscard]] QString longest_load(const Scene& scene, double load);
 
-/// Draws the arrow of a load onto the place `tip` from `tail` in the picture. @return false: it is
-/// too short to be seen, which the key says
+/// Draws the arrow of a load from `tail` to `tip` in the picture. @return false: too short to be
+/// visible, as stated in the key
 bool load_arrow(const Scene& scene, QPointF tail, QPointF tip, const QColor& colour, double width);
 
 /// Of the largest load of the run: smaller ones of many elements have no arrow.
@@ -115,7 +116,7 @@ void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {}, bo
 void draw_elements(const Scene& scene);
 /// Those marks.
 void draw_turning_marks(const Scene& scene);
-/// Marks where the cage touches them, and their numbers.
+/// Marks the contacts of the cage with the elements, and their numbers.
 void draw_contact_marks(const Scene& scene);
 struct DrawnOrbit {
   double enlargement = 0.0;  ///< 0: the body stands still

@@ -18,7 +18,7 @@ const desktop::Theme& theme_of(const ViewOptions& options) {
 
 namespace {
 
-/// How far the picture is enlarged, and where its middle is.
+/// Scale of the picture, and position of its center.
 Sketch sketch_of(QPainter& painter, const QRectF& area, const Animation& animation,
                  const ViewOptions& options, Stamps* stamps = nullptr) {
   const double foot = key_foot(animation, options, area.size());

@@ -16,7 +16,7 @@ struct Kept;
 /// Layers of a picture: the lower one is constant while the races do not move, the other one moves.
 enum class Layers : unsigned char { All, Still, Moving };
 
-/// Draws the picture area of one frame into `area`. `kept` may be nothing: then all is made anew.
+/// Draws the picture area of one frame into `area`. `kept` may be null: then everything is drawn.
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
                    std::size_t frame, const ViewOptions& options, Kept* kept = nullptr,
                    Layers layers = Layers::All);

@@ -11,8 +11,8 @@
 namespace adore::agore {
 namespace {
 
-constexpr double kApart = 6.0;  // pixels between frames whose marks are seen apart
-constexpr double kCell = 2.0;   // pixels within which one mark stands for several
+constexpr double kApart = 6.0;  // distance of frames in pixels above which marks are visibly apart
+constexpr double kCell = 2.0;   // pixels within which one mark represents several
 
 double mark_size(double width) { return std::max(4.6, 2.0 * width); }
 
@@ -22,7 +22,7 @@ void draw_dot(QPainter& painter, QPointF at, double size, const QColor& colour) 
   painter.drawEllipse(at, 0.5 * size, 0.5 * size);
 }
 
-/// Places where a mark adds something to be seen: a run of a thousand turns has a cloud of them.
+/// Positions of marks that are visible: a run of a thousand revolutions has a cloud of them.
 class Places {
  public:
   explicit Places(const QRectF& area)
@@ -53,7 +53,7 @@ void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& 
 
 namespace {
 
-/// One stroke of a way, its edge or its own ink: `extra` pixels wider than the way.
+/// One stroke of a path, its edge or the line: `extra` pixels wider than the path.
 void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
             const WayLook& look, const QColor& ink, double extra) {
   QPen pen(ink, look.width + extra, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
@@ -99,12 +99,12 @@ void stroke(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& 
     else
       draw_dot(painter, way[i].at, size, ink);
   }
-  // Round ends of lines without a length: a cloud of ellipses would take its time.
+  // Round ends of lines without length: a cloud of ellipses would be slow.
   painter.setPen(QPen(ink, size, Qt::SolidLine, Qt::RoundCap));
   painter.drawPoints(points);
 }
 
-/// Without points that have no place (stars in the file): the way is broken there.
+/// Without invalid points (stars in the file): the path is interrupted there.
 std::vector<WayPoint> known_part(const std::vector<WayPoint>& way) {
   std::vector<WayPoint> out;
   out.reserve(way.size());

@@ -7,15 +7,14 @@
 
 #include <vector>
 
-/// Ways of bodies through the frames. Between two frames a way is drawn as a line where it is
-/// known; frames that are seen apart are marked, and where the way is not known nothing else is
-/// drawn.
+/// Paths of bodies through the frames. Between two frames a path is drawn as a line if it is known;
+/// frames that are visibly apart are marked, and for an unknown path only these marks are drawn.
 namespace adore::agore {
 
 struct WayPoint {
   QPointF at;           ///< in the picture
-  bool joined = false;  ///< is the way from the point before known?
-  bool frame = true;    ///< of a frame, or where a body begins to hide the way
+  bool joined = false;  ///< is the path from the previous point known?
+  bool frame = true;    ///< of a frame, or a point where a body begins to hide the path
 };
 
 /// Appearance of a path: color, width, edge of `casing` over bodies, dashes behind bodies.
@@ -27,14 +26,14 @@ struct WayLook {
   double edge = 1.2;  ///< of the casing, on each side [pixels]
 };
 
-/// `area`: nothing outside of it is seen.
+/// `area`: visible area.
 void draw_way(QPainter& painter, const QRectF& area, const std::vector<WayPoint>& way,
               const WayLook& look);
-/// Several over each other: no edge of one lies over another.
+/// Several overlapping paths: edges are drawn below all lines.
 void draw_ways(QPainter& painter, const QRectF& area,
                const std::vector<std::vector<WayPoint>>& ways, const WayLook& look);
 
-/// The mark of a frame on a way, about a place of the picture.
+/// The mark of a frame on a path, centered at a point of the picture.
 void draw_frame_mark(QPainter& painter, QPointF at, double width, const QColor& colour);
 
 }  // namespace adore::agore

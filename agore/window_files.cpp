@@ -68,7 +68,7 @@ bool AgoreWindow::openFile(const std::filesystem::path& named, long most_frames)
 void AgoreWindow::reload() {
   if (!picture_) return askForFile();
   const double moment = picture_->animation().time[frame_];
-  const std::filesystem::path path = picture_->animation().file.path;  // the picture goes with it
+  const std::filesystem::path path = picture_->animation().file.path;  // the picture is closed, too
   const auto from = options_.span_from, to = options_.span_to;
   if (!openFile(path, most_frames_)) return;
   options_.span_from = from, options_.span_to = to;
@@ -116,9 +116,9 @@ void AgoreWindow::follow(bool on) {
   refresh();
 }
 
-/// A file that is just being written holds whole steps and perhaps a part of one, which readers
-/// leave out. What cannot be read now, or cannot take the place of what is shown (RESULTS.h5 is
-/// still too short for the view), is looked at again.
+/// A file that is being written contains complete steps and possibly an incomplete one, which
+/// readers skip. Files that cannot be read now, or cannot replace the displayed ones (RESULTS.h5 is
+/// still too short for the view), are checked again later.
 void AgoreWindow::lookForGrowth() {
   if (!picture_ || writing_) return;
   const std::filesystem::path path = picture_->animation().file.path;
@@ -141,7 +141,7 @@ void AgoreWindow::lookForGrowth() {
   seen_ = now;  // steps that arrive while reading are found at the next check
   frame_ = at_end ? frameCount() - 1 : picture_->frameAt(moment);
   refresh();
-  // Reading a long file takes its time, of which the solver wants most.
+  // Reading a long file takes processor time, which the solver needs.
   constexpr int kShare = 8;
   growth_.setInterval(std::max(kLook, kShare * static_cast<int>(clock.elapsed())));
 }

@@ -23,7 +23,7 @@
 /// Pictures and films that the window saves.
 namespace adore::agore {
 
-/// A name in the folder of what is shown, where pictures of it are looked for.
+/// A name in the folder of the displayed file, used to find its pictures.
 QString AgoreWindow::besideFile(const QString& name) const {
   return desktop::folder_of(picture_->animation().file.path) + "/" + name;
 }

@@ -22,7 +22,7 @@
 /// Menus, keys and buttons of the window.
 namespace adore::agore {
 
-/// Each button stands for an action of the menus, whose key a hand may hold down.
+/// Each button triggers an action of the menus, whose key may be held down.
 QWidget* AgoreWindow::makeButtons() {
   auto* column = new QWidget(this);
   auto* layout = new QVBoxLayout(column);
@@ -78,7 +78,7 @@ QWidget* AgoreWindow::makeButtons() {
   return scroll;
 }
 
-/// An action that the button of the same name stands for.
+/// An action that is triggered by the button of the same name.
 QAction* AgoreWindow::add(QMenu* menu, const QString& text, const QString& name,
                           const QKeySequence& key, std::function<void()> act) {
   auto* action = menu->addAction(text, key, this, [act = std::move(act)] { act(); });
@@ -97,7 +97,7 @@ void AgoreWindow::makeMenus() {
   follow_->setShortcut(Qt::Key_F);
   follow_->setCheckable(true);
   connect(follow_, &QAction::toggled, this, &AgoreWindow::follow);
-  // Only a person's choice is kept: what a command line asks for is of that one time.
+  // Only a choice of the user is stored: the command line applies once.
   connect(follow_, &QAction::triggered, this,
           [](bool on) { QSettings("Adore", kApp).setValue(kFollow, on); });
   file->addSeparator();
@@ -163,7 +163,7 @@ void AgoreWindow::makeMotionMenu(QMenu* menu) {
   };
   const auto pace = [this, step](int by) {
     if (slow_ == 0.0) return step(speed_, by);
-    // The list goes from the frames' own pace to the slowest motion.
+    // From one picture per frame to the slowest motion.
     if (by < 0 || slow_motion_->currentIndex() > 1) step(slow_motion_, -by);
   };
   menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [pace] { pace(-1); });

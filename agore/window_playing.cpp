@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-/// The window's way through time.
+/// Time control of the window.
 namespace adore::agore {
 
 void AgoreWindow::setSlowMotion(double rate) {
@@ -34,7 +34,7 @@ void AgoreWindow::setSpan(std::optional<double> from, std::optional<double> to) 
   showFrame();
 }
 
-/// Here begins, or ends, what is repeated. The other end is given up where it would be passed.
+/// Start or end of the repeated range. The other end is removed if it would be passed.
 void AgoreWindow::markEnd(bool first) {
   if (!picture_) return askForFile();
   const double now = picture_->animation().time[frame_];
@@ -61,7 +61,7 @@ void AgoreWindow::play(int direction) {
 void AgoreWindow::advance() {
   const double seconds = static_cast<double>(clock_.restart()) * 1e-3;
   const auto [first, last] = playedFrames();
-  // Somebody went beyond the marks while it plays: from there to the end of the run.
+  // The user moved outside the range while playing: it plays to the end of the run.
   const bool beyond = direction_ > 0 ? frame_ > last : frame_ < first;
   const bool around = loop_ && !beyond && last > first;
   const std::size_t end = beyond           ? (direction_ > 0 ? frameCount() - 1 : 0)

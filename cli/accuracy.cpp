@@ -97,7 +97,7 @@ void apply(const Options& options, const facade::AccuracyStudy& study) {
                   backup.string()));
 }
 
-/// Into the folder of --out or, without it, next to the deck, where runs and forms look for it.
+/// Into the folder of --out or, without it, that of the deck, where runs and forms find it.
 int run_models(const Options& options, bool out_given) {
   constexpr double kTurns = 2.0;
   if (options.apply || options.go_on || !options.methods.empty() || !options.tolerances.empty())

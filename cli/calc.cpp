@@ -35,7 +35,7 @@ const calculators::CalculatorInfo& calculator(const std::string& name) {
       fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
 }
 
-/// All calculators, or one, with what they take and give.
+/// All calculators, or one, with their inputs and results.
 void list_calculators(const std::string& name, bool json, bool describe) {
   if (json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();

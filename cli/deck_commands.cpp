@@ -28,8 +28,7 @@
 namespace adore::cli {
 namespace {
 
-/// All errors and warnings of a deck; what it asks for that cannot run yet is a note here and an
-/// error of `run`.
+/// All errors and warnings of a deck; missing features are a note here and an error of `run`.
 int check(const DeckOptions& options, bool json) {
   facade::DeckRequest request;
   options.fill(request);
@@ -109,7 +108,7 @@ std::string text_of(const std::vector<std::string>& lines) {
   return out;
 }
 
-/// Writes a new deck where nothing is yet; its file, or nothing when it went to standard output.
+/// Writes a new deck if the file does not exist; returns its path, or none for standard output.
 std::string write_new(const std::string& out, std::string_view text) {
   std::filesystem::path path(out);
   std::error_code error;

@@ -28,7 +28,7 @@ std::vector<std::string> variable_words() {
   for (const deck::RecordSpec& record : deck::schema())
     for (const deck::VariableSpec& variable : record.variables)
       if (variable.name != "recID") out.push_back(fmt::format("{}=", variable.name));
-  // The same name may stand in several records.
+  // The same name may occur in several records.
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
@@ -49,7 +49,7 @@ void add_deck(CLI::App& command, std::string& deck) {
 }
 
 void add_sets(CLI::App& command, std::vector<std::string>& sets) {
-  // One value each: what follows the value is the deck.
+  // One value each: the next argument is the deck.
   command_line::offer(
       command
           .add_option("--set", sets, "change a deck variable, in the deck's units; may be repeated")

@@ -28,7 +28,7 @@ std::string_view beginning(std::string_view text) {
   return text.substr(0, text.find(':'));
 }
 
-/// Hands what is written on in pieces.
+/// Passes the output on in pieces.
 class PieceBuffer : public std::streambuf {
  public:
   explicit PieceBuffer(TextSink sink) : sink_(std::move(sink)) {

@@ -8,9 +8,9 @@
 
 namespace adore::cli {
 
-/// Writes a file that the user named: a new one, or in place of an earlier export that begins
-/// alike.
-/// @throws InputError when it is one of the inputs, a link, or something else than such an export.
+/// Writes a file named by the user: a new one, or one that replaces an earlier export with the same
+/// beginning.
+/// @throws InputError if it is an input file, a link, or not such an export.
 void write_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);
 /// The same for text that is written to a stream and never held as a whole.

@@ -22,7 +22,7 @@
 namespace adore::cli {
 namespace {
 
-/// @returns what is wrong with the file
+/// @returns the problem of the file
 std::string convert_to(const std::string& file, const std::string& format, const std::string& out) {
   if (out.empty() || out == kStream) {
     std::string note;
@@ -98,8 +98,11 @@ void add_file_commands(CLI::App& app, int& exit_code) {
         ->type_name("FOLDER");
     command->add_flag("--json", *json, "as JSON");
     command->footer(
-        "Exit code 1: a file is damaged or missing. An unfinished run is checked up to its "
-        "last\ncheckpoint.\n\nExamples\n  adore verify RUN\n  adore verify clearance.study --json");
+        "Exit code 1: a file is damaged or missing. An unfinished run is checked up to its last\n"
+        "checkpoint.\n\n"
+        "Examples\n"
+        "  adore verify RUN\n"
+        "  adore verify clearance.study --json");
     command->callback([=, &exit_code] { exit_code = verify(*folder, *json); });
   }
   {

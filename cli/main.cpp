@@ -28,11 +28,14 @@ int main(int argc, char** argv) {
         "pictures.",
         "adore");
     app->footer(
-        "First steps\n  adore new ball --out DATA.txt    write a complete deck\n  adore plan       "
-        "                show its effects, computing time and disk space\n  adore run              "
-        "          simulate it\n  adore COMMAND --help             show options and examples of a "
-        "command\n\nExit codes: 0 success; 1 program error, failed reference case or damaged file; "
-        "2 wrong input;\n3 the computation failed; 130 interrupted.");
+        "First steps\n"
+        "  adore new ball --out DATA.txt    write a complete deck\n"
+        "  adore plan                       show its effects, computing time and disk space\n"
+        "  adore run                        simulate it\n"
+        "  adore COMMAND --help             show options and examples of a command\n\n"
+        "Exit codes: 0 success; 1 program error, failed reference case or damaged file; 2 wrong "
+        "input;\n"
+        "3 the computation failed; 130 interrupted.");
     app->require_subcommand(1);
     int exit_code = 0;
     cli::add_run(*app, exit_code);

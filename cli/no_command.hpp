@@ -7,11 +7,11 @@ enum class NoCommand : unsigned char {
   NoDeck,  ///< the folder has no DATA.txt
   Run,     ///< it has one, and the user wants it run
   Declined,
-  NotAsked  ///< it has one, but nobody is at a terminal to be asked
+  NotAsked  ///< it has one, but there is no terminal to ask
 };
 
-/// The classic program runs the DATA.txt of its folder without being told to. This one says with
-/// which command it does the same, and does it only after a yes at the terminal.
+/// The classic program runs the DATA.txt of its folder without a command. This one prints the
+/// equivalent command, and runs it only after confirmation at the terminal.
 [[nodiscard]] NoCommand ask_for_run();
 
 }  // namespace adore::cli

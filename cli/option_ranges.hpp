@@ -7,13 +7,13 @@
 #include <array>
 #include <string_view>
 
-/// Ranges of the numbers that options take, said once.
+/// Ranges of numeric options, defined once.
 namespace adore::cli {
 
 struct OptionRange {
   std::string_view option;
   double least, most;
-  std::string_view meaning;  ///< what the ends stand for; may be empty
+  std::string_view meaning;  ///< meaning of the limits; may be empty
 };
 inline constexpr std::array kOptionRanges{
     OptionRange{"--threads", 0, 1024, "0: all cores"},

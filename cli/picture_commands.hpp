@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-/// The commands `plot`, `animate` and `gallery`: their options, without what draws. Two programs
-/// have them: `adore`, which hands them over, and `adore-pictures`, which links Qt and draws. To
-/// link Qt's seventy libraries takes longer than all else that most commands do.
+/// The commands `plot`, `animate` and `gallery`: their options, without the drawing code. Two
+/// programs use them: `adore`, which passes them on, and `adore-pictures`, which links Qt and
+/// draws. Loading the seventy libraries of Qt takes longer than most commands.
 namespace adore::cli {
 
 struct PlotRequest {
   std::vector<std::string> files;
   std::string out = ".", progress = "auto", abscissa = "rev", domain = "history", curve;
   int page = 0;              ///< 0: all
-  int lubricant = 0;         ///< kTrac of the charts that are drawn instead of files; 0: none
+  int lubricant = 0;         ///< kTrac of the charts drawn instead of files; 0: none
   double temperature = 0.0;  ///< of its charts [K]; 0: the usual one
   std::string format = "png";
   results::SolRange range;

@@ -36,7 +36,8 @@ void become(char** argv) {
         "release), or use `adore convert FILE --to csv` and another plotting program");
   const std::string program = program_path();
   (void)std::fflush(nullptr);
-  // An interrupt that comes while the other program is loaded waits until that one listens.
+  // An interrupt that arrives while the other program is loaded waits until that program handles
+  // it.
   const InterruptsWait wait;
   ::execv(program.c_str(), argv);
   refuse(program, errno);

@@ -15,8 +15,8 @@ namespace adore::cli {
 /// throw an InputError. @param argv of main, null-terminated
 [[nodiscard]] PictureActions handed_over(char** argv);
 
-/// Starts it with these words and waits. @return true when it ended with 0; false without Qt.
-/// @throws InputError when it is not where it belongs.
+/// Starts it with these arguments and waits. @return true if its exit code is 0; false without Qt.
+/// @throws InputError if it is not installed.
 bool run_picture_program(const std::vector<std::string>& words);
 
 }  // namespace adore::cli

@@ -25,7 +25,7 @@ std::string fitting(const std::vector<std::string>& forms, std::size_t width) {
   return forms.back().substr(0, width);
 }
 
-/// Columns that one line may take: a full last column would make some terminals wrap.
+/// Columns of one line: a full last column would wrap on some terminals.
 std::size_t room() { return command_line::columns(STDERR_FILENO) - 1; }
 
 /// Lines of a file or pipe: at most one every two seconds, and the last.

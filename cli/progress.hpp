@@ -14,7 +14,7 @@ namespace adore::cli {
 
 /// Of `total` equal pieces of work `done` are done.
 using CountSink = std::function<void(long done, long total)>;
-/// @param what "frame", "picture": what is counted
+/// @param what "frame", "picture": the counted unit
 [[nodiscard]] CountSink make_count_progress(const std::string& what, const std::string& style);
 
 /// The most telling form of a progress line that fits into `width` columns.

@@ -104,7 +104,7 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
   return exit_code(outcome);
 }
 
-/// The options as if what a short study finds had been given.
+/// The options with the settings found by a short study.
 RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
   options.integrator = chosen.integrator;
   options.tolerance = chosen.tolerance;
@@ -118,7 +118,7 @@ RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
   return options;
 }
 
-/// Of a run that came to its end: measured, stored in its files and reported.
+/// A completed run: measured, stored in its files and reported.
 facade::AccuracyStatement state(const facade::RunRequest& request,
                                 const facade::RunOutcome& outcome, double target,
                                 InterruptWatch& watch) {

@@ -11,7 +11,7 @@
 /// Final report of `adore run`.
 namespace adore::cli {
 
-/// A word of a command line as a shell reads it back.
+/// A word quoted for the shell.
 [[nodiscard]] std::string quoted(const std::string& word);
 /// Of a file, which is not to look like an option.
 [[nodiscard]] std::string quoted_path(const std::filesystem::path& path);
@@ -21,7 +21,7 @@ namespace adore::cli {
 [[nodiscard]] std::string summary_text(const facade::RunOutcome& outcome,
                                        const std::string& continuation);
 
-/// An end for --until that is twice as far as the run came.
+/// An end for --until at twice the length of the run.
 [[nodiscard]] std::string twice_as_far(const facade::RunOutcome& outcome);
 
 /// @param again the command that repeats failed runs; empty: reported elsewhere

@@ -33,7 +33,7 @@ void listen(int signal) {
 void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 InterruptWatch::InterruptWatch() {
-  // None comes between two of these lines: it waits until all are listened to.
+  // No signal is handled between two of these lines: signals wait until all are installed.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);

@@ -18,8 +18,8 @@ void tell(std::string_view text, bool patient = true) noexcept;
 /// @return true if the answer begins with y; no value if either stream is not a terminal
 [[nodiscard]] std::optional<bool> ask(std::string_view question);
 
-/// Hands everything on standard output to the system and says when that failed.
-/// @return the exit code: `code`, or 2 when it was 0 and something is lost
+/// Flushes standard output and reports errors.
+/// @return the exit code: `code`, or 2 if it was 0 and output is lost
 [[nodiscard]] int close_output(int code) noexcept;
 
 }  // namespace adore::cli

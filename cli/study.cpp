@@ -106,7 +106,7 @@ int plan(const StudyOptions& options) {
   return 0;
 }
 
-/// Tables, report and pictures of what is there. @returns whether all could be written
+/// Tables, report and pictures of the finished runs. @returns true if all could be written
 bool write_results(const studies::Study& study, bool quiet) {
   const studies::Report report = studies::write_report(study);
   const fs::path folder = study.folder();
@@ -135,7 +135,7 @@ std::string command_of(const char* word, const StudyOptions& options) {
 
 int run(const StudyOptions& options, bool resume) {
   const studies::CampaignRequest request = request_of(options);
-  if (resume) (void)studies::study_status(request.study);  // says when it was never started
+  if (resume) (void)studies::study_status(request.study);  // reports if it was never started
   InterruptWatch watch;
   studies::CampaignOutcome outcome;
   try {
@@ -238,6 +238,15 @@ void add_study(CLI::App& app, int& exit_code) {
       "study",
       "run many cases: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
   study->require_subcommand(1);
+  study->footer(
+      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
+      "NAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\n"
+      "Examples\n"
+      "  adore new ball --out DATA.txt\n"
+      "  adore study new sweep --out sweep.json\n"
+      "  adore study plan sweep.json\n"
+      "  adore study run sweep.json\n"
+      "  adore study resume sweep.json --engine slurm");
   auto options = std::make_shared<StudyOptions>();
 
   CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
@@ -272,12 +281,6 @@ void add_study(CLI::App& app, int& exit_code) {
     exit_code = write_results(studies::open_study(options->file), false) ? 0 : 2;
   });
   add_work(*study, exit_code);
-
-  study->footer(
-      "A study file is JSON, or TOML when its name ends in .toml. Results are in the "
-      "folder\nNAME.study next to it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n\nExamples\n  "
-      "adore new ball --out DATA.txt\n  adore study new sweep --out sweep.json\n  adore study plan "
-      "sweep.json\n  adore study run sweep.json\n  adore study resume sweep.json --engine slurm");
 }
 
 }  // namespace adore::cli

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// "-" stands for the standard streams wherever one file is read or written.
+/// "-" is a standard stream wherever one file is read or written.
 namespace adore::cli {
 
 inline constexpr std::string_view kStream = "-";
@@ -14,8 +14,8 @@ inline constexpr std::string_view kStream = "-";
 [[nodiscard]] std::string read_standard_input(std::size_t most);
 
 /// Writes a text to standard output for "" and "-", into a folder under `name`, or else to the file
-/// as write_export does. Returns the file's name; empty for standard output.
-/// @throws InputError when it cannot be written.
+/// like write_export. Returns the name of the file; empty for standard output.
+/// @throws InputError if it cannot be written.
 std::string write_text(const std::string& out, const std::string& name, std::string_view text,
                        const std::vector<std::filesystem::path>& inputs = {});
 

@@ -29,7 +29,7 @@ int guarded(const std::function<int()>& body) {
   } catch (const Interrupted& stop) {
     return report(stop.what(), 130);
   } catch (const std::system_error& error) {
-    // Writing to a standard stream: said once, when it is closed.
+    // Errors of standard output: reported once, when it is closed.
     return std::ferror(stdout) != 0 ? 2 : report(error.what(), 1);
   } catch (const std::bad_alloc&) {
     return report("out of memory: the deck needs more memory than this machine has", 3);

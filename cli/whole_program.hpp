@@ -5,8 +5,8 @@
 /// Common start and end of both programs of the command line.
 namespace adore::cli {
 
-/// Keeps the standard streams in order, and turns what `body` throws into a sentence on stderr and
-/// an exit code: 2 wrong input, 3 the numerics gave up, 130 interrupted, 1 a bug.
+/// Manages the standard streams, and converts exceptions of `body` to a message on stderr and an
+/// exit code: 2 wrong input, 3 numerical failure, 130 interrupted, 1 program error.
 [[nodiscard]] int whole_program(const std::function<int()>& body);
 
 }  // namespace adore::cli

@@ -41,8 +41,8 @@ struct Multiple {
   std::string unit;
 };
 
-/// Factor and unit text that bring `size` into 1..1000, by prefix where the unit takes one, else by
-/// a power of ten when the plain number would be long.
+/// Factor and unit text that scale `size` to 1..1000, by prefix if the unit has one, else by a
+/// power of ten if the plain number would be long.
 Multiple multiple_for(double size, std::string_view unit) {
   Multiple multiple{1.0, pretty_unit(unit)};
   if (!(size > 0.0)) return multiple;
@@ -74,8 +74,8 @@ struct Limits {
   double low, high;
 };
 
-/// A drawable range: finite and not empty. What moves by less than a millionth of its size is shown
-/// as standing still, because the files hold seven digits.
+/// A drawable range: finite and not empty. Variations below 1e-6 of the magnitude are shown as
+/// constant, because files have seven digits.
 Limits drawable(double low, double high) {
   if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {0.0, 1.0};
   low = std::clamp(low, -kLargestDrawable, kLargestDrawable);
@@ -167,7 +167,7 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
   if (data_max > second_last && data_max - second_last < kLittle * axis.step &&
       axis.min < second_last - 0.5 * axis.step)
     axis.max = data_max;
-  // A line that touches the frame gets a little air, so that it is seen whole.
+  // A margin between lines and the frame, so that they are completely visible.
   const double air = 0.03 * (axis.max - axis.min);
   if (data_min < axis.min + air) axis.min -= air;
   if (data_max > axis.max - air) axis.max += air;

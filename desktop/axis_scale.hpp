@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// Axes that read well: round tick values, SI prefixes or powers of ten instead of long numbers,
-/// and a base value taken out when a signal hardly moves. No Qt in here.
+/// Readable axes: round tick values, SI prefixes or powers of ten instead of long numbers, and an
+/// offset for nearly constant signals. No Qt.
 namespace adore::desktop {
 
 /// shown = (value - offset) / factor; min, max and step are in shown numbers.
@@ -18,7 +18,7 @@ struct AxisScale {
   double min = 0.0, max = 1.0, step = 0.2;
   int decimals = 1;
   std::string unit;  ///< to be shown in brackets: "µm", "10³ rpm/s"; empty for a plain number
-  std::string offset_text;  ///< "35.12 mm" when that was taken out of the numbers, else empty
+  std::string offset_text;  ///< "35.12 mm" if this offset was removed from the numbers, else empty
 
   bool log = false;      ///< shown = log10(value / factor): one decade per shown unit
   bool between = false;  ///< of a logarithmic one: 2 and 5 times each power of ten are ticks, too
@@ -39,12 +39,12 @@ struct AxisTick {
 /// Of the whole range, at most 200.
 [[nodiscard]] std::vector<AxisTick> axis_ticks(const AxisScale& axis);
 
-/// Numbers beyond have no place on an axis: sums and differences of them overflow.
+/// Larger numbers cannot be shown on an axis: sums and differences of them overflow.
 inline constexpr double kLargestDrawable = 1e290;
 /// False for NaN too.
 inline bool is_drawable(double value) { return std::abs(value) <= kLargestDrawable; }
 
-/// Range of values that an axis has a place for.
+/// Valid range of values of an axis.
 struct Extent {
   double low = std::numeric_limits<double>::infinity(),
          high = -std::numeric_limits<double>::infinity();
@@ -73,12 +73,12 @@ double nice_step(double span, int parts);
 /// the range 0 to 1.
 AxisScale value_axis(double low, double high, std::string_view unit, int parts);
 
-/// Scale whose range is exactly the data's range (an abscissa); ticks are multiples of `step`.
+/// Scale with exactly the range of the data (an abscissa); ticks are multiples of `step`.
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts);
 
-/// Gives an axis the prefix of all those of its unit on a page, itself among them: that of the
-/// largest numbers, or the next smaller one where a smaller one occurs and no number gets five
-/// digits before the point. Axes with a base, or more than a thousand away, keep theirs.
+/// Selects a common prefix of all axes of a unit on a page: that of the largest numbers, or the
+/// next smaller one if a smaller one occurs and no number gets five digits before the point. Axes
+/// with an offset, or more than a factor of 1000 away, keep theirs.
 void take_common_unit(AxisScale& axis, const std::vector<AxisScale>& all);
 
 /// Logarithmic scale over the positive part of the range: whole decades around it, or exactly the
@@ -93,11 +93,11 @@ std::string tick_text(double value, int decimals);
 /// "m/s^2" -> "m/s²", "N.m" -> "N·m"; anything else stays.
 std::string pretty_unit(std::string_view unit);
 
-/// A number for people: `digits` significant digits, no exponent between 1e-3 and 1e6, a true minus
+/// A formatted number: `digits` significant digits, no exponent between 1e-3 and 1e6, a true minus
 /// sign.
 std::string pretty_number(double value, int digits = 4);
 
-/// Number and unit with an SI prefix where the unit takes one: 3.2e-6, "m" -> "3.2 µm".
+/// Number and unit with an SI prefix if the unit has one: 3.2e-6, "m" -> "3.2 µm".
 std::string pretty_quantity(double value, std::string_view unit, int digits = 4);
 
 }  // namespace adore::desktop

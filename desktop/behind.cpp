@@ -11,7 +11,7 @@ namespace adore::desktop {
 OpensBehind::OpensBehind() { qApp->installEventFilter(this); }
 
 bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
-  // From the first window that is chosen on, the others come to the front.
+  // After the user has activated a window, later ones come to the front.
   if (event->type() == QEvent::WindowActivate) qApp->removeEventFilter(this);
   if (!object->isWidgetType() || !static_cast<QWidget*>(object)->isWindow()) return false;
   auto* window = static_cast<QWidget*>(object);
@@ -23,7 +23,7 @@ bool OpensBehind::eventFilter(QObject* object, QEvent* event) {
   }
   if (event->type() == QEvent::Show) {
     QApplication::alert(window);
-    // Above the one that is typed in it would hide what is typed.
+    // Above the active one it would hide the typed text.
     QTimer::singleShot(0, window, [window] { window->lower(); });
   }
   return false;

@@ -2,10 +2,10 @@
 
 #include <QObject>
 
-/// Windows that open because something has finished, while somebody may be typing elsewhere.
+/// Windows that open automatically at the end of a task, while the user may be typing elsewhere.
 namespace adore::desktop {
 
-/// Option of a viewer, and of what is handed over to one: the keyboard stays where it is.
+/// Option of a viewer, also for existing ones: the keyboard focus does not change.
 inline constexpr const char* kBehind = "--behind";
 
 /// As long as it lives, and until a window of this program is chosen, windows open without taking

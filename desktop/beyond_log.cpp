@@ -26,7 +26,7 @@ std::string name_of(const ChartPage& page, const ChartPanel& panel, const ChartC
                                 : fmt::format("\"{}\"", curve.name);
 }
 
-/// The curves of which some values are drawn and others not.
+/// The curves with some values that cannot be drawn.
 std::vector<Share> shares_of(const ChartPage& page) {
   std::vector<Share> out;
   for (const ChartPanel& panel : page.panels) {

@@ -13,8 +13,8 @@ namespace adore::desktop {
 /// note.
 [[nodiscard]] std::string beyond_log_axes(const ChartPage& page);
 
-/// The values as a logarithmic axis draws them: those of 0 and less stand at `below`, beyond the
-/// foot of the picture, so that a line leaves it and comes back; a gap would be of no value.
+/// Values for a logarithmic axis: those of 0 and less are at `below`, outside the lower end of the
+/// picture, so that lines leave and return; a gap would mean a missing value.
 [[nodiscard]] std::vector<double> above_or_at(const std::vector<double>& values, double below);
 
 }  // namespace adore::desktop

@@ -65,8 +65,8 @@ std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std
         name +
         " has no display; start it in a desktop session, or use --render DIR to write pictures");
   auto app = std::make_unique<QApplication>(argc, argv);
-  // Qt takes the user's locale for the whole process; C functions in libraries and in users'
-  // routines would then read 7.5 as 7 and write 7,5.
+  // Qt sets the user's locale for the whole process; C functions in libraries and user routines
+  // would then read 7.5 as 7 and write 7,5.
   std::setlocale(LC_NUMERIC, "C");
   set_up(QString::fromStdString(name));
   return app;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-/// Starting Qt the same way everywhere: apps, the command line's pictures, and tests.
+/// Common initialization of Qt: apps, drawing program, and tests.
 namespace adore::desktop {
 
 enum class Display : unsigned char {

@@ -40,7 +40,7 @@ bool lies_on(const QPolygonF& line, const QPolygonF& other, qreal same) {
   return on.empty() || on.back();
 }
 
-/// Lowest and highest place of each line.
+/// Minimum and maximum position of each line.
 std::vector<Extent> extents_of(const std::vector<QPolygonF>& lines) {
   std::vector<Extent> out(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -107,8 +107,8 @@ bool runs_to_and_fro(const ChartScene::ShownCurve& one, qreal same) {
   return dense > kMost * columns;
 }
 
-/// Do curves and their bands agree from place `from` to before `to`, by what `same` says of two
-/// values, wherever both have one?
+/// Do curves and their bands agree from index `from` to before `to`, according to `same`, wherever
+/// both have values?
 struct Agreement {
   bool agree = true;
   bool gaps = false;  ///< a value of one without a value of the other
@@ -150,8 +150,8 @@ struct Sameness {
   Goes goes_on;
 };
 
-/// Places from `from` to before `to` where the curves agree by what `same` says of two values: each
-/// the first and the last of a stretch. A place where one has no value ends none.
+/// Ranges of indices from `from` to before `to` where the curves agree according to `same`: the
+/// first and last index of each. A missing value does not end a range.
 struct Stretches {
   std::vector<std::pair<std::size_t, std::size_t>> places;
   bool differ = false;  ///< somewhere
@@ -203,8 +203,8 @@ Stretches long_stretches_of(const ChartCurve& a, const ChartCurve& b, std::size_
   return out;
 }
 
-/// How far over the picture one of two curves has values where the other has none, by where
-/// `place` draws the i-th value of `from` to before `to`.
+/// Width in the picture of values of one of two curves where the other has none; `place`: position
+/// of the i-th value of `from` to before `to`.
 template <class Place>
 qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, std::size_t to,
                   Place place) {
@@ -216,11 +216,11 @@ qreal unlike_gaps(const ChartCurve& a, const ChartCurve& b, std::size_t from, st
   return out;
 }
 
-/// Shorter stretches are crossings, or are not seen; so little of a picture's width is not told.
+/// Shorter ranges are crossings, or invisible; such a small part of the picture width is ignored.
 constexpr qreal kLeast = 24.0, kWorthSaying = 0.05;
 
-/// Stretches of two curves without the places where only the upper one has values, as far as these
-/// are seen: nothing is below it there.
+/// Visible ranges of two curves without points where only the upper one has values: nothing is
+/// below it there.
 template <class Place>
 std::vector<std::pair<std::size_t, std::size_t>> without_gaps(
     const std::vector<std::pair<std::size_t, std::size_t>>& places, const ChartCurve& lower,
@@ -374,8 +374,8 @@ bool ChartScene::findStretches(std::size_t index, ShownCurve& before, ShownCurve
   const auto places = gaps > kLeast ? without_gaps(found.places, one, other, place) : found.places;
   for (const auto& [first, last] : places) {
     if (!long_enough(first, last)) continue;
-    // Lines are thinned to columns of pixels: within one of an end they may be on their way to what
-    // differs behind it.
+    // Lines are thinned to columns of pixels: near an end they may already deviate toward the next
+    // value.
     constexpr qreal kColumn = 1.5;
     over.emplace_back(place(first) + kColumn, place(last) - kColumn);
     // The ends of a range depend on the picture size: for curves that separate soon, the equal

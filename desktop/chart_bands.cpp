@@ -85,7 +85,7 @@ void ChartScene::addBand(std::size_t panel, std::size_t which, const QRectF& are
   const auto [first, last] =
       rising_ ? places_between(page_.x, low_, high_) : std::pair(std::size_t{0}, count);
   // The interval that the end of the view cuts is drawn as far.
-  std::size_t known = count;  // the value whose place is `begins`
+  std::size_t known = count;  // the value at position `begins`
   qreal begins = 0.0;
   for (std::size_t i = first; i < std::min(last + 1, count);) {
     if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) {
@@ -172,7 +172,7 @@ bool ChartScene::bandsSeen(const std::vector<QPolygonF>& bands,
           over.emplace_back(cover[c].low - half, cover[c].high + half);
         }
         std::sort(over.begin(), over.end());
-        qreal bare = top.y();  // from here down nothing covers it yet
+        qreal bare = top.y();  // not covered yet from here down
         for (const auto& [from, to] : over) {
           if (std::min(from, bottom.y()) - bare > kSeen) return true;
           bare = std::max(bare, to);

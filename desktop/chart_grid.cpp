@@ -13,8 +13,7 @@ namespace {
 
 class GridItem : public QGraphicsItem {
  public:
-  /// @param aside how far the upright axis stands from the area: what a curve begins with is not on
-  /// it
+  /// @param aside distance of the vertical axis from the area: the start of a curve is not on it
   GridItem(const QRectF& area, std::vector<qreal> across, std::vector<qreal> up, bool axis_up,
            qreal aside, const Theme& theme)
       : area_(area),

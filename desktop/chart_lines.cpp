@@ -27,7 +27,7 @@ class LineItem : public QGraphicsItem {
   QPen pen_;
 };
 
-/// A way of very many points, drawn from tiles that its scene keeps.
+/// A path of very many points, drawn from tiles stored in its scene.
 class LongWayItem : public QGraphicsItem {
  public:
   LongWayItem(const WayRuns& way, WayTiles& tiles, WayPlace place, QPen pen)
@@ -167,7 +167,7 @@ std::vector<QPolygonF> stretches(const QPolygonF& whole, int of, const QRectF& a
   return out;
 }
 
-/// The part of a line between two places across; it goes to the right.
+/// The part of a line between two horizontal positions; x increases.
 QPolygonF between(const QPolygonF& line, qreal left, qreal right) {
   QPolygonF out;
   for (qsizetype i = 0; i < line.size(); ++i) {
@@ -213,7 +213,8 @@ void ChartScene::addShown(const ShownCurve& shown, const ChartPanel& panel, cons
   addWay(std::move(parts), area, pen);
   if (!lines_.empty()) lines_.back() += static_cast<int>(shown.lines.size());
   for (std::size_t i = 0; i < shown.pieces.size(); ++i) {
-    // A value between gaps has no line: it is a point. A dashed line among points is a limit.
+    // A value between gaps has no line: it is drawn as a point. A dashed line among points is a
+    // limit.
     const bool limit = panel.curves[shown.curve].dashed;
     if ((page_.points && !limit) || shown.pieces[i].x.size() == 1)
       addPoints(shown.pieces[i], area, x_axis_, y_axis, shown.colour, m.line);

@@ -25,8 +25,8 @@ struct MarkName {
   QString text = {};
   qreal line = 0.0, left = 0.0, width = 0.0;
   int row = 0;          ///< above the lowest one
-  bool beside = false;  ///< its leader, which passes the rows below
-  /// Where the way from the name to its line leaves it.
+  bool beside = false;  ///< its leader, which crosses the rows below
+  /// Point where the leader from the name to its line begins.
   [[nodiscard]] qreal foot() const {
     if (beside) return left - kBeside;
     const qreal edge = std::min(3.0, 0.5 * width);
@@ -55,8 +55,8 @@ void join(std::vector<MarkName>& names, std::size_t i, const QFontMetricsF& metr
   write(names[i], metrics, room);
 }
 
-/// Side by side from `left` to `right`, each as near to its line as the others let it be; the last
-/// of too many share a text.
+/// Side by side from `left` to `right`, each as close to its line as the others allow; the last of
+/// too many share a text.
 void arrange(std::vector<MarkName>& names, const QFontMetricsF& metrics, qreal left, qreal right) {
   // Without the last one, which may count its names.
   const auto length = [&] {
@@ -107,7 +107,7 @@ bool arrange_in_stairs(std::vector<MarkName>& names, std::size_t rows, qreal lef
   return n == 0 || foot[0] >= left;
 }
 
-/// How far a leader goes aside at most.
+/// Largest horizontal shift of a leader.
 qreal farthest_aside(const std::vector<MarkName>& names) {
   qreal out = 0.0;
   for (const MarkName& name : names) out = std::max(out, std::abs(name.foot() - name.line));
@@ -137,9 +137,9 @@ void place_names(std::vector<MarkName>& names, int most, const QFontMetricsF& me
   names = std::move(best);
 }
 
-/// Steps below each other, so that none crosses another: of names to the right of their lines the
-/// last one goes deepest, of names to the left the first. As far apart as the longest of such rows
-/// lets them be.
+/// Steps below each other, so that they do not cross: for names to the right of their lines the
+/// last one is lowest, for names to the left the first. The distance is limited by the longest of
+/// such rows.
 std::vector<qreal> step_depths(const std::vector<MarkName>& names, qreal height) {
   constexpr qreal kWidest = 5.0;
   const auto aside = [&](std::size_t i) { return names[i].foot() - names[i].line; };
@@ -232,7 +232,7 @@ void ChartScene::addMarks(const QRectF& area, const AxisScale& y_axis, bool labe
     const qreal begin = name.beside ? bottom - 0.7 * metrics.ascent() : top + 1.0;
     if (depth[i] > 0.0 || name.beside) addLine(QLineF(name.foot(), begin, name.foot(), from), thin);
     if (depth[i] > 0.0) addLine(QLineF(name.foot(), from, name.line, from), thin);
-    // All lines whose names it has.
+    // All lines with this name.
     const qreal next = i + 1 < names.size() ? names[i + 1].line : area.right() + 1.0;
     const qreal first = name.line;
     for (; line < lines.size() && lines[line].line < next; ++line) {

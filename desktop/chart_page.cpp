@@ -104,7 +104,7 @@ std::size_t pieces_between(const std::vector<double>& y, std::size_t first, std:
       i += CurveBlocks::kLength;
       continue;
     }
-    // The first one seen begins a piece, wherever its own began.
+    // The first visible one begins a piece, independent of its previous start.
     out += begins_piece(y, i, wraps) || (i == first && is_drawable(y[i])) ? 1 : 0;
     ++i;
   }

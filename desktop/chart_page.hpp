@@ -14,20 +14,21 @@ namespace adore::desktop {
 struct ChartCurve {
   std::string name;
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
-  std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
-  bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
-  bool heavy = false;     ///< drawn thick: the main curve
+  /// Empty: abscissa of the page (separate values only on pages with equal axes).
+  std::vector<double> x;
+  bool dashed = false;  ///< drawn broken, so that a curve below it stays visible
+  bool heavy = false;   ///< drawn thick: the main curve
   /// Extremes between the values, drawn as a min-max band; empty: unknown. As long as y.
   std::vector<double> low = {}, high = {};
-  /// Which values a file holds, as long as y: the others are read off straight lines between them.
-  /// Empty: all of them.
+  /// Stored values, as long as y: others are interpolated linearly.
+  /// Empty: all are stored.
   std::vector<bool> stored = {};
   bool hidden = false;     ///< by its entry in the legend
   std::string brief = {};  ///< complete name for readouts; empty: title and name
   /// Offset contained in y, so that lines are drawn above each other.
   double lift = 0.0;
-  double foot = 0.0;  ///< the value at which such a line begins, and is named
-  /// A value as readouts and tables tell it.
+  double foot = 0.0;  ///< the value at which such a line begins, with its name
+  /// A value for readouts and tables.
   [[nodiscard]] double value(std::size_t i) const { return y[i] - lift; }
 };
 
@@ -37,13 +38,13 @@ struct ChartPanel {
   std::vector<ChartCurve> curves;
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a revolution are not joined
   double least_span =
-      0.0;  ///< smallest range of the vertical axis, where finer detail is the data's rounding
-  std::string message = {};  ///< a sentence in place of curves without any value
+      0.0;  ///< smallest range of the vertical axis; finer detail is rounding of the data
+  std::string message = {};  ///< a message instead of curves without values
   bool one_colour = false;   ///< curves of one family, without a legend
   /// Its lines are drawn above each other, each with its name next to it: instead of numbers on the
   /// axis, a bar shows the scale.
   bool scale_bar = false;
-  bool log = false;  ///< logarithmic axis; values of 0 and less have no place on it
+  bool log = false;  ///< logarithmic axis; values of 0 and less cannot be drawn
 };
 
 struct ChartMark {
@@ -64,7 +65,7 @@ struct ChartLabel {
 struct StudyChart;
 
 struct ChartPage {
-  /// A picture of a study in place of everything else (study_chart.hpp).
+  /// A picture of a study instead of everything else (study_chart.hpp).
   std::shared_ptr<const StudyChart> study = nullptr;
   std::string title, subtitle;
   std::string note;            ///< a sentence below the title, or, without panels, instead of them
@@ -72,38 +73,37 @@ struct ChartPage {
   std::string x_title, x_unit;
   std::vector<double> x;
   std::vector<ChartPanel> panels;
-  std::vector<ChartMark> marks;    ///< dashed vertical lines with a label
-  bool equal_axes = false;         ///< an orbit: same scale both ways, one panel
-  bool points = false;             ///< each value is marked: there is nothing between them
-  bool closed_outline = false;     ///< an orbit page whose curves are outlines, not paths
-  bool fitted = false;             ///< an orbit page as wide and high as its curves, not square
-  bool schematic = false;          ///< an orbit page whose places mean nothing: without axes
+  std::vector<ChartMark> marks;  ///< dashed vertical lines with a label
+  bool equal_axes = false;       ///< an orbit: same scale in both directions, one panel
+  bool points = false;           ///< each value is marked: no values in between
+  bool closed_outline = false;   ///< an orbit page whose curves are outlines, not paths
+  bool fitted = false;           ///< an orbit page as wide and high as its curves, not square
+  bool schematic = false;        ///< an orbit page without axes, because positions have no meaning
   std::vector<ChartLabel> labels;  ///< of a page with equal axes
   double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
-  /// Of an orbit: where its points stand on the abscissa of other pages; rises. Empty: not known.
+  /// For an orbit: abscissa of its points on other pages; increasing. Empty: unknown.
   std::vector<double> along = {};
   std::string along_title = {}, along_unit = {};
-  double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
+  double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = everything
   bool log_x = false;                      ///< logarithmic abscissa
-  /// Curves of which this page could be as well, and its own among them; empty: no such choice.
+  /// Alternative curves of this page, including its own; empty: no choice.
   std::vector<std::string> choices = {};
   std::size_t chosen = 0;
   std::string about = {};  ///< the body, for tables without a subtitle
 };
 
-/// Extremes, mean and root mean square of the values of a curve between two places of its abscissa,
-/// both included. Means weigh every stored value by the abscissa that it stands for (trapezoidal
-/// rule); with one value they are that value.
+/// Extremes, mean and root mean square of the values of a curve between two points of its abscissa,
+/// both included. Means are integrals by the trapezoidal rule; for one value they are that value.
 struct CurveStatistics {
   std::size_t count = 0;           ///< of values
-  double first = 0.0, last = 0.0;  ///< where the first and the last of them stand
+  double first = 0.0, last = 0.0;  ///< position of the first and the last of them
   double lowest = 0.0, highest = 0.0, mean = 0.0, rms = 0.0;
 };
 [[nodiscard]] CurveStatistics statistics_between(const std::vector<double>& x,
                                                  const std::vector<double>& y, double from,
                                                  double to);
 
-/// Place of the value whose abscissa is nearest; 0 of an empty vector. `x` rises.
+/// Index of the value with the nearest abscissa; 0 for an empty vector. `x` increases.
 [[nodiscard]] std::size_t nearest_index(const std::vector<double>& x, double where);
 
 /// The pieces of a curve that are drawn as connected lines inside [low, high] of the abscissa:
@@ -118,8 +118,8 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
                                       double low, double high, int columns, bool wraps,
                                       const CurveBlocks* blocks = nullptr);
 
-/// Places of the lowest and the highest of every kLength values of a long curve, and what they are:
-/// made once, so that moving along a million of them is quick and hides no peak.
+/// Indices of the minimum and maximum of each block of kLength values of a long curve, and these
+/// values: computed once, so that panning over a million values is fast and keeps all peaks.
 struct CurveBlocks {
   static constexpr std::size_t kLength = 32, kSpan = 32 * kLength;
   struct Block {
@@ -129,21 +129,21 @@ struct CurveBlocks {
     bool smooth = false;  ///< nor a wrap, nor one to the value before
     int begun = 0;        ///< pieces between gaps and wraps that begin in it
   };
-  std::vector<Block> blocks;  ///< of whole lengths; values behind the last have none
-  std::vector<Extent> spans;  ///< of every kSpan values, those that are none left out
+  std::vector<Block> blocks;  ///< of complete blocks; later values have none
+  std::vector<Extent> spans;  ///< of each block of kSpan values, without missing ones
 };
 [[nodiscard]] CurveBlocks blocks_of(const std::vector<double>& y, bool wraps);
 
-/// Range of the values from place `from` to before `to`, those that are none left out.
+/// Range of the values from index `from` to before `to`, without missing ones.
 [[nodiscard]] Extent extent_between(const std::vector<double>& y, std::size_t from, std::size_t to,
                                     const CurveBlocks& blocks);
 
-/// Pieces of a curve from place `first` to before `last` between its gaps and, where it `wraps`,
-/// its wraps; whole blocks are not looked into.
+/// Pieces of a curve from index `first` to before `last` between its gaps and, if it `wraps`, its
+/// wraps; complete blocks are not examined.
 [[nodiscard]] std::size_t pieces_between(const std::vector<double>& y, std::size_t first,
                                          std::size_t last, bool wraps, const CurveBlocks& blocks);
 
-/// Places of the values with low <= x <= high, [first, second). `x` rises.
+/// Indices of the values with low <= x <= high, [first, second). `x` increases.
 [[nodiscard]] std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
                                                                  double low, double high);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// A panel of a page of charts: its own axis, and all that is drawn in it.
+/// A panel of a page of charts: its axis, and its content.
 namespace adore::desktop {
 
 AxisScale ChartScene::panelAxis(std::size_t index, const QRectF& area, bool& any) {
@@ -81,7 +81,7 @@ bool is_something(const ChartPanel& panel) {
   });
 }
 
-/// Has nothing of the page values, for one reason? Then that is the page's, said once.
+/// Do all panels lack values for the same reason? Then it is shown once for the page.
 bool one_message(const ChartPage& page) {
   return page.panels.size() > 1 &&
          std::all_of(page.panels.begin(), page.panels.end(), [&](const ChartPanel& panel) {
@@ -136,12 +136,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const qreal legend = scaled && !named_before
                            ? addLegend(panel, shown, below_legend, labelsTop(area, y_axis, m), m)
                            : area.right();
-  // A title too long for the side of its panel, even without its unit, stands above it.
+  // A title too long for the side of its panel, even without its unit, is above it.
   const bool numbered = scaled && !panel.scale_bar;
   QString y_title = numbered ? with_unit(text_of(panel.title), y_axis) : text_of(panel.title);
   qreal head = area.left();
   const QFontMetricsF title_metrics(ui_font(m.text_font));
-  // One way for the page.
+  // One direction for the page.
   const bool above =
       std::any_of(page_.panels.begin(), page_.panels.end(), [&](const ChartPanel& one) {
         const QString unit = "[" + text_of(pretty_unit(one.unit)) + "]";
@@ -173,7 +173,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   if (panel.one_colour && scaled) addLineNames(panel, area, y_axis, m);
   if (scaled && !y_axis.offset_text.empty())
     addBase(y_axis, area, head, names_above ? head : legend, drawn, m);
-  // Lines across a message would hide its words; their names are those of the panels below, too.
+  // Lines would cross the text of a message; their names are also at the panels below.
   const bool named =
       index == 0 && std::any_of(page_.panels.begin(), page_.panels.end(), has_values);
   if (any || named) addMarks(area, y_axis, named, any, m);

@@ -24,7 +24,7 @@ bool is_long(const ChartCurve& curve) {
   return std::min(curve.x.size(), curve.y.size()) > kLong;
 }
 
-/// Of points that belong to each other; infinite where outlines are not of the same points.
+/// For corresponding points; infinite if outlines have different points.
 double farthest_apart(const ChartCurve& one, const ChartCurve& other) {
   double out = std::numeric_limits<double>::infinity();
   if (one.x.size() != other.x.size() || one.y.size() != other.y.size() || one.x.empty()) return out;
@@ -72,8 +72,8 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
     across.include(r);
     up.include(r);
   }
-  // One square that holds both ranges keeps circles round; a twelfth of margin keeps the curve off
-  // the frame.
+  // A square with both ranges keeps circles round; a margin of a twelfth keeps the curve off the
+  // frame.
   Plane out;
   out.middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
   out.middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
@@ -110,8 +110,8 @@ ChartScene::Plane ChartScene::wholePlane(const Metrics& m) const {
   return out;
 }
 
-/// A page with long curves stands on whole pixels, as it is moved: their tiles are shown as they
-/// are, and no curve trembles against another. Half a pixel at most.
+/// A page with long curves is moved by whole pixels: its tiles are reused, and curves do not shift
+/// against each other. At most half a pixel.
 ChartScene::Plane ChartScene::seenPlane(const Plane& whole) const {
   Plane out = page_.schematic ? whole : chosenPlane(whole);
   const auto& curves = page_.panels.front().curves;
@@ -165,7 +165,7 @@ std::optional<QPointF> ChartScene::planePlace(double across, double up) const {
 
 std::optional<ChartScene::PlanePoint> ChartScene::pointNear(QPointF position, qreal reach) const {
   if (!isPlane() || areas_.empty()) return std::nullopt;
-  // In the page's unit: no place of a long orbit is worked out twice.
+  // In the unit of the page: no point of a long orbit is converted twice.
   const double x = abscissaAt(position.x()), y = valueAt(0, position.y());
   const double unit = std::abs(abscissaAt(position.x() + 1.0) - x);
   double least = reach * reach * unit * unit;
@@ -225,7 +225,7 @@ void ChartScene::addOrbit(const Metrics& m) {
            with_unit(text_of(panel.title), y_axis), true, true, m);
   if (page_.guide_radius > 0.0) {
     Polyline circle;
-    // As round when it is enlarged: a chord's height falls with the square of its length.
+    // Equally round when enlarged: the height of a chord decreases with the square of its length.
     const int points = 180 * static_cast<int>(std::ceil(std::sqrt(seen.enlarged)));
     for (int i = 0; i <= points; ++i) {
       const double a = 2.0 * std::numbers::pi * i / points;
@@ -263,13 +263,13 @@ void ChartScene::addOrbit(const Metrics& m) {
                            : page_.closed_outline ? m.line
                                                   : m.thin_line,
                            curve.dashed || on_another);
-    Polyline line, piece;  // first and last place; the part since the last gap
+    Polyline line, piece;  // first and last point; the part since the last gap
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
       if (page_.points) {  // a spoke and a mark each, and nothing between them
         for (std::size_t i = 0; i < piece.x.size(); ++i)
           addCurve({{0.0, piece.x[i]}, {0.0, piece.y[i]}}, area, x_axis, y_axis, pen);
-        const qreal r = (on_another ? 2.0 : 3.6) * m.line;  // in the same place both are seen
+        const qreal r = (on_another ? 2.0 : 3.6) * m.line;  // at the same point both are visible
         for (const QPointF& at : placed(piece, area, x_axis, y_axis, false))
           if (area.adjusted(-1, -1, 1, 1).contains(at))
             addEllipse(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r), QPen(Qt::NoPen), pen.color())

@@ -45,7 +45,7 @@ void ChartScene::studyDigits() {
 }
 
 int ChartScene::digitsOf(std::size_t panel, std::size_t curve) const {
-  // A panel without curves has places under the pointer, too.
+  // A panel without curves has positions under the pointer, too.
   if (panel >= digits_.size() || curve >= digits_[panel].size()) return kDigits;
   int digits = digits_[panel][curve];
   if (panel < y_axes_.size() && !y_axes_[panel].log) {

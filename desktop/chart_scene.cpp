@@ -40,7 +40,7 @@ qreal ChartScene::lineNamesWidth(const Metrics& m) const {
 
 namespace {
 
-/// Ranges that can be chosen: of each panel, or of both axes of a page where they are equal.
+/// Selectable ranges: of each panel, or of both axes of a page with equal axes.
 std::size_t view_count(const ChartPage& page) { return page.equal_axes ? 2 : page.panels.size(); }
 
 }  // namespace

@@ -65,17 +65,17 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] bool whole() const;
   void resetView();
   [[nodiscard]] ChartZoom zoom() const { return {low_, high_, panel_views_}; }
-  /// Ranges of panels that this page does not have are left out.
+  /// Ranges of panels that this page does not have are dropped.
   void setZoom(const ChartZoom& zoom);
-  /// Range of one panel's own axis, in its unit; none: it follows its curves again.
+  /// Range of the axis of one panel, in its unit; none: it follows its curves again.
   void setPanelView(std::size_t panel, std::optional<std::pair<double, double>> range);
   /// Visible part of a page with equal axes, in current scene coordinates: the picture keeps its
   /// aspect ratio and shows all of `part`, at most everything and at least a ten-thousandth.
   void setPlaneView(const QRectF& part);
-  /// Is this a page with equal axes that has places to look at more closely?
+  /// Is this a page with equal axes that can be zoomed?
   [[nodiscard]] bool isPlane() const;
-  /// All that there is to look at, in scene coordinates of now: wider than a panel where that shows
-  /// a part of the abscissa, of a page with equal axes higher, too.
+  /// Complete content, in current scene coordinates: wider than a panel that shows a part of the
+  /// abscissa, for a page with equal axes also higher.
   [[nodiscard]] QRectF everything() const;
   /// The least part of everything that is shown.
   static constexpr double kLeastPart = 1e-4;
@@ -93,22 +93,22 @@ class ChartScene : public QGraphicsScene {
   /// Abscissa value at a scene position, and back.
   [[nodiscard]] double abscissaAt(double scene_x) const;
   [[nodiscard]] double positionOf(double abscissa) const;
-  /// Value of a panel's own axis at a scene position, and back.
+  /// Value of the axis of a panel at a scene position, and the inverse.
   [[nodiscard]] double valueAt(std::size_t panel, double scene_y) const;
   [[nodiscard]] double heightOf(std::size_t panel, double value) const;
-  /// Panel under a scene position; none between them.
+  /// Panel at a scene position; none between them.
   [[nodiscard]] std::optional<std::size_t> panelAt(QPointF scene_position) const;
   /// "12.3 rev: outer 412 N, inner 398 N" for a scene position, empty outside the panels.
   [[nodiscard]] QString readout(QPointF scene_position) const;
   /// The same, each value as a part with its label.
   [[nodiscard]] QStringList readoutParts(QPointF scene_position) const;
-  /// The same of a stored place: of the abscissa, or of a curve of an orbit.
+  /// The same for a stored point: of the abscissa, or of a curve of an orbit.
   [[nodiscard]] QStringList storedParts(std::size_t curve, std::size_t index) const;
   /// Number of digits that resolve the variation of a curve and the resolution of its panel: 30.005
   /// mm does not show a motion of 1 µm.
   [[nodiscard]] int digitsOf(std::size_t panel, std::size_t curve) const;
-  /// The stored point of an orbit that is drawn nearest to a place, and where; none farther away
-  /// than `reach` pixels.
+  /// The stored point of an orbit that is drawn nearest to a position, and its position; none
+  /// farther away than `reach` pixels.
   struct PlanePoint {
     std::size_t curve = 0, index = 0;
     QPointF at;
@@ -117,7 +117,7 @@ class ChartScene : public QGraphicsScene {
   /// Position of a point of an orbit; none outside the visible range.
   [[nodiscard]] std::optional<QPointF> planePlace(double across, double up) const;
 
-  /// Numbers of the runs behind a place in a picture of a study; empty: none.
+  /// Numbers of the runs behind a position in a picture of a study; empty: none.
   [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
 
   /// Are min-max bands visible, so that the note on them is shown?
@@ -128,15 +128,15 @@ class ChartScene : public QGraphicsScene {
 
  private:
   struct Metrics;
-  /// Curves of which only one would be seen: their lines cover each other, their values differ by
-  /// no more than a line is wide, or not at all.
+  /// Curves of which only one would be visible: their lines cover each other, their values differ
+  /// by less than a line width, or are equal.
   enum class Alike : unsigned char { Covers, Near, Equal };
   [[nodiscard]] Metrics metrics() const;
   /// The page's note as lines of the page's width.
   struct NoteLines {
     QStringList lines;
     int font = 13;
-    bool more = false;  ///< not all of it has room
+    bool more = false;  ///< not all of it fits
   };
   /// The notes of the page: text, min-max bands, and values that logarithmic axes cannot show.
   [[nodiscard]] std::string noteText() const;
@@ -162,12 +162,11 @@ class ChartScene : public QGraphicsScene {
   /// none.
   bool findStretches(std::size_t index, ShownCurve& before, ShownCurve& shown, const QRectF& area,
                      const AxisScale& y_axis, qreal same) const;
-  /// Draws one. What would hide another curve leaves stretches of the way to it: of `later` + 1
-  /// only one is its own.
+  /// Draws a curve. If it would hide others, stripes are left to them: it keeps one of `later` + 1.
   void addShown(const ShownCurve& shown, const ChartPanel& panel, const QRectF& area,
                 const AxisScale& y_axis, const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
-  /// In place of the numbers of a panel's own axis: a value with few digits as a bar, and its text.
+  /// Instead of the numbers of a panel axis: a value with few digits as a bar, and its text.
   void addScaleBar(const ChartPanel& panel, const QRectF& area, const AxisScale& y_axis,
                    const Metrics& m);
   /// Names of lines of one family next to their panel, as many as fit.
@@ -184,7 +183,7 @@ class ChartScene : public QGraphicsScene {
   /// space, else in the corner of the panel that hides the least.
   void addBase(const AxisScale& y_axis, const QRectF& area, qreal head, qreal legend,
                const std::vector<QPolygonF>& drawn, const Metrics& m);
-  /// A page with equal axes as a whole: its frame, and what that holds.
+  /// A page with equal axes: its frame, and its content.
   struct Plane {
     QRectF area;
     double middle_x = 0.0, middle_y = 0.0, half_x = 1.0, half_y = 1.0;
@@ -193,10 +192,10 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QRectF space(const Metrics& m) const;
   /// Width of names next to panels; 0: none.
   [[nodiscard]] qreal lineNamesWidth(const Metrics& m) const;
-  /// Goes through a page with equal axes once.
+  /// Iterates over a page with equal axes.
   void studyPlane();
   [[nodiscard]] Plane wholePlane(const Metrics& m) const;
-  /// The part of it that is chosen.
+  /// The selected part of it.
   [[nodiscard]] Plane seenPlane(const Plane& whole) const;
   [[nodiscard]] Plane chosenPlane(const Plane& whole) const;
   void addOrbit(const Metrics& m);
@@ -204,14 +203,13 @@ class ChartScene : public QGraphicsScene {
   [[nodiscard]] QStringList planeReadout(QPointF position) const;
   /// "Y 1 µm, Z 2 µm".
   [[nodiscard]] QString planeValues(double across, double up) const;
-  /// " (0.1 N to 2 N)": extremes since the value before; empty where there are none, or no width.
+  /// " (0.1 N to 2 N)": extremes since the previous value; empty if missing or equal.
   [[nodiscard]] QString bandAt(std::size_t panel, std::size_t curve, std::size_t place) const;
   void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
-  /// Returns its left end. A legend that reaches over the labels of the axis stands above
-  /// `labels_top`.
+  /// Returns its left end. A legend over the labels of the axis is above `labels_top`.
   qreal addLegend(const ChartPanel& panel, const std::vector<ShownCurve>& shown, const QRectF& area,
                   qreal labels_top, const Metrics& m);
-  /// Upper end of the labels of a panel's own axis.
+  /// Upper end of the labels of a panel axis.
   [[nodiscard]] qreal labelsTop(const QRectF& area, const AxisScale& y_axis,
                                 const Metrics& m) const;
   /// Names are above the panel, as close to their lines as possible; a step connects a name with a
@@ -262,9 +260,9 @@ class ChartScene : public QGraphicsScene {
   mutable std::optional<std::pair<NoteKey, NoteLines>> note_lines_;
   bool rising_ = false;          ///< the abscissa
   std::vector<double> decades_;  ///< log10 of a logarithmic abscissa
-  std::string beyond_log_;       ///< what logarithmic axes leave out
+  std::string beyond_log_;       ///< values that logarithmic axes cannot show
   bool bands_seen_ = false;      ///< some of a band, in the panels that are drawn
-  bool bands_told_ = true;       ///< what they are, in the note
+  bool bands_told_ = true;       ///< their explanation, in the note
   /// Of a long curve and of the edges of its band.
   struct LongCurve {
     CurveBlocks y, low, high;
@@ -272,7 +270,7 @@ class ChartScene : public QGraphicsScene {
       return which == 0 ? y : which == 1 ? low : high;
     }
   };
-  std::vector<std::vector<LongCurve>> blocks_;  ///< by panel and curve; none of short ones
+  std::vector<std::vector<LongCurve>> blocks_;  ///< by panel and curve; none for short ones
   std::vector<std::vector<int>> digits_;        ///< by panel and curve
   /// Of a page with equal axes.
   struct PlaneCurve {

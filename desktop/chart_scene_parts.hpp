@@ -34,12 +34,12 @@ inline bool any_above_0(const ChartCurve& curve) {
                      [](double value) { return value > 0.0 && is_drawable(value); });
 }
 
-/// Has a curve values, and none that a logarithmic axis could show?
+/// Does a curve have values, but none for a logarithmic axis?
 inline bool nothing_above_0(const ChartCurve& curve) {
   return std::any_of(curve.y.begin(), curve.y.end(), is_drawable) && !any_above_0(curve);
 }
 
-/// A curve of a panel as it is drawn.
+/// A curve of a panel as drawn.
 struct ChartScene::ShownCurve {
   std::size_t curve = 0;  ///< of the panel
   int colour = 0;
@@ -56,7 +56,7 @@ struct ChartScene::ShownCurve {
   bool partly = false;  ///< elsewhere the two differ, or one of them has no value
 };
 
-/// Points of a line in the scene; `limited` to what a painter can take.
+/// Points of a line in the scene; `limited` to the range of a painter.
 [[nodiscard]] QPolygonF placed(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                                const AxisScale& y_axis, bool limited = true);
 
@@ -69,15 +69,15 @@ struct ChartScene::Metrics {
   qreal line, thin_line;
 };
 
-/// Height of small pictures below which their panels need the room between words.
+/// Height of small pictures below which their panels need the space between texts.
 inline constexpr qreal kLowCompact = 190.0;
 
 /// Between a panel and the names of its lines.
 inline constexpr qreal kLineNameGap = 6.0;
 
-/// Between a panel and its legend: rows of names of marks, and the steps from these to their lines,
-/// so that no step crosses a curve. As many rows as the names of all marks of the page take in a
-/// picture of that width: they stay while it is zoomed.
+/// Between a panel and its legend: rows of mark names, and the steps from these to their lines, so
+/// that no step crosses a curve. The number of rows is that of all marks of the page at this width:
+/// constant while zooming.
 [[nodiscard]] inline qreal mark_steps(int rows) { return rows > 1 ? 24.0 : 20.0; }
 [[nodiscard]] int mark_rows(const ChartPage& page, int tick_font, qreal width);
 [[nodiscard]] qreal mark_rise(const ChartPage& page, int tick_font, qreal width);

@@ -124,8 +124,8 @@ void ChartView::remember() {
   forward_.clear();
 }
 
-/// Views that would change nothing here are passed over; they stay where no other one changes
-/// anything, for the page where they do.
+/// Views without effect here are skipped; they are kept if no other one has an effect, for the page
+/// where they have one.
 void ChartView::travel(std::vector<View>& from, std::vector<View>& to) {
   const View left = now();
   const ChartZoom seen = scene_->zoom();
@@ -146,7 +146,7 @@ void ChartView::zoomBack() { travel(back_, forward_); }
 
 void ChartView::zoomForward() { travel(forward_, back_); }
 
-/// Everything; again, where a page begins with a part: that part.
+/// Everything; a second time, if a page begins with a part: that part.
 void ChartView::zoomAll() {
   if (scene_->whole() && !scene_->zoomed()) return;
   remember();
@@ -159,7 +159,7 @@ void ChartView::zoomAll() {
 
 void ChartView::setCursor(int which, double abscissa) {
   const auto& x = cursor_places(scene_->page());
-  // On a stored value: what is read off is in the file.
+  // On a stored value: the readout is a value of the file.
   cursors_.at(static_cast<std::size_t>(which)) =
       x.empty() || !std::isfinite(abscissa) ? kNone : x[nearest_index(x, abscissa)];
   emit cursorsChanged();
@@ -182,7 +182,7 @@ std::optional<std::pair<double, double>> band_between(const std::vector<double>&
   std::optional<std::pair<double, double>> out;
   const auto [from, to] = std::minmax(a, b);
   const std::size_t count = std::min({x.size(), curve.low.size(), curve.high.size()});
-  // Extremes stand at the end of the time that they are of.
+  // Extremes are at the end of their interval.
   for (std::size_t i = 1; i < count; ++i) {
     const auto [begin, end] = std::minmax(x[i - 1], x[i]);
     if (begin < from || end > to || !std::isfinite(curve.low[i]) || !std::isfinite(curve.high[i]))
@@ -308,14 +308,14 @@ void ChartView::resizeEvent(QResizeEvent* event) {
 
 void ChartView::wheelEvent(QWheelEvent* event) {
   const QPointF position = mapToScene(event->position().toPoint());
-  // A horizontal wheel, or Alt, turns the other way on some desktops.
+  // A horizontal wheel, or Alt, swaps the axes on some desktops.
   const double turn =
       event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
   const double factor = std::pow(0.8, turn / 120.0);
   const auto panel = scene_->panelAt(position);
   remember();
   if (scene_->isPlane()) {
-    // About the pointer, or the nearest place of the picture to it.
+    // At the pointer, or the nearest point of the picture.
     const QRectF area = scene_->plotAreas().front();
     const QPointF about(std::clamp(position.x(), area.left(), area.right()),
                         std::clamp(position.y(), area.top(), area.bottom()));
@@ -340,7 +340,7 @@ void ChartView::wheelEvent(QWheelEvent* event) {
 bool ChartView::toggleLegend(QPointF position) {
   for (const LegendEntry& entry : scene_->legend()) {
     if (!entry.place.adjusted(-3, -3, 3, 3).contains(position)) continue;
-    const LegendEntry found = entry;  // the scene makes its legend anew
+    const LegendEntry found = entry;  // the scene builds its legend again
     toggleCurve(found.panel, found.curve);
     return true;
   }

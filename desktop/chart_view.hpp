@@ -36,7 +36,7 @@ enum class ChartDeed : unsigned char {
   ReadOn,
   ReadFarBack,  ///< a twentieth of the visible range
   ReadFarOn,
-  CursorA,  ///< at the place that is read, or away from there
+  CursorA,  ///< at the current point, or removed from there
   CursorB,
   ZoomToCursors,
 };
@@ -59,7 +59,7 @@ class ChartView : public QGraphicsView {
   /// is reloaded gets its axis ranges back, and its curves stay hidden.
   void showPage(ChartPage page);
 
-  /// Abscissa of cursor 0 (A) or 1 (B); NaN takes it away.
+  /// Abscissa of cursor 0 (A) or 1 (B); NaN removes it.
   void setCursor(int which, double abscissa);
   [[nodiscard]] double cursorAt(int which) const {
     return cursors_.at(static_cast<std::size_t>(which));
@@ -106,8 +106,8 @@ class ChartView : public QGraphicsView {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  using Ranges = std::vector<std::optional<std::pair<double, double>>>;  ///< of a page's panels
-  /// What was seen: the part of an abscissa, and the ranges chosen on all pages.
+  using Ranges = std::vector<std::optional<std::pair<double, double>>>;  ///< of the panels
+  /// A view: part of the abscissa, and the ranges chosen on all pages.
   struct View {
     std::string abscissa;
     double low = 0.0, high = 0.0;
@@ -126,8 +126,8 @@ class ChartView : public QGraphicsView {
   /// Point of an orbit at a cursor; none without a cursor or outside the visible range.
   [[nodiscard]] std::optional<QPointF> planeCursor(std::size_t which) const;
   bool toggleLegend(QPointF position);
-  // Of the keys:
-  /// A stored place of the abscissa, or of a curve of an orbit.
+  // For the keys:
+  // A stored point of the abscissa, or of a curve of an orbit.
   struct StoredPlace {
     std::size_t curve = 0, index = 0;
   };
@@ -153,7 +153,7 @@ class ChartView : public QGraphicsView {
   void follow(const StoredPlace& place);
   void endReading();
   [[nodiscard]] QPointF sceneOf(const StoredPlace& place) const;
-  /// Abscissa of a place, of an orbit its time; NaN: not known.
+  /// Abscissa of a point, for an orbit its time; NaN: unknown.
   [[nodiscard]] double abscissaOf(const StoredPlace& place) const;
   void readAt(const StoredPlace& place);
   void choosePanel(std::size_t panel);
@@ -167,12 +167,12 @@ class ChartView : public QGraphicsView {
   double drag_from_ = 0.0;
   QPointF last_;                        ///< of a drag over a page with equal axes
   std::optional<QPoint> pointed_at_;    ///< of the viewport; none: not on this page
-  double pointer_ = -1.0;               ///< scene x of the pointer's line; negative = none
+  double pointer_ = -1.0;               ///< scene x of the pointer line; negative = none
   std::optional<QPointF> point_;        ///< stored point of an orbit near the pointer
-  std::optional<StoredPlace> reading_;  ///< by key; none: what the pointer is at
+  std::optional<StoredPlace> reading_;  ///< by key; none: point under the pointer
   std::size_t panel_ = 0;               ///< that the keys are of
-  mutable std::vector<std::optional<Extent>> values_of_;  ///< by panel, where somebody asked
-  bool moving_ = false;  ///< by keys, one after another: one view to come back to
+  mutable std::vector<std::optional<Extent>> values_of_;  ///< by panel, if chosen by the user
+  bool moving_ = false;  ///< by keys, successively: one entry of the zoom history
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
   std::vector<View> back_, forward_;

@@ -210,7 +210,7 @@ const Extent& ChartView::valuesOfPanel() const {
 
 std::pair<double, double> ChartView::valuesAfter(ChartDeed deed) const {
   const QRectF& area = scene_->plotAreas().at(panel_);
-  // In pixels, so that a logarithmic axis goes like any other.
+  // In pixels, so that a logarithmic axis behaves like any other.
   double grown = 0.0, moved = area.height() * way_of(deed).y();
   if (deed == ChartDeed::EnlargeValues) grown = 0.5 * (kZoom - 1.0) * area.height();
   if (deed == ChartDeed::ReduceValues) grown = 0.5 * (1.0 / kZoom - 1.0) * area.height();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Reading by keys: from one stored place of a page to the next.
+/// Reading by keys: from one stored point of a page to the next.
 namespace adore::desktop {
 
 std::size_t ChartView::placesOf(std::size_t curve) const {
@@ -33,7 +33,7 @@ QPointF ChartView::sceneOf(const StoredPlace& place) const {
 double ChartView::abscissaOf(const StoredPlace& place) const {
   const ChartPage& page = scene_->page();
   const std::vector<double>& places = page.equal_axes ? page.along : page.x;
-  // Cursors of an orbit stand on its first curve.
+  // Cursors of an orbit are on its first curve.
   return place.curve == 0 && place.index < places.size() ? places[place.index]
                                                          : std::numeric_limits<double>::quiet_NaN();
 }
@@ -128,7 +128,7 @@ void ChartView::follow(const StoredPlace& place) {
   showPart(withinAll(area.translated(by)));
 }
 
-/// Tells a place as if the pointer were there, and to those who cannot see it.
+/// Shows a point as if the pointer were there, also to screen readers.
 void ChartView::readAt(const StoredPlace& place) {
   const QStringList parts = scene_->storedParts(place.curve, place.index);
   const QPointF at = sceneOf(place);

@@ -21,7 +21,7 @@ namespace {
 QStringList wrapped(const QStringList& words, const QFontMetricsF& metrics, qreal width) {
   QStringList out{QString()};
   const qreal blank = metrics.horizontalAdvance(' ');
-  qreal length = 0.0;  // of the last line: kerning over a blank is none
+  qreal length = 0.0;  // of the last line: no kerning over a blank
   for (QString word : words) {
     qreal more = metrics.horizontalAdvance(word);
     while (more > width && word.size() > 1) {  // a path
@@ -46,7 +46,7 @@ QStringList wrapped(const QStringList& words, const QFontMetricsF& metrics, qrea
   return out;
 }
 
-/// The same without a word or two alone in the last line, in no more lines.
+/// The same without one or two single words in the last line, in the same number of lines.
 QStringList evenly_wrapped(const QStringList& words, const QFontMetricsF& metrics, qreal width) {
   constexpr qsizetype kFew = 3;
   constexpr qreal kNarrower = 0.98, kNarrowest = 0.6;
@@ -84,13 +84,13 @@ qreal line_pitch(int font) { return font + 5.0; }
 
 // A heading always allows two lines of a note, and the rest of the page next to its panels.
 constexpr qreal kLeastNote = 34.0, kHead = 66.0, kFoot = 54.0, kLegend = 22.0, kGap = 34.0;
-/// Height of a panel whose numbers and title are read.
+/// Height of a panel with readable numbers and title.
 constexpr qreal kPanelRead = 56.0;
 
 }  // namespace
 
-/// As many lines as leave the panels their room, first in smaller letters; what has no room then is
-/// counted, and read under the pointer.
+/// As many lines as the panels allow, first in smaller letters; sentences that do not fit are
+/// counted, and shown in a tooltip.
 ChartScene::NoteLines ChartScene::findNoteLines(qreal right) const {
   const QString note = text_of(noteText());
   if (note.isEmpty() || page_.panels.empty()) return {};
@@ -179,8 +179,8 @@ void ChartScene::addHeading(const Metrics& m) {
     item->setPos(left, y);
   };
   if (style_ == ChartStyle::Compact) {
-    // Smaller letters before any are left out, and these from the subject: what follows it, as the
-    // number of a segment, tells pictures apart.
+    // Smaller letters before any are omitted, and these from the subject: the part after it, such
+    // as the number of a segment, distinguishes pictures.
     constexpr int kLeastTitle = 10;
     const QString title = text_of(page_.title);
     const qreal width = size_.width() - 12 - m.right;

@@ -12,14 +12,14 @@ class QMenuBar;
 /// Common menus of all windows: recent files, help, about.
 namespace adore::desktop {
 
-/// Files opened last by an app, the newest first; at most ten, those that are gone left out.
+/// Recent files of an app, the newest first; at most ten, without deleted ones.
 [[nodiscard]] QStringList recent_files(const QString& app);
 void remember_file(const QString& app, const QString& path);
 /// The same for one of several files of a run: at most three of one folder, so that two runs do not
-/// take all places.
+/// fill the list.
 void remember_part_of_run(const QString& app, const QString& path);
-/// Files that `open` opens are one entry, their folder: a run of five files leaves the others their
-/// places. Nothing is remembered where nothing could be opened.
+/// Files opened by `open` are one entry, their folder: a run of five files leaves space for others.
+/// Nothing is added if opening failed.
 void remember_as_folder(const QString& app, const QString& folder,
                         const std::function<void()>& open);
 

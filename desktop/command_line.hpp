@@ -13,8 +13,8 @@ struct PictureSize {
 /// "1280x800". @throws InputError unless both are between 160 and 8192.
 PictureSize parse_size(const std::string& text);
 
-/// Runs a program's body and turns exceptions into a sentence on stderr and the suite's exit codes
-/// (2 input, 3 numerics, 1 bug).
+/// Runs the body of a program and converts exceptions to a message on stderr and the exit codes of
+/// the suite (2 input, 3 numerics, 1 bug).
 int guarded(const std::string& program, const std::function<int()>& body);
 
 }  // namespace adore::desktop

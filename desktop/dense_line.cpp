@@ -43,7 +43,7 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 
 namespace {
 
-/// Stroking takes hundreds of bytes for each point: a way of a million in one go took 260 MB.
+/// Stroking takes hundreds of bytes for each point: a path of a million points at once took 260 MB.
 void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
   constexpr qsizetype kPiece = 4000;
   if (line.size() <= kPiece || pen.style() != Qt::SolidLine) {
@@ -75,7 +75,7 @@ bool goes_right(const QPolygonF& line) {
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
 
-/// Lays an image in pixels of the device where it belongs.
+/// Draws an image in device pixels at its position.
 template <class Image>
 void draw_on_device(QPainter& painter, const Image& made) {
   if (made.image.isNull()) return;

@@ -9,9 +9,9 @@ class QColor;
 class QPainter;
 class QPen;
 
-/// Lines of more points than a screen has columns. Stroking such a zigzag takes seconds, since all
-/// of its parts lie over one another; what matters of each column of pixels is the lowest and the
-/// highest place where the line passes it, which takes microseconds and hides no peak.
+/// Lines of more points than a screen has columns. Stroking such a zigzag takes seconds, because
+/// its parts overlap; the minimum and maximum of the line in each column of pixels take
+/// microseconds and keep all peaks.
 namespace adore::desktop {
 
 struct ColumnBar {

@@ -24,8 +24,8 @@ class Cells {
   [[nodiscard]] int at(const QPointF& p) const { return row(p.y()) * columns_ + column(p.x()); }
   [[nodiscard]] bool is_new(int cell) const { return passed_[static_cast<std::size_t>(cell)] == 0; }
   void pass(int cell) { passed_[static_cast<std::size_t>(cell)] = 1; }
-  /// Passes all cells of a stroke but the first one, both of whose ends are inside. Was one of them
-  /// new?
+  /// Visits all cells of a stroke except the first one; both ends are inside. True if one of them
+  /// was new.
   bool pass_to(const QPointF& p, const QPointF& q) {
     const int c = column(p.x()), r = row(p.y());
     int across = column(q.x()) - c, along = row(q.y()) - r;  // cells to go
@@ -71,7 +71,7 @@ class Cells {
   std::vector<std::uint8_t> passed_;
 };
 
-/// A part of a picture and the rest of the cells that it cuts: what passes them there counts, too.
+/// A part of a picture and the rest of the cells that it cuts: strokes there count, too.
 QRectF whole_cells(const QRectF& area) {
   const auto down = [](double at) { return std::floor(at * kCells) / kCells; };
   const auto up = [](double at) { return std::ceil(at * kCells) / kCells; };
@@ -117,7 +117,7 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
                bottom = around.bottom();
   Cells cells(around);
   std::vector<QPolygonF> out;
-  QPointF end;  // of what was drawn last
+  QPointF end;  // of the last drawing
   const auto draw = [&](const QPointF& p, const QPointF& q) {
     if (out.empty() || end != p) out.push_back({p});
     out.back().append(q);
@@ -172,8 +172,8 @@ std::vector<QPolygonF> seen_way(const std::vector<double>& x, const std::vector<
 
 namespace {
 
-/// Covers of the pixels of the rows `first` to before `end`; `reach`: where the cover of a pixel
-/// ends, from the middle of a stroke.
+/// Coverage of the pixels of the rows `first` to before `end`; `reach`: end of the coverage, from
+/// the middle of a stroke.
 void stamp_rows(const std::vector<QPolygonF>& lines, float reach, const QRect& within, int first,
                 int end, std::vector<std::uint8_t>& cover) {
   const int columns = within.width();

@@ -41,8 +41,8 @@ struct PlaneScale {
                                               const PlaneScale& scale, const QRectF& area,
                                               double margin);
 
-/// Short strokes as an image: of each pixel the largest cover by any of them. A general painter
-/// takes a microsecond and more for each. Null: nothing is inside.
+/// Short strokes as an image: for each pixel the largest coverage by any of them. A general painter
+/// takes at least a microsecond for each. Null: nothing is inside.
 struct StampImage {
   QImage image;
   QPoint place;  ///< of its upper left corner

@@ -7,8 +7,8 @@ class QMessageBox;
 
 namespace adore::desktop {
 
-/// Dialogs of a program have room on its screen, however small that is: none opens larger, and the
-/// text of a message that is higher scrolls. One for the application.
+/// Dialogs of a program fit its screen of any size: none opens larger, and the text of a higher
+/// message scrolls. One for the application.
 class DialogRoom : public QObject {
  public:
   explicit DialogRoom(QObject* parent) : QObject(parent) {}

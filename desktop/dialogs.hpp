@@ -12,17 +12,17 @@ class QPainter;
 class QRectF;
 class QWidget;
 
-/// The small questions that both viewers ask. None of them blocks: the answer arrives in the
-/// function given. A file is read after its dialog has gone from the screen.
+/// Small dialogs of both viewers. None of them blocks: the answer is passed to the given function.
+/// A file is read after its dialog has closed.
 namespace adore::desktop {
 
-/// The dialog is gone after all who wait for its answer have had it. (Qt::WA_DeleteOnClose deletes
-/// it when it closes: before an answer that lets the window live, as reading a long file does, has
-/// returned to the dialog that it came from.)
+/// Deletes the dialog after all receivers of its answer have run. (Qt::WA_DeleteOnClose deletes it
+/// when it closes: before an answer that runs the event loop, such as reading a long file, has
+/// returned to the dialog.)
 void delete_when_done(QDialog& dialog);
 
-/// A message closed with OK. The box is a child of `parent` named "message"; where one stands
-/// already, the text joins it.
+/// A message closed with OK. The box is a child of `parent` named "message"; if one exists already,
+/// the text is added to it.
 void show_message(QWidget* parent, const QString& text, bool error = false);
 
 /// Rich text in a separate window, a child of `parent` named "help-window": as large as the text if
@@ -42,7 +42,7 @@ void ask_file(QWidget* parent, const QString& app, const QString& title, const Q
 void ask_files(QWidget* parent, const QString& app, const QString& title, const QString& names,
                std::function<void(QStringList)> answer);
 
-/// Says for some seconds in the foot of a window, where it has one, what was done.
+/// Shows a result for some seconds in the status bar of a window, if it has one.
 void tell_in_foot(QWidget* window, const QString& text);
 
 /// Dialog to save a picture: the remembered name with a running number, free to edit; then saves it

@@ -12,8 +12,8 @@
 namespace adore::desktop {
 namespace {
 
-/// Stands before the window system's events of one window, and of those that its docks are while
-/// they float. Qt sends none to a window below a modal one.
+/// Filters the events of the window system for one window, and for its floating docks. Qt sends
+/// none to a window below a modal one.
 class FileDrops : public QObject {
  public:
   FileDrops(QWidget& window, std::function<void(const QStringList&)> opened)

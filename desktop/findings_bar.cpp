@@ -141,7 +141,7 @@ void FindingsBar::resizeEvent(QResizeEvent* event) {
 void FindingsBar::openList() {
   popup_->setFixedWidth(std::max(width(), kLeastWide));
   list_->setFixedWidth(popup_->width() - 2);
-  // Row heights of the view are those of its last width until it is shown.
+  // Row heights of the view belong to its last width until it is shown.
   constexpr int kBeside = 30;  // scroll bar, frame, margins [pixels]
   int height = 2 * list_->frameWidth() + 8;
   for (int row = 0; row < std::min(list_->count(), kMostRows); ++row) {

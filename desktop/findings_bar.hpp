@@ -23,8 +23,8 @@ class FindingsBar : public QWidget {
   explicit FindingsBar(QWidget* parent = nullptr);
 
   void setFindings(std::vector<Finding> findings);
-  /// Findings that concern the page or view come first.
-  /// @param name "This page": begins the line when one of them is a warning
+  /// Findings of the page or view come first.
+  /// @param name "This page": begins the line if one of them is a warning
   void setPlace(std::function<bool(const Finding&)> concerns, const QString& name);
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] QString line() const { return line_; }

@@ -9,7 +9,7 @@ namespace {
 
 bool grows(const QLayoutItem& item) { return item.expandingDirections().testFlag(Qt::Horizontal); }
 
-/// Stretches are nothing where a row begins.
+/// Stretches are ignored at the start of a row.
 bool is_stretch(QLayoutItem* item) { return item->spacerItem() != nullptr; }
 
 }  // namespace

@@ -26,7 +26,7 @@ class FlowLayout : public QLayout {
   void setGeometry(const QRect& rect) override;
 
  private:
-  /// Height used; places the items when `place`.
+  /// Height used; moves the items if `place`.
   int flow(const QRect& rect, bool place) const;
   QList<QLayoutItem*> items_;
 };

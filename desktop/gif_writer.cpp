@@ -51,7 +51,7 @@ class CodeBlocks {
   int used_ = 0;
 };
 
-/// LZW of GIF for 8-bit indices: codes 256 (begin anew) and 257 (end).
+/// LZW of GIF for 8-bit indices: codes 256 (reset) and 257 (end).
 QByteArray compressed(const QImage& image) {
   constexpr unsigned kClear = 256, kEnd = 257, kMostCodes = 4096;
   constexpr int kFirstWidth = 9;

@@ -46,7 +46,7 @@ constexpr Place kPlaces[] = {{"ambient", 0.0, 11.0, -1.0},
                              {"medium in the bearing", 5.2, 3.0, 1.0},
                              {"coolant exit", 5.2, 1.8, 1.0}};
 
-/// The places that the table has, the middle column closed up.
+/// The nodes of the table, without gaps in the middle column.
 std::vector<Place> places_in(const StaticTable& network) {
   std::vector<Place> out;
   for (const Place& place : kPlaces)

@@ -22,7 +22,7 @@ void check_replaceable(const std::filesystem::path& path) {
   const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
   if (!std::filesystem::exists(status)) return;
   if (std::filesystem::is_regular_file(status)) {
-    // The mark of save_image() and AviWriter stands before the pixels.
+    // The signature of save_image() and AviWriter precedes the pixels.
     std::string bytes(4096, '\0');
     InputFile stream(path);
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -82,8 +82,8 @@ QString next_image_name(const QString& previous) {
 
 namespace {
 
-/// `name`, or with the first number behind it that no file has. A number that ends it is what it
-/// names, a page.
+/// `name`, or with the first free number after it. A number at its end belongs to the name, such as
+/// a page.
 QString free_name(const QString& name) {
   const QFileInfo info(name);
   const QString folder = name.left(name.size() - info.fileName().size());

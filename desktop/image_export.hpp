@@ -28,8 +28,8 @@ void save_image(const QImage& image, const WritePath& place,
 void save_bytes(const QByteArray& bytes, const WritePath& place);
 [[nodiscard]] std::string_view text_of(const QByteArray& bytes);
 
-/// Throws unless there is no such file, or one that save_image() or AviWriter made: neither another
-/// program's picture nor a symbolic link. @throws InputError naming it
+/// Throws unless the file does not exist or was written by save_image() or AviWriter: neither
+/// another program's picture nor a symbolic link. @throws InputError naming it
 void check_replaceable(const std::filesystem::path& path);
 
 /// Makes a folder and its parents. @throws InputError when that fails.

@@ -21,8 +21,8 @@ bool is_editing(const QKeyEvent& key) {
   });
 }
 
-/// A letter with Alt is a way to a button or menu. Where that is disabled or gone, a field of text
-/// would take the letter.
+/// A letter with Alt activates a button or menu. If that is disabled or gone, a text field would
+/// take the letter.
 bool is_stray_letter(const QKeyEvent& key) {
   const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier);
   return held == Qt::AltModifier && !key.text().isEmpty() && key.text().front().isPrint();

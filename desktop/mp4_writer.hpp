@@ -21,7 +21,7 @@ class Mp4Writer {
   /// @throws InputError when ffmpeg is not there or does not start
   Mp4Writer(const std::filesystem::path& path, QSize size, int frames_per_second);
   ~Mp4Writer();
-  /// @throws InputError with what ffmpeg says when it ended
+  /// @throws InputError with the last message of ffmpeg
   void add(const QImage& image);
   void finish();
 

@@ -18,8 +18,8 @@ namespace adore::desktop {
 class OneWindow : public QObject {
  public:
   /// @param program "adrplot" or "agore"
-  /// @param show gets the files that are wanted, and options that begin with "--"; the window
-  /// should come to the front
+  /// @param show gets the requested files, and options that begin with "--"; the window should come
+  /// to the front
   OneWindow(const QString& program, const QString& folder, QObject* parent,
             std::function<void(const QStringList&)> show);
   /// Is this the window of its folder?
@@ -32,8 +32,8 @@ class OneWindow : public QObject {
 /// The folder of a file as an absolute path.
 QString folder_of(const std::filesystem::path& file);
 
-/// Gives files to the window that shows the project in `folder`, and options ("--follow") with
-/// them. False when there is none.
+/// Passes files to the window that shows the project in `folder`, and options ("--follow") with
+/// them. False if there is none.
 bool hand_over(const QString& program, const QString& folder, const QStringList& files);
 
 }  // namespace adore::desktop

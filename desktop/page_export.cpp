@@ -19,7 +19,7 @@
 namespace adore::desktop {
 namespace {
 
-/// A field of a table: quoted where it holds what separates fields.
+/// A field of a table: quoted if it contains separators.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -39,7 +39,7 @@ std::string page_csv(const ChartPage& page) {
     std::string head;
     const std::vector<double>* values;
     double lift = 0.0;
-    const std::vector<bool>* stored = nullptr;  ///< 1 or 0 in place of the values
+    const std::vector<bool>* stored = nullptr;  ///< 1 or 0 instead of the values
   };
   std::vector<Column> columns;
   if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});

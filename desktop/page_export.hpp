@@ -16,10 +16,9 @@ namespace adore::desktop {
 
 class ChartScene;
 
-/// Numbers of a page as a table: abscissa and curves with their units, one row per value. Curves of
-/// pages with equal axes have two columns each. A curve with values between its stored ones has a
-/// column that tells them apart. Empty fields are missing values; 17 digits, so that the numbers
-/// come back as they are.
+/// Values of a page as a table: abscissa and curves with their units, one row per value. Curves of
+/// pages with equal axes have two columns each. A curve with interpolated values has a column that
+/// marks them. Empty fields are missing values; 17 digits, so that values are restored exactly.
 [[nodiscard]] std::string page_csv(const ChartPage& page);
 
 /// Visible part of a page: the values inside the view, of the visible curves.
@@ -30,7 +29,7 @@ void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QS
 
 /// Several pages into one PDF file, each laid out for `size` pixels. `show(i)` puts page i into the
 /// scene. The file appears when it is complete.
-/// @throws InputError when it cannot be written
+/// @throws InputError if it cannot be written
 void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,
               const std::function<void(std::size_t)>& show);
 

@@ -13,8 +13,8 @@ class QRectF;
 /// Lines and text on pages of paper.
 namespace adore::desktop {
 
-/// Pages of `size` pixels of a picture, each with its own drawing; `draw` gets the page in the
-/// document's dots, three to a pixel.
+/// Pages of `size` pixels of a picture, each with a separate drawing; `draw` gets the page in
+/// document dots, three per pixel.
 void write_pdf(QIODevice& out, QSizeF size, std::size_t pages,
                const std::function<void(QPainter&, const QRectF& page, std::size_t)>& draw);
 

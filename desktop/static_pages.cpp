@@ -32,7 +32,7 @@ std::vector<double> shown(const StaticColumn& column, results::UnitSystem units)
   return out;
 }
 
-/// One panel with those of the columns that the table has; nothing when it has none.
+/// One panel with the columns that the table has; none if it has none of them.
 std::optional<ChartPanel> panel(const StaticTables& all, const StaticTable& table,
                                 std::string title, const std::vector<CurveChoice>& curves) {
   ChartPanel out;
@@ -167,7 +167,7 @@ std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable
   return page;
 }
 
-/// The outline of a table of the cut; empty when the file has none.
+/// The outline of a table of the section; empty if the file has none.
 ChartCurve outline(const StaticTables& all, const std::string& table, std::string name) {
   ChartCurve out{std::move(name), {}, {}};
   const StaticTable* points = all.find(table);
@@ -224,7 +224,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
       ChartLabel label;
       label.x = low ? contact.x.front() : contact.x.back();
       label.y = low ? contact.y.front() : contact.y.back();
-      // Away from the contact, but well out on a ball away from the ball.
+      // Away from the contact, but well outside on a ball.
       const double out = (label.x - middle) / half_width;
       label.towards_x = ball && std::abs(out) > 0.38 ? std::copysign(1.0, out) : low ? -1.0 : 1.0;
       label.towards_y = up;
@@ -319,7 +319,7 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
   return out;
 }
 
-/// Runs that asked for motion and made no step have loads at rest and nothing of a motion.
+/// Runs that specified motion but made no step have loads at rest and no results of a motion.
 std::string without_steps(const results::SweepTable& sweep) {
   for (const results::SweepColumn& column : sweep.columns) {
     if (column.label != results::find_key_result("time_s").label) continue;

@@ -12,7 +12,7 @@
 namespace adore::desktop {
 namespace {
 
-/// Upright strips of a column of pixels; within one the line is the rectangle that holds it.
+/// Vertical strips of a column of pixels; within one the line is its bounding rectangle.
 constexpr int kStrips = 4;
 
 /// How much of each pixel of a column is covered by intervals along it.
@@ -37,7 +37,7 @@ class Column {
     rise_[first + 1] += weight;
     rise_[last] -= weight;
   }
-  /// Calls use(row, cover) for what was added, and begins anew.
+  /// Calls use(row, cover) for the added parts, and clears them.
   template <class Use>
   void take(Use use) {
     float whole = 0.0F;

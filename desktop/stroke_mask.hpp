@@ -20,14 +20,13 @@ struct StrokeImage {
   QPoint place;  ///< of its upper left corner
 };
 
-/// `lines` and `width` in pixels; the x of none of them falls. Nothing is drawn outside of
-/// `within`.
+/// `lines` and `width` in pixels, with increasing x. Nothing is drawn outside of `within`.
 [[nodiscard]] StrokeImage stroke_image(const std::vector<QPolygonF>& lines, double width,
                                        const QColor& colour, const QRect& within);
 
-/// An area of upright rectangles side by side, as an image: how much of each pixel they cover. Its
-/// outline goes to the right along the upper ends, two points for each, and back along the lower
-/// ones.
+/// An area of vertical rectangles side by side, as an image of the covered fraction of each pixel.
+/// Its outline goes to the right along the upper ends, two points for each, and back along the
+/// lower ones.
 [[nodiscard]] StrokeImage band_image(const QPolygonF& outline, const QColor& colour);
 
 }  // namespace adore::desktop

@@ -47,7 +47,7 @@ struct Tornado {
   std::vector<Bar> bars;
 };
 
-/// Curves over a number, each with a band around it where it has one.
+/// Curves over a number, each with a band if it has one.
 struct BandCurves {
   std::string title, x_title, y_title;
   std::string x_unit, y_unit;
@@ -68,7 +68,7 @@ struct StudyChart {
   [[nodiscard]] bool drawable() const;
 };
 
-/// The text of CHARTS.json. @throws InputError when it is none
+/// Parses the text of CHARTS.json. @throws InputError if invalid
 [[nodiscard]] std::vector<StudyChart> parse_study_charts(const std::string& text,
                                                          const std::string& name);
 [[nodiscard]] std::vector<StudyChart> read_study_charts(const std::filesystem::path& file);
@@ -77,10 +77,11 @@ struct StudyChart {
 void paint_study(const StudyChart& chart, QPainter& painter, const QSizeF& size,
                  const Theme& theme);
 
-/// Runs behind a place of the page, the nearest point's, line's or cell's; empty: none is near.
+/// Runs behind a position of the page: those of the nearest point, line or cell; empty: none is
+/// near.
 [[nodiscard]] Runs runs_at(const StudyChart& chart, const QSizeF& size, const QPointF& at);
 
-/// PNG of 1280 by 800, light. False, and no file, when there is nothing to draw.
+/// PNG of 1280 by 800, light. False, without a file, if there is nothing to draw.
 bool save_picture(const StudyChart& chart, const WritePath& file);
 
 /// The numbers of a picture as a table.

@@ -17,7 +17,7 @@ namespace {
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
-/// All sizes of a page follow the size of its letters: a page of 1280 by 800 has 15 pixels, none
+/// All sizes of a page are proportional to its letters: a page of 1280 by 800 has 15 pixels, none
 /// has fewer than 11.
 struct Page {
   explicit Page(const QSizeF& of)
@@ -26,7 +26,7 @@ struct Page {
         u(letter / 15.0) {}
   QSizeF size;
   double letter, u;
-  /// Room for `left` and `right` of the plane, in pixels of the large page.
+  /// Space for `left` and `right` of the plane, in pixels of the large page.
   [[nodiscard]] QRectF plane(double left, double right, double top = 70.0) const {
     return {left * u, top * u, std::max(size.width() - (left + right) * u, 40.0),
             std::max(size.height() - (top + 90.0) * u, 40.0)};
@@ -372,7 +372,7 @@ struct CurvesPlace {
   AxisScale x, y;
 };
 
-/// Broken where a run has no value.
+/// Interrupted where a run has no value.
 std::vector<std::vector<std::size_t>> pieces_of(const BandCurves::Curve& curve) {
   std::vector<std::vector<std::size_t>> pieces(1);
   for (std::size_t i = 0; i < curve.x.size(); ++i) {

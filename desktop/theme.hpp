@@ -23,7 +23,7 @@ struct Theme {
 
 const Theme& theme(ThemeKind kind);
 
-/// The theme of this process: what apply_theme was last given, light at first.
+/// The theme of this process: that of the last apply_theme(), light at first.
 const Theme& current_theme();
 
 /// Palette, style and font of the whole application.

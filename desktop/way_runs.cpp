@@ -7,8 +7,8 @@
 namespace adore::desktop {
 namespace {
 
-/// As many points of a turn of 500 are narrow enough for the parts of a picture; their boxes take a
-/// tenth of the room of the points.
+/// That many points of a revolution of 500 are narrow enough for the parts of a picture; their
+/// boxes take a tenth of the memory of the points.
 constexpr std::size_t kPoints = 16;
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-/// A way of very many points, found by place.
+/// A path of very many points, searchable by position.
 namespace adore::desktop {
 
 /// Points `first` to before `end`.
@@ -22,7 +22,7 @@ class WayRuns {
   };
 
   WayRuns() = default;
-  /// The points stay where they are.
+  /// Keeps a reference to the points.
   WayRuns(const std::vector<double>& x, const std::vector<double>& y);
 
   [[nodiscard]] const std::vector<double>& x() const { return *x_; }
@@ -30,8 +30,8 @@ class WayRuns {
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
   /// Points of the run `index` and the first one of the next.
   [[nodiscard]] Stretch stretch(std::size_t index) const;
-  /// The last of the points that are nearest to a place, the square of whose distance is not more
-  /// than `most`, which becomes that square.
+  /// The last of the points nearest to a position, with a squared distance of at most `most`, which
+  /// becomes that square.
   [[nodiscard]] std::optional<std::size_t> nearest(double x, double y, double& most) const;
 
  private:

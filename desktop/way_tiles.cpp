@@ -15,13 +15,13 @@
 namespace adore::desktop {
 namespace {
 
-/// Pixels of a tile in a row. Moving a page takes a row and a column of tiles at most where it
-/// moves by less than one; the strokes of small ones are gone through more often.
+/// Pixels of a tile in a row. Moving a page by less than one needs at most a row and a column of
+/// tiles; for small tiles the strokes are searched more often.
 constexpr int kTile = 64;
 
 int tile_of(int pixel) { return pixel >= 0 ? pixel / kTile : -((kTile - 1 - pixel) / kTile); }
 
-/// The tiles that hold some pixels, as rows and columns.
+/// The tiles that contain some pixels, as rows and columns.
 QRect tiles_of(const QRect& pixels) {
   return {QPoint(tile_of(pixels.left()), tile_of(pixels.top())),
           QPoint(tile_of(pixels.right()), tile_of(pixels.bottom()))};
@@ -31,7 +31,7 @@ QRect pixels_of(int row, int column) { return {column * kTile, row * kTile, kTil
 
 struct NewTile {
   int row = 0, column = 0;
-  std::vector<Stretch> strokes = {};  ///< of the way, that may pass it
+  std::vector<Stretch> strokes = {};  ///< of the path, that may cross it
   std::vector<std::uint8_t> cover = {};
 };
 
@@ -48,7 +48,7 @@ class Finder {
     const auto tile = [](double pixel, int least, int most) {
       return static_cast<int>(std::clamp(std::floor(pixel / kTile), least - 1.0, most + 1.0));
     };
-    // Values that are seen at all: most runs of an enlarged way are elsewhere.
+    // Visible values: most runs of an enlarged path are elsewhere.
     const double across[] = {tiles_.left() * kTile - reach, (tiles_.right() + 1) * kTile + reach},
                  along[] = {tiles_.top() * kTile - reach, (tiles_.bottom() + 1) * kTile + reach};
     const auto [least_x, most_x] = std::minmax(
@@ -87,7 +87,7 @@ class Finder {
   std::vector<NewTile*> at_;
 };
 
-/// Calls use(i) for each i before `count`, on several cores where there are many.
+/// Calls use(i) for each i before `count`, on several cores if there are many.
 template <class Use>
 void share(std::size_t count, Use use) {
   constexpr std::size_t kMany = 4;

@@ -31,8 +31,8 @@ struct WayPlace {
 /// the previous ones.
 class WayTiles {
  public:
-  /// Draws the way: its tiles on a screen, on which `anchor` has to be at whole pixels (else it is
-  /// drawn up to half a pixel aside); its strokes by another painter.
+  /// Draws the path: on a screen its tiles, for which `anchor` has to be at whole pixels (else it
+  /// is drawn up to half a pixel aside); for other painters its strokes.
   void draw(QPainter& painter, const WayRuns& way, const WayPlace& place, const QPen& pen);
   /// Tiles that are kept now.
   [[nodiscard]] std::size_t kept() const { return tiles_.size(); }

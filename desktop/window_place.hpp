@@ -8,11 +8,11 @@ class QWidget;
 
 namespace adore::desktop {
 
-/// Size of a window that wants `preferred` where `available` is free of panels: room is left for
-/// the frame and title bar that the window manager puts around it.
+/// Size of a window for a `preferred` size in an `available` area without panels: reserves space
+/// for the frame and title bar of the window manager.
 [[nodiscard]] QSize size_within(QSize preferred, QSize available);
 
-/// Resizes a window to `preferred`, or to what its screen has room for. The offscreen platform has
+/// Resizes a window to `preferred`, or to the size that fits its screen. The offscreen platform has
 /// no screen: there it is `preferred`.
 void open_at_size(QWidget& window, QSize preferred);
 

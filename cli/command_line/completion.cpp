@@ -95,7 +95,7 @@ std::string zsh_action(const OptionText& option) {
     case ValueKind::Words: {
       std::vector<std::string> words = option.words;
       for (std::string& word : words) word = zsh_text(word);
-      // Behind "pitchDia=" comes the value, not a space.
+      // After "pitchDia=" the value follows, not a space.
       if (std::all_of(words.begin(), words.end(), [](const auto& w) { return w.ends_with('='); }))
         return fmt::format(":{}:compadd -S \"\" - {}", zsh_text(option.value), joined(words));
       return fmt::format(":{}:({})", zsh_text(option.value), joined(words));

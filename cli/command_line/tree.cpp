@@ -49,6 +49,7 @@ OptionText describe(const CLI::Option& option) {
   out.many = option.get_items_expected_max() > 1 || option.get_expected_max() > 1;
   if (option.get_type_size() != 0 && option.get_expected_max() != 0) {
     out.value = option.get_type_name();
+    out.value.resize(std::min(out.value.find(':'), out.value.size()));  // "DIR:DIR" of a check
     if (out.value == "FLOAT") out.value = "NUMBER";
     if (out.value == "INT" || out.value == "UINT") out.value = "N";
     out.default_value = option.get_default_str();
@@ -116,7 +117,7 @@ std::string nearest(const std::string& text, const std::vector<std::string>& wor
   std::size_t least = std::max<std::size_t>(1, text.size() / 3) + 1;
   for (const std::string& word : words) {
     std::size_t distance = edit_distance(text, word);
-    // The beginning of a word is a good guess too.
+    // The beginning of a word is a good guess, too.
     if (text.size() >= 2 && word.compare(0, text.size(), text) == 0) distance = 1;
     if (distance < least) {
       least = distance;

@@ -18,7 +18,7 @@ struct OptionText {
   std::string help;
   std::string default_value;  ///< empty: none to show
   ValueKind kind = ValueKind::None;
-  std::vector<std::string> words;  ///< what may be given, or begins what may be given
+  std::vector<std::string> words;  ///< possible values, or beginnings of possible values
   bool positional = false, required = false, many = false;
 };
 
@@ -35,13 +35,13 @@ struct CommandText {
 /// values, and the shells complete them.
 CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
 
-/// Words that the shells offer for an option that takes others too: "pitchDia=".
+/// Completions for an option that accepts other values, too: "pitchDia=".
 CLI::Option* offer(CLI::Option* option, std::vector<std::string> words);
 
 /// A whole number, or a number, of at least `least`; refused otherwise.
 CLI::Option* at_least(CLI::Option* option, double least);
 
-/// The known word that `text` was most likely meant to be; empty when none is near.
+/// The known word most similar to `text`; empty if none is similar.
 [[nodiscard]] std::string nearest(const std::string& text, const std::vector<std::string>& words);
 
 }  // namespace adore::command_line

@@ -112,7 +112,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
   const CLI::App& app = current(program);
   const CommandText command = describe(app);
   const std::string path = path_of(app);
-  // The library lets an error of surplus arguments carry the command's name in place of its kind.
+  // For surplus arguments the library stores the command name instead of the kind of error.
   const std::string kind =
       dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ? "ExtrasError" : error.get_name();
   if (!command.commands.empty() && (kind == "RequiredError" || kind == "ExtrasError"))
@@ -126,7 +126,7 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
   }
   if (kind == "ArgumentMismatch") {
     std::string name = name_in(error, "");
-    // Of a flag with a value the library says the name without its dashes.
+    // For a flag with a value the library gives the name without its dashes.
     if (option_named(command, name) == nullptr) name = "--" + name;
     const OptionText* option = option_named(command, name);
     if (after_colon(error).find("Most") != std::string::npos)

@@ -89,7 +89,7 @@ void animate(const AnimateRequest& request) {
   if (request.race.empty()) agore::choose_flange_race(picture.animation(), render.view);
   const std::filesystem::path folder(request.out);
   if (!request.movie.empty()) {
-    const std::filesystem::path film = folder / request.movie;  // an absolute name stays as it is
+    const std::filesystem::path film = folder / request.movie;  // an absolute name is unchanged
     agore::render_movie(picture, request.every, request.frames_per_second, film, render);
     print_files({film});
   } else if (request.frame > 0) {

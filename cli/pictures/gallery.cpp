@@ -37,7 +37,7 @@ namespace {
 /// Shaded bodies need them all, and mixtures of them.
 constexpr std::size_t kColoursOfPages = 24;
 
-/// Draws into one folder and remembers what the pictures are.
+/// Draws into one folder and records the titles of the pictures.
 class Gallery {
  public:
   Gallery(WriteFolder folder, const GalleryRequest& request)

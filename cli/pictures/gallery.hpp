@@ -4,9 +4,9 @@
 
 namespace adore::cli {
 
-/// `adore gallery`: every page and every view of runs as pictures, with a list of them. Without
-/// runs those of the five example decks, and the quasi-static examples.
-/// Says on stderr which words of a page cannot be read.
+/// `adore gallery`: all pages and views of runs as pictures, with an index. Without runs those of
+/// the five example decks, and the quasi-static examples.
+/// Reports unreadable texts of a page on stderr.
 void draw_gallery(const GalleryRequest& request);
 
 }  // namespace adore::cli

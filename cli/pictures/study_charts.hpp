@@ -4,7 +4,7 @@
 
 namespace adore::cli {
 
-/// Draws every chart of a study's CHARTS.json into a folder, NAME.png each, and says their names
+/// Draws all charts of a study's CHARTS.json into a folder, NAME.png each, and prints their names
 /// unless `quiet`.
 /// @throws InputError
 void draw_study(const std::filesystem::path& charts, const std::filesystem::path& folder,

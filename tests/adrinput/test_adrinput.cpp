@@ -58,7 +58,7 @@ TEST_CASE("typing with a German locale writes a decimal point", "[gui][adrinput]
   CHECK(deck::read_deck(path).deck.real("pitchDia") == 0.0605);
 }
 
-TEST_CASE("Go Back, Next Rec, Save & Exit and quitting behave as the manual says",
+TEST_CASE("adrinput: Go Back, Next Rec, Save & Exit and Quit → behavior as in the manual",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -103,7 +103,7 @@ TEST_CASE("Go Back, Next Rec, Save & Exit and quitting behave as the manual says
   CHECK(deck::read_deck(name.toStdString()).deck.real("pitchDia") == 0.0601);
 }
 
-TEST_CASE("a deck that is refused stays in the window, with the reasons in a message",
+TEST_CASE("adrinput: saving a deck with errors → window stays open, message with reasons",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -169,7 +169,7 @@ TEST_CASE("a file that another program changed is not replaced without a questio
   CHECK(deck::read_deck(path).deck.real("pitchDia") == 0.0603);
 }
 
-TEST_CASE("a link of the web that is dropped is no deck", "[gui][adrinput]") {
+TEST_CASE("adrinput: dropped web link → not opened as a deck", "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -315,7 +315,8 @@ TEST_CASE("the keyboard is enough: undo in a field, pages, records, tables, line
   CHECK(lines->toPlainText().isEmpty());
 }
 
-TEST_CASE("plan and quasi-static solution are shown beside the form", "[gui][adrinput]") {
+TEST_CASE("adrinput: plan and quasi-static solution → displayed next to the form",
+          "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
   window.show();

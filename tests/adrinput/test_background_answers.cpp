@@ -61,7 +61,7 @@ TEST_CASE("another deck has nothing of what was computed for the one before",
   CHECK(window.solutionCharts().pages().isEmpty());
 }
 
-TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: quasi-static solution → charts next to the form", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.resize(1280, 800);
@@ -84,7 +84,8 @@ TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]
   CHECK(stale);
 }
 
-TEST_CASE("an accuracy study that goes on tells the turns of its round", "[gui][adrinput][daily]") {
+TEST_CASE("accuracy panel: running study → revolutions of the round are displayed",
+          "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -181,7 +182,7 @@ TEST_CASE("titles of axes beside the form are whole, however low the window is",
   }
 }
 
-TEST_CASE("the plan says what each effect costs", "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: plan → cost of each effect is listed", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -259,8 +260,9 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   }
 }
 
-TEST_CASE("what only the run itself refuses is told beside the records, and leads to the reason",
-          "[gui][adrinput][daily]") {
+TEST_CASE(
+    "adrinput: error that only a run finds → listed with the records, click leads to the reason",
+    "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
   DeckWindow window;
@@ -310,7 +312,7 @@ TEST_CASE("what only the run itself refuses is told beside the records, and lead
   CHECK(says("Ready to run"));
 }
 
-TEST_CASE("a deck that comes back while another one is asked about gets its answer",
+TEST_CASE("adrinput: deck restored during the check of another one → its own result is displayed",
           "[gui][adrinput][daily]") {
   test::use_qt();
   Document document;
@@ -335,7 +337,7 @@ TEST_CASE("a deck that comes back while another one is asked about gets its answ
   CHECK(answers.front() == first);
 }
 
-TEST_CASE("what is found out when a run ends is asked anew, the old answer does not count",
+TEST_CASE("adrinput: files changed by a finished run → check is repeated, old result is dropped",
           "[gui][adrinput][daily]") {
   test::use_qt();
   Document document;

@@ -217,7 +217,7 @@ TEST_CASE("the drawing in dark and light, hidden and shown", "[gui][adrinput][dr
   CHECK(window.pageArea().width() > narrow + 200);
 }
 
-TEST_CASE("a dock that stands behind another comes to the front by its key, and hides from there",
+TEST_CASE("adrinput: shortcut of a covered dock → raised first, then hidden",
           "[gui][adrinput][drawing]") {
   test::use_qt();
   DeckWindow window;

@@ -15,7 +15,8 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
-TEST_CASE("units switched to and fro a hundred times change no value", "[unit][adrinput][daily]") {
+TEST_CASE("adrinput: unit system switched a hundred times → values unchanged",
+          "[unit][adrinput][daily]") {
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     INFO(type);
     Document document;
@@ -31,7 +32,7 @@ TEST_CASE("units switched to and fro a hundred times change no value", "[unit][a
   }
 }
 
-TEST_CASE("a disk that is full is said; the old deck and what was typed stay",
+TEST_CASE("adrinput: full disk → error message, old deck and typed values kept",
           "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;

@@ -100,7 +100,7 @@ TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
   choose_unit("N", {});
 }
 
-TEST_CASE("the unit beside values is the one that they are shown in, in tables, too",
+TEST_CASE("adrinput: unit next to values and in tables → unit in which they are displayed",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -157,8 +157,10 @@ TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adri
   CHECK(window.document().has_errors());
 }
 
-TEST_CASE("a time in turns that was typed beside an error is taken by itself",
-          "[gui][adrinput][daily]") {
+TEST_CASE(
+    "adrinput: time in revolutions typed while another error exists → accepted after the "
+    "correction",
+    "[gui][adrinput][daily]") {
   test::use_qt();
   const auto turns = [](DeckWindow& window) {
     const auto scales = window.document().scales();
@@ -199,7 +201,7 @@ TEST_CASE("a time in turns that was typed beside an error is taken by itself",
   }
 }
 
-TEST_CASE("a motion that makes no step says so beside its end and in the sweep",
+TEST_CASE("adrinput: deck without motion → reported next to the end time and in the sweep dialog",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -227,7 +229,7 @@ TEST_CASE("a motion that makes no step says so beside its end and in the sweep",
   CHECK_FALSE(sweep_says("maxStps=10:20:2").contains("Static runs only"));
 }
 
-TEST_CASE("the head of a deck says what a run of it would do", "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: header of a deck → result of a run is announced", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();

@@ -123,7 +123,7 @@ TEST_CASE("comparing decks: sentences, jumps to fields, follows what is typed", 
   CHECK(take_message(window).isEmpty());
 }
 
-TEST_CASE("values in the other system of units stand beside their fields and follow typing",
+TEST_CASE("adrinput: values in both unit systems → next to their fields, follow typing",
           "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
@@ -218,7 +218,8 @@ TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][ad
   }
 }
 
-TEST_CASE("run options: a page, a file beside the deck, unknown names kept", "[gui][adrinput]") {
+TEST_CASE("run options: page, ADORE.json in the deck folder, unknown names kept",
+          "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   const fs::path path = folder.filePath("DATA.txt").toStdString();

@@ -114,9 +114,8 @@ TEST_CASE("after a change of units the remarks name the new ones, or a note says
   CHECK(notes().empty());
 }
 
-TEST_CASE(
-    "a deck with an error is refused before its name is asked, and a copy that is kept is told",
-    "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: deck with an error → rejected before the file dialog; kept copy is reported",
+          "[gui][adrinput][daily]") {
   test::use_qt();
   const QTemporaryDir folder;
   {

@@ -93,8 +93,10 @@ TEST_CASE("Tab goes through a page in the order of the deck, then to the buttons
   }
 }
 
-TEST_CASE("every action is in a menu with a key of its own, and every button takes the focus",
-          "[gui][adrinput]") {
+TEST_CASE(
+    "adrinput: keyboard → every action has a menu entry with a shortcut, every button takes the "
+    "focus",
+    "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
   window.show();

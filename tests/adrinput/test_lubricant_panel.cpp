@@ -35,7 +35,7 @@ deck::Deck in_oil(const char* code) {
 
 }  // namespace
 
-TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
+TEST_CASE("lubricant panel: contact of record 10 → that of the deck", "[gui][film]") {
   deck::Deck deck = in_oil("4");
   deck.set("raceTemp2", "360.0");
   deck.set("reTemp", "370.0");
@@ -58,7 +58,8 @@ TEST_CASE("the contact beside record 10 is that of the deck", "[gui][film]") {
   CHECK_FALSE(calculators::lubricant_contact(deck::new_deck("ball")));
 }
 
-TEST_CASE("the lubricant's dock is closed at first and draws what it is asked for", "[gui][film]") {
+TEST_CASE("lubricant panel: dock closed at first → draws the selected chart when opened",
+          "[gui][film]") {
   test::use_qt();
   QMainWindow window;
   adrinput::LubricantPanel* panel = adrinput::LubricantPanel::inDockOf(&window);
@@ -85,8 +86,9 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   CHECK(panel->chart().chartScene().page().note.find("kTrac") != std::string::npos);
 }
 
-TEST_CASE("charts of traction and viscosity say where the measurements of a lubricant end",
-          "[gui][film]") {
+TEST_CASE(
+    "lubricant panel: traction and viscosity charts → measured range of the lubricant is given",
+    "[gui][film]") {
   for (const int code : tribology::lubricant_codes()) {
     CAPTURE(code);
     calculators::LubricantContact contact;
@@ -103,8 +105,10 @@ TEST_CASE("charts of traction and viscosity say where the measurements of a lubr
   }
 }
 
-TEST_CASE("the lubricant of records 10.4 has the charts of a table's one, or says what it lacks",
-          "[gui][film]") {
+TEST_CASE(
+    "lubricant panel: lubricant of record 10.4 → same charts as a table lubricant, or missing data "
+    "named",
+    "[gui][film]") {
   test::use_qt();
   deck::Deck deck = in_oil("9");
   for (const auto& [name, value] :

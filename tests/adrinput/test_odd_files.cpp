@@ -46,7 +46,7 @@ std::string remarked(const std::string& remark) {
 
 }  // namespace
 
-TEST_CASE("a file that is no deck is refused by a sentence, and the deck before it stays",
+TEST_CASE("adrinput: file that is not a deck → rejected with a message, previous deck stays",
           "[gui][adrinput][odd]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -86,7 +86,7 @@ TEST_CASE("a file that is no deck is refused by a sentence, and the deck before 
   refused(folder.filePath("not-there.txt").toStdString(), "not-there.txt");
 }
 
-TEST_CASE("an empty file says that it is empty, and a save into it is refused with reasons",
+TEST_CASE("adrinput: empty file → reported; saving to it is rejected with reasons",
           "[gui][adrinput][odd]") {
   test::use_qt();
   const QTemporaryDir folder;

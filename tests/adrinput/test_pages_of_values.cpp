@@ -78,7 +78,7 @@ TEST_CASE("forty deviations are one table, and a pasted row or column fills it",
   CHECK(editor->text() == QString::fromUtf8("0.5 µm"));
 }
 
-TEST_CASE("a wrong value leaves what the deck does not use pale", "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: invalid value → unused values stay pale", "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.document().edit(cell("kReGeoImp"), "2");
@@ -107,7 +107,7 @@ TEST_CASE("bodies and vectors have names", "[gui][adrinput][daily]") {
   CHECK(place->horizontalHeaderItem(2)->text() == "z");
 }
 
-TEST_CASE("what a deck's options leave unused looks unused, with the reason",
+TEST_CASE("adrinput: values unused by the options → displayed as unused, with the reason",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -127,7 +127,7 @@ TEST_CASE("what a deck's options leave unused looks unused, with the reason",
   CHECK_FALSE(said->isVisibleTo(window.page()));
 }
 
-TEST_CASE("deviations of elements that are not there are pale, with other units beside them too",
+TEST_CASE("adrinput: diameter deviations of missing elements → pale, with both unit systems too",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;

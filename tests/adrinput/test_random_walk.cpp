@@ -127,7 +127,7 @@ void random_walk(unsigned seed, int actions) {
 }  // namespace
 
 // Ten thousand actions in four walks, so that they can go side by side.
-TEST_CASE("a random walk never crashes, and what it writes passes the check or is refused",
+TEST_CASE("adrinput: random walk → no crash; written decks pass the check or saving is rejected",
           "[gui][adrinput][slow]") {
   random_walk(20260101, 2500);
 }

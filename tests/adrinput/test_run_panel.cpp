@@ -113,7 +113,7 @@ TEST_CASE("viewers get whole names of files, wherever the deck was opened from",
   }
 }
 
-TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[gui][adrinput]") {
+TEST_CASE("run panel: cancel a run; quit during a run → confirmation", "[gui][adrinput]") {
   RunBench bench;
   auto& [folder, window, launches] = bench;
   shorten(window.document(), "1000000");
@@ -155,7 +155,7 @@ TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[
   CHECK(note(window).startsWith("Cancelled"));
 }
 
-TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says why",
+TEST_CASE("run panel: quasi-static run → tables open; deck that cannot run → reason",
           "[gui][adrinput]") {
   RunBench bench;
   auto& [folder, window, launches] = bench;
@@ -181,8 +181,7 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
 
-TEST_CASE("a run that is complete and continued says that nothing is left to do",
-          "[gui][adrinput]") {
+TEST_CASE("run panel: continue a complete run → reported as complete", "[gui][adrinput]") {
   RunBench bench;
   auto& [folder, window, launches] = bench;
   shorten(window.document(), "3");
@@ -336,7 +335,7 @@ TEST_CASE("the buttons of results follow what is on the disk, whoever put it the
   CHECK(other.findChild<QPushButton*>("open-animation")->isEnabled());
 }
 
-TEST_CASE("a run that a full disk ended tells how far it came and opens what it stored",
+TEST_CASE("run panel: disk full during a run → progress reported, stored results can be opened",
           "[gui][adrinput]") {
   RunBench bench;
   auto& [folder, window, launches] = bench;

@@ -17,7 +17,7 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
-TEST_CASE("what ends a run is told in the window's words", "[gui][adrinput]") {
+TEST_CASE("run panel: error of a run → message in terms of the window", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   // An output that the run may not replace, in the sentence of the command line and in ours.
@@ -83,7 +83,7 @@ TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing t
   window.document().save(folder.filePath("DATA.txt").toStdString());
   run_to_end(window);
   const QString first = window.runPanel().text();
-  CHECK(first.contains("Accuracy (F9) tells"));
+  CHECK(first.contains("Accuracy (F9) estimates"));
   CHECK_FALSE(first.contains("--"));
   QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
   window.continueRun();
@@ -96,7 +96,7 @@ TEST_CASE("a run that is complete, and a tolerance that is loose, name nothing t
     CHECK(problem.issue.text().find("--") == std::string::npos);
 }
 
-TEST_CASE("beside the bar stands what will end the run", "[gui][adrinput]") {
+TEST_CASE("run panel: progress bar → limit that ends the run", "[gui][adrinput]") {
   RunBench bench;
   auto& [folder, window, launches] = bench;
   window.document().save(folder.filePath("DATA.txt").toStdString());

@@ -293,8 +293,7 @@ TEST_CASE("nasty decks: cut, doubled, swapped, wild counts, foreign letters and 
   CHECK(document.deck() == before);
 }
 
-TEST_CASE("what a file says beside its deck is told after saving as it was before",
-          "[unit][adrinput]") {
+TEST_CASE("adrinput: remark of a file on its deck → unchanged after saving", "[unit][adrinput]") {
   const QTemporaryDir folder;
   const fs::path file = folder.filePath("DATA.txt").toStdString();
   std::string text = deck::write_deck(deck::new_deck("ball"));

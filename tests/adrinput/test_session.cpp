@@ -162,7 +162,7 @@ TEST_CASE("a program that is killed loses nothing that was typed", "[gui][adrinp
   CHECK(QDir(folder.filePath("unsaved")).isEmpty());  // no lock stays behind either
 }
 
-TEST_CASE("what is typed is stored by itself, and nothing stays after an orderly end",
+TEST_CASE("session: typed values → stored automatically, deleted after an orderly end",
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
@@ -211,7 +211,7 @@ TEST_CASE("what is typed is stored by itself, and nothing stays after an orderly
   }
 }
 
-TEST_CASE("a folder that cannot be written is said once and stops nobody", "[gui][adrinput]") {
+TEST_CASE("session: read-only folder → reported once, editing continues", "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
   std::ofstream(folder.filePath("unsaved").toStdString()) << "a file where the folder should be";

@@ -80,7 +80,7 @@ TEST_CASE("every row of every example study is what its cells say", "[gui][adrin
   }
 }
 
-TEST_CASE("what is typed in the form of a study is checked in the words of the command line",
+TEST_CASE("study window: typed values → checked with the messages of the command line",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;
@@ -197,7 +197,7 @@ TEST_CASE("a study dropped anywhere on its window opens; a link of the web stays
   CHECK(window.document().path() == bench.path("other.json"));
 }
 
-TEST_CASE("a study over its budget starts only when the user wants it all the same",
+TEST_CASE("study window: budget exceeded → starts only after confirmation",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;
@@ -228,7 +228,7 @@ TEST_CASE("a study over its budget starts only when the user wants it all the sa
   CHECK_THAT(bytes_of(bench.path("sweep.toml")), Contains("budget = {runs = 5"));
 }
 
-TEST_CASE("what is typed into a study outlives a program that is cut off, and closing asks",
+TEST_CASE("study window: crash → typed values restored; closing asks to save",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;
@@ -285,7 +285,8 @@ TEST_CASE("results of a study go to the one window of plots that its project has
   CHECK(started.size() == 1);
 }
 
-TEST_CASE("a study file that is no JSON is mended in its text", "[gui][adrinput][studies]") {
+TEST_CASE("study window: file that is not JSON → corrected in its text",
+          "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;
   std::string text = studies::example_study("sweep");
@@ -318,7 +319,7 @@ TEST_CASE("the pages of a study are drawn without a window", "[gui][adrinput][st
   for (const fs::path& page : pages) CHECK(fs::file_size(page) > 5000);
 }
 
-TEST_CASE("a new study of any kind begins without a mistake, whatever the bearing and its units",
+TEST_CASE("study window: new study of any kind → no errors for any bearing and units",
           "[gui][adrinput][studies]") {
   test::use_qt();
   const Bench bench;

@@ -15,7 +15,7 @@
 using namespace adore;
 using namespace adore::adrinput;
 
-TEST_CASE("a deck is told as ready when a run accepts its values, and what is wrong has no tick",
+TEST_CASE("record list: deck that a run accepts → ready; records with errors are not checked off",
           "[adrinput][slow]") {
   const deck::Deck base = deck::new_deck("ball");
   int refused = 0, accepted = 0;
@@ -61,8 +61,7 @@ TEST_CASE("a deck is told as ready when a run accepts its values, and what is wr
   CHECK(accepted > 50);
 }
 
-TEST_CASE("a start state that is not there is refused by the record that asks for it",
-          "[adrinput]") {
+TEST_CASE("adrinput: missing start state → error at the record that needs it", "[adrinput]") {
   const QTemporaryDir folder;
   for (const char* code : {"-1", "1"}) {
     facade::LoadedDeck input;

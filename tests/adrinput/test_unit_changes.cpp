@@ -254,7 +254,7 @@ TEST_CASE("a cage that is cut keeps the numbers of its start through a change of
   }
 }
 
-TEST_CASE("what a file holds for an option that is off is converted with the rest",
+TEST_CASE("adrinput: stored values of inactive options → converted with the others",
           "[unit][adrinput]") {
   // A deck whose record is left over: written with its option, which is then turned off.
   deck::Deck full = deck::new_deck("ball");

@@ -28,7 +28,7 @@ using namespace adore;
 using namespace adore::adrinput;
 namespace fs = std::filesystem;
 
-TEST_CASE("search for an array without elements goes to its count and says so",
+TEST_CASE("adrinput: search for an array without elements → leads to its count, with a message",
           "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
@@ -144,9 +144,8 @@ TEST_CASE("a designation makes a deck, with what is standard and what is estimat
   CHECK(window.document().deck().real("pitchDia") == 0.065);
 }
 
-TEST_CASE(
-    "runs have a menu of their own, redo both of its keys, and an empty search the deck's undo",
-    "[gui][adrinput][daily]") {
+TEST_CASE("adrinput: run menu; both redo shortcuts; undo in an empty search acts on the deck",
+          "[gui][adrinput][daily]") {
   test::use_qt();
   DeckWindow window;
   window.show();
@@ -208,7 +207,8 @@ TEST_CASE("a name that several records have is found in the record of this deck 
   CHECK(elsewhere > 3);
 }
 
-TEST_CASE("what is told of a designation is in sight to its last word", "[gui][adrinput][daily]") {
+TEST_CASE("catalog dialog: description of a bearing → completely visible",
+          "[gui][adrinput][daily]") {
   test::use_qt();
   CatalogueDialog dialog;
   dialog.show();

@@ -79,7 +79,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("the run that was cancelled last goes on, in its own folder, and the menu names it",
+TEST_CASE("run panel: last cancelled run → continued in its folder, named in the menu",
           "[gui][adrinput][continue]") {
   test::use_qt();
   Bench bench("3");
@@ -145,7 +145,7 @@ TEST_CASE("the run that was cancelled last goes on, in its own folder, and the m
   CHECK(bytes_of(bench.path("RUN.json")) == first);
 }
 
-TEST_CASE("a sweep that was cancelled goes on, and says why not after a change of the deck",
+TEST_CASE("run panel: cancelled sweep → continued; after a change of the deck → reason",
           "[gui][adrinput][continue]") {
   test::use_qt();
   Bench bench("150");
@@ -180,7 +180,7 @@ TEST_CASE("a sweep that was cancelled goes on, and says why not after a change o
   CHECK(bench.entry().text() == "&Continue the run");
 }
 
-TEST_CASE("a sweep of an earlier session goes on: what is missing runs, what is done stays",
+TEST_CASE("run panel: sweep of an earlier session → missing runs computed, finished ones kept",
           "[gui][adrinput][continue]") {
   test::use_qt();
   const QTemporaryDir folder;

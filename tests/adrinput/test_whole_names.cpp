@@ -73,7 +73,7 @@ void cut_off(const TwoProjects& projects, const fs::path& deck) {
 
 }  // namespace
 
-TEST_CASE("a deck that was cut off comes back as its own file, whatever folder is worked in",
+TEST_CASE("session: deck restored after a crash → same file in any working folder",
           "[gui][adrinput][recovery]") {
   test::use_qt();
   const TwoProjects projects;

@@ -101,7 +101,7 @@ TEST_CASE("plot_pages: the curves of a panel share one unit", "[unit]") {
   }
 }
 
-TEST_CASE("plot_pages: short element files say what is missing instead of showing it", "[unit]") {
+TEST_CASE("plot_pages: short element files → missing quantities are named", "[unit]") {
   auto header = test::synthetic_header(SolKind::Element, {});
   header.value_count = 27;
   const auto pages = plot_pages(SolKind::Element, header);
@@ -221,8 +221,7 @@ TEST_CASE("page_builder: abscissa, units and orbit pair follow the options", "[u
   CHECK_THROWS_AS(build_page(race, pages, 0), InputError);
 }
 
-TEST_CASE("page_builder: an uneven run is resampled for its spectrum page, and it says so",
-          "[unit]") {
+TEST_CASE("page_builder: uneven steps → resampled for the spectrum page, with a note", "[unit]") {
   auto cage = test::synthetic_sol(SolKind::Cage);
   const auto pages = plot_pages(cage.kind, cage.header);
   const auto full = build_page(cage, pages, 21);
@@ -234,7 +233,7 @@ TEST_CASE("page_builder: an uneven run is resampled for its spectrum page, and i
   CHECK(uneven.note.find("Resampled") != std::string::npos);
 }
 
-TEST_CASE("page_builder: turns accumulate whatever the direction, and time takes over without them",
+TEST_CASE("page_builder: revolutions accumulate in both directions; without rotation → time",
           "[unit]") {
   auto race = test::synthetic_sol(SolKind::Race);
   const auto pages = plot_pages(race.kind, race.header);
@@ -255,7 +254,7 @@ TEST_CASE("page_builder: turns accumulate whatever the direction, and time takes
   CHECK(build_page(race, pages, 2, {Abscissa::Step, {}}).x[3] == 60.0);
 }
 
-TEST_CASE("page_builder: zeros that nobody computed are no values", "[unit]") {
+TEST_CASE("page_builder: zeros of quantities that were not computed → no values", "[unit]") {
   auto element = test::synthetic_sol(SolKind::Element);
   const auto pages = plot_pages(element.kind, element.header);
   for (auto& step : element.steps) {
@@ -313,7 +312,7 @@ TEST_CASE("page_builder: a flange that is not there has no gap", "[unit]") {
   CHECK(page.note.find("no flange") != std::string::npos);
 }
 
-TEST_CASE("page_builder: what is stored too seldom for the fastest contact says so", "[unit]") {
+TEST_CASE("page_builder: storing interval too long for the fastest contact → note", "[unit]") {
   const auto race = test::synthetic_sol(SolKind::Race);  // every 12 us: 83 kHz
   const auto pages = plot_pages(race.kind, race.header);
   constexpr int kAcceleration = 4;  // a page without a note of its own
@@ -333,8 +332,7 @@ TEST_CASE("page_builder: what is stored too seldom for the fastest contact says 
   }
 }
 
-TEST_CASE("page_builder: a line through few values of a vibration says that it misses peaks",
-          "[unit]") {
+TEST_CASE("page_builder: few values per vibration period → note on missing peaks", "[unit]") {
   const std::string said = "steps per period. Shape and peaks are not reliable";
   const auto noted = [&](SolKind kind, int page, double frequency, bool banded = false) {
     const auto file = test::synthetic_sol(kind);  // every 12 us: 83 kHz
@@ -412,7 +410,7 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   CHECK_THROWS_AS(render_plots({base / "absent"}, options), InputError);
 }
 
-TEST_CASE("render_plots: a page is drawn of the files that have it, the others are told by name",
+TEST_CASE("render_plots: page that some files lack → drawn for the others, missing ones named",
           "[gui]") {
   test::use_qt();
   QTemporaryDir folder;

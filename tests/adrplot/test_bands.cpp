@@ -113,7 +113,7 @@ TEST_CASE("pages of pockets, lands and heat draw the extremes between stored ste
   }
 }
 
-TEST_CASE("a page without extremes says that peaks are not in the file",
+TEST_CASE("plot_document: page without extremes → note on missing peaks",
           "[unit][adrplot][step-band]") {
   TemporaryFolder folder;
   write_run(folder, UnitSystem::SI);

@@ -165,7 +165,7 @@ TEST_CASE("plot_window: keys read one stored step after the other, and set both 
   CHECK(shown.view().accessibleDescription() == QString::fromStdString(shown.scene().page().title));
 }
 
-TEST_CASE("plot_window: digits hide curves of the legends, as their menu says", "[gui]") {
+TEST_CASE("plot_window: digit keys → hide curves of the legends, as in their menu", "[gui]") {
   Shown shown(results::SolKind::Element);
   int tried = 0;
   for (int number = 1; number <= shown.window.pageCount(); ++number) {

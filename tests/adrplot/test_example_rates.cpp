@@ -53,7 +53,7 @@ std::string notes_of(const fs::path& root, int& pages) {
 
 // Six hundred integration steps, 0.06 to 1.5 turns: by then each method takes the steps that it
 // takes all along.
-TEST_CASE("the examples are stored often enough for their fastest contact, or say so in their deck",
+TEST_CASE("examples: stored often enough for their fastest contact, or noted in their deck",
           "[gui][examples]") {
   test::use_qt();
   const QTemporaryDir folder;

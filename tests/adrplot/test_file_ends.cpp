@@ -91,7 +91,7 @@ TEST_CASE("plot_document: a longer RESULTS.h5 takes no more room than files may"
   CHECK_THAT(page.note, Contains("that do not fit in memory"));
 }
 
-TEST_CASE("plot_document: an interval or a part of a file is not taken for its end",
+TEST_CASE("plot_document: interval or part of a file → not treated as its end",
           "[unit][adrplot][h5]") {
   TemporaryFolder folder;
   // Both files end with step 41: with every interval that leaves it out nothing is added, and

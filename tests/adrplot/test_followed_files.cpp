@@ -19,8 +19,7 @@ using namespace adore;
 using namespace adore::adrplot;
 using results::SolKind;
 
-TEST_CASE("plot_window: a followed file that is worth nothing for a moment is told of in the foot",
-          "[gui]") {
+TEST_CASE("plot_window: followed file temporarily invalid → message in the status bar", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   test::SyntheticRun made;

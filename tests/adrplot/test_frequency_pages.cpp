@@ -81,8 +81,7 @@ TEST_CASE("pages: slow and fast lines side by side are drawn over a logarithmic 
   CHECK(spectra(400.0, 800.0, SpectrumScale::Relative).view_low == 0.0);
 }
 
-TEST_CASE("chart_scene: a logarithmic abscissa has values of their own in its low decades",
-          "[gui]") {
+TEST_CASE("chart_scene: logarithmic abscissa → enough values in its low decades", "[gui]") {
   test::use_qt();
   desktop::ChartPage page;
   page.x_title = "Frequency", page.x_unit = "Hz";
@@ -287,7 +286,7 @@ TEST_CASE("spectrum: a sine on an offset has its amplitude at its line, and none
     }
 }
 
-TEST_CASE("pages: spectra say that the mean is taken off, and where the first line is drift",
+TEST_CASE("spectrum pages: notes on the removed mean and on drift in the first line",
           "[unit][adrplot]") {
   const std::vector<double> t = times(600);
   const auto curve = [&](double drift, double periods) {

@@ -14,8 +14,7 @@
 using namespace adore;
 using namespace adore::adrplot;
 
-TEST_CASE("plot_document: reading is watched, and goes on after it was stopped",
-          "[unit][adrplot]") {
+TEST_CASE("plot_document: reading is monitored, and continues after a stop", "[unit][adrplot]") {
   const testing::TemporaryFolder folder;
   test::SyntheticRun run;
   run.steps = 3500;
@@ -86,7 +85,7 @@ TEST_CASE("accuracy_page: a point for each run that came to its end", "[unit][ad
   CHECK_THROWS_WITH(accuracy_pages(path), Catch::Contains("adore accuracy"));
 }
 
-TEST_CASE("accuracy_page: errors within chance lie in a pale area, and what matters is marked",
+TEST_CASE("accuracy_page: errors within the scatter → shaded band, significant points marked",
           "[gui][adrplot]") {
   test::use_qt();
   const testing::TemporaryFolder folder;

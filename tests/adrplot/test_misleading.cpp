@@ -139,8 +139,7 @@ TEST_CASE("pages: heat has no average before a thermal step has ended, and no co
   CHECK_FALSE(none(page_with(file, "Bearing temperatures").panels.at(0).curves.at(0)));
 }
 
-TEST_CASE("pages: wear that nothing integrated is no curve, beside some a cage may have none",
-          "[unit][adrplot]") {
+TEST_CASE("pages: wear without integration → no curve, cage may lack one", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Power);
   const std::vector<std::string> ids{"power.element1_wear_rate", "race.wear_rate",
                                      "power.cage_wear_rate"};
@@ -154,7 +153,7 @@ TEST_CASE("pages: wear that nothing integrated is no curve, beside some a cage m
   }
 }
 
-TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a place at rest are",
+TEST_CASE("pages: rates from a force balance → no curve; rates of a body at rest → curve",
           "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   const auto columns = results::sol_columns(file.header);
@@ -194,10 +193,8 @@ TEST_CASE("pages: rates of a place that a balance gives are no curve, those of a
   }
 }
 
-TEST_CASE(
-    "pages: of a shaft that turns to and fro no speed counts marks, and ratios say why they run "
-    "away",
-    "[unit][adrplot]") {
+TEST_CASE("pages: oscillating shaft → no frequency marks, note on unbounded ratios",
+          "[unit][adrplot]") {
   for (const bool swings : {false, true}) {
     results::SolFile file = test::synthetic_sol(SolKind::Cage);
     const double whole = static_cast<double>(file.steps.size());
@@ -238,8 +235,7 @@ TEST_CASE("pages: a cage in the middle has no direction", "[unit][adrplot]") {
   CHECK(first(-0.3) == 0.0);  // beside the middle an angle of 0 is one
 }
 
-TEST_CASE("pages: curves that break off where a contact opens say so, and slip says what steps",
-          "[unit][adrplot]") {
+TEST_CASE("pages: gaps at lost contact and steps of slip → notes", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   set(file, "contact.load.", 100.0);
   set(file, "contact.angle.", 0.1);
@@ -274,8 +270,7 @@ TEST_CASE("pages: curves that break off where a contact opens say so, and slip s
   CHECK(note("slip").find("largest of all slices") != std::string::npos);
 }
 
-TEST_CASE("pages: rounding of a force fills no axis beside its large components",
-          "[unit][adrplot]") {
+TEST_CASE("pages: rounding of a force → not enlarged next to large components", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Race);
   set(file, "race.applied_force_x", 1e-7);
   set(file, "race.applied_force_y", 3.0);
@@ -307,7 +302,7 @@ TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart"
   CHECK(dashed(page) > 0);
 }
 
-TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrplot]") {
+TEST_CASE("pages: cage orbit → divisor given in the note", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Cage);
   const desktop::ChartPage guided = page_with(file, "orbit");
   CHECK(guided.guide_radius == 1.0);
@@ -340,7 +335,7 @@ TEST_CASE("pages: the orbit of a cage says what it is divided by", "[unit][adrpl
   CHECK_THAT(build_page(file, pages, 5, {}, context).note, Catch::Contains("lands, 149 µm"));
 }
 
-TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplot]") {
+TEST_CASE("pages: rounding errors → no spectrum for any column", "[unit][adrplot]") {
   // A sine of every column's own size has lines; one of its last digits, about it or 0, has none.
   for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
     const results::SolFile base = test::synthetic_sol(kind);
@@ -390,7 +385,7 @@ TEST_CASE("pages: rounding has no spectrum, whatever the column", "[unit][adrplo
   CHECK_FALSE(only_rounding(between, "m", 0.0));
 }
 
-TEST_CASE("pages: what nothing of a page has is said once, without axes or remarks on lines",
+TEST_CASE("pages: message for a whole page → shown once, without axes or notes on lines",
           "[gui][adrplot]") {
   test::use_qt();
   // Races that stand still, stored at unequal steps; a cage without lands.
@@ -424,7 +419,7 @@ TEST_CASE("pages: what nothing of a page has is said once, without axes or remar
   }
 }
 
-TEST_CASE("pages: a contact that never closes is no missing value", "[unit][adrplot]") {
+TEST_CASE("pages: contact that never closes → not a missing value", "[unit][adrplot]") {
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   set(file, "contact.load.inner", 0.0);
   const auto page = page_with(file, "load and angle");
@@ -462,7 +457,7 @@ TEST_CASE("pages: a curve without a spectrum is named, with its reason", "[unit]
   CHECK(page.note.find("missing") == std::string::npos);
 }
 
-TEST_CASE("pages: spectra say what their heights are of, and how far apart their lines stand",
+TEST_CASE("spectrum pages: notes on the reference of heights and the line spacing",
           "[unit][adrplot]") {
   test::SyntheticRun made;
   made.steps = 1001;
@@ -487,7 +482,7 @@ TEST_CASE("pages: spectra say what their heights are of, and how far apart their
         std::string::npos);
 }
 
-TEST_CASE("pages: what does not move says so, and has one dot for start and end", "[gui]") {
+TEST_CASE("pages: constant values → note, one dot for start and end", "[gui]") {
   test::use_qt();
   results::SolFile file = test::synthetic_sol(SolKind::Race);
   const auto key = [](const desktop::ChartPage& page) {

@@ -29,8 +29,7 @@ QString shown_note(const desktop::ChartScene& scene, QString& tip) {
 
 }  // namespace
 
-TEST_CASE("pages: no note is cut, whatever the page, what it shows and its size",
-          "[gui][adrplot]") {
+TEST_CASE("pages: notes → never cut, for any page, content and size", "[gui][adrplot]") {
   test::use_qt();
   int notes = 0, counted = 0;
   for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {

@@ -252,7 +252,7 @@ TEST_CASE("waterfall: a speed is written without a power of ten", "[unit]") {
   CHECK(rpm_text(12.34 / 60.0) == "12.34 rpm");
 }
 
-TEST_CASE("own charts: values between stored ones lie on straight lines, none outside", "[unit]") {
+TEST_CASE("own charts: values between stored ones → linear interpolation, none outside", "[unit]") {
   const std::vector<double> y =
       read_off({1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}, {0.5, 1.0, 1.25, 2.0, 3.0, 4.0, 4.1});
   CHECK(std::isnan(y[0]));
@@ -411,7 +411,7 @@ TEST_CASE("the folder of a run is the same for every way of writing it", "[unit]
   CHECK(run_folder("./run-001/SOL1") == here / "run-001");
 }
 
-TEST_CASE("plot_window: a folder opens all its plot files, two folders are told apart", "[gui]") {
+TEST_CASE("plot_window: folder → all its plot files opened, two folders distinguished", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   test::SyntheticRun made;

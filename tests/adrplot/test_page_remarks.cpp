@@ -137,7 +137,7 @@ TEST_CASE("pages: a flange that the race does not have is not hedged", "[unit][a
   CHECK_FALSE(no_flange("flange.gap.inner.1", facts));
 }
 
-TEST_CASE("pages: each flange keeps its own extremes beside one that the race does not have",
+TEST_CASE("pages: missing flange → extremes of the other flanges unchanged",
           "[unit][adrplot][step-band]") {
   results::SolFile file = test::synthetic_sol(SolKind::Element);
   file.header.bearing_type = 2;
@@ -168,7 +168,7 @@ TEST_CASE("pages: each flange keeps its own extremes beside one that the race do
   }
 }
 
-TEST_CASE("pages: equal stretches of two curves are told from equal curves", "[gui]") {
+TEST_CASE("pages: partly equal curves → distinguished from equal curves", "[gui]") {
   desktop::ChartPage chart;
   chart.x_unit = "s";
   desktop::ChartPanel panel{"Load", "N", {}, false};
@@ -216,7 +216,7 @@ TEST_CASE("axis_scale: panels that are compared share a prefix", "[unit]") {
   CHECK(units({value_axis(0, 50e3, "N", 4), value_axis(0, 0.02, "N", 4)}) == Units{"kN", "mN"});
 }
 
-TEST_CASE("axis_scale: the base value of an axis lies in its range", "[unit]") {
+TEST_CASE("axis_scale: base value of an axis → within its range", "[unit]") {
   for (const auto& [low, high] : std::vector<std::pair<double, double>>{
            {-12.280, -12.272}, {0.030076, 0.030083}, {0.0300880, 0.0300960}, {499.9, 500.2}}) {
     const desktop::AxisScale axis = desktop::value_axis(low, high, "m", 4);
@@ -226,7 +226,7 @@ TEST_CASE("axis_scale: the base value of an axis lies in its range", "[unit]") {
   }
 }
 
-TEST_CASE("pages of a cage say what its speeds are over", "[unit][adrplot]") {
+TEST_CASE("cage pages: divisor of the speed ratios given", "[unit][adrplot]") {
   const auto cage = test::synthetic_sol(SolKind::Cage);
   const auto pages = plot_pages(cage.kind, cage.header);
   const double elements = cage.header.elements;

@@ -130,7 +130,7 @@ TEST_CASE("plot_window: orbit page offers other pairs, history pages another abs
         Approx(scene.valueAt(0, frame.top()) - scene.valueAt(0, frame.bottom())));
 }
 
-TEST_CASE("plot_window: files are opened, refused with a reason, and truncated ones explained",
+TEST_CASE("plot_window: files → opened, rejected with a reason, truncated ones explained",
           "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
@@ -312,9 +312,8 @@ TEST_CASE("plot_window: the values of all panels under the mouse are read whole,
   }
 }
 
-TEST_CASE(
-    "plot_window: a chart of sixty curves keeps most of the window, and says what it leaves out",
-    "[gui]") {
+TEST_CASE("plot_window: chart of sixty curves → keeps most of the window, omitted values counted",
+          "[gui]") {
   test::use_qt();
   PlotWindow window;
   PlotDocument document = document_of([](desktop::ChartPage& page) {
@@ -350,7 +349,7 @@ TEST_CASE(
   CHECK(label->text().endsWith(" 2 N"));
 }
 
-TEST_CASE("plot_window: what is left out is counted by value, and what stays is whole", "[gui]") {
+TEST_CASE("plot_window: omitted values are counted, others are complete", "[gui]") {
   test::use_qt();
   PlotWindow window;
   PlotDocument document = document_of([](desktop::ChartPage& page) {

@@ -112,8 +112,7 @@ void act(PlotWindow& window, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("plot_window: a random walk over everything that a hand can do leaves it alive",
-          "[gui][slow]") {
+TEST_CASE("plot_window: random user actions → no crash", "[gui][slow]") {
   test::use_qt();
   PlotWindow window;
   window.resize(900, 600);

@@ -86,7 +86,8 @@ TEST_CASE("quasi-static tables come back from RUN.json as they were", "[unit]") 
   }
 }
 
-TEST_CASE("a RUN.json without a quasi-static solution is refused by name", "[unit]") {
+TEST_CASE("static pages: RUN.json without a quasi-static solution → rejected with its name",
+          "[unit]") {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("RUN.json").toStdString();
   write_file_atomically(path, "{\"run\": \"x\"}");
@@ -95,7 +96,7 @@ TEST_CASE("a RUN.json without a quasi-static solution is refused by name", "[uni
   CHECK_THROWS_AS(results::read_static_tables(path), InputError);
 }
 
-TEST_CASE("load rose: every load stands in the direction of its element", "[unit]") {
+TEST_CASE("load rose: loads in the directions of their elements", "[unit]") {
   const auto pages = desktop::static_pages(four_elements(results::UnitSystem::SI));
   REQUIRE(pages.size() == 3);
   const auto& outer = pages[0].panels.at(0).curves.at(0);
@@ -125,7 +126,7 @@ TEST_CASE("English decks are drawn in English units", "[unit]") {
   CHECK(pages[2].x_unit == "rpm");
 }
 
-TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are gaps", "[unit]") {
+TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs → gaps", "[unit]") {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();
   write_file_atomically(path,
@@ -237,7 +238,7 @@ TEST_CASE("load rose: a spoke goes from the center to each load, and nowhere els
   }
 }
 
-TEST_CASE("pages of a sweep whose runs made no step say so", "[unit]") {
+TEST_CASE("sweep pages: runs without steps → note", "[unit]") {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();
   const auto note = [&](const char* first, const char* second) {

@@ -77,7 +77,7 @@ desktop::ChartPage page_over(const RunMotion& motion, const RunUp& run, double o
 
 }  // namespace
 
-TEST_CASE("waterfall: it is of the curve that is asked for, and is named after it", "[unit]") {
+TEST_CASE("waterfall: selected curve → drawn and named", "[unit]") {
   const RunUp run{80.0, 0.0};
   const RunMotion motion = motion_of_run(run, 8000, {});
   const auto fall = [&](const std::string& of) {

@@ -29,7 +29,7 @@ QList<QByteArray> lines_of(const QString& path) {
 
 }  // namespace
 
-TEST_CASE("plot_window: numbers are all of them or those in view, and the foot says which",
+TEST_CASE("plot_window: export of all or visible values → reported in the status bar",
           "[gui][adrplot]") {
   test::use_qt();
   QTemporaryDir folder;
@@ -97,7 +97,7 @@ TEST_CASE(
   CHECK(picture() != with_line);
 }
 
-TEST_CASE("plot_window: a run without turns says what it is drawn over", "[gui][adrplot]") {
+TEST_CASE("plot_window: run without rotation → drawn over time, with a note", "[gui][adrplot]") {
   test::use_qt();
   PlotWindow window;
   auto file = test::synthetic_sol(SolKind::Element);
@@ -181,7 +181,7 @@ TEST_CASE("plot_window: the name proposed for a picture has the picture's suffix
   }
 }
 
-TEST_CASE("plot_window: a small window does not grow, whatever it tells", "[gui][adrplot]") {
+TEST_CASE("plot_window: long messages → small window does not grow", "[gui][adrplot]") {
   test::use_qt();
   PlotWindow window;
   for (const SolKind kind : {SolKind::Element, SolKind::Cage, SolKind::Power})

@@ -105,8 +105,7 @@ TEST_CASE("agore_window: the format chosen for a film is what its name says", "[
   dialog->close();
 }
 
-TEST_CASE("agore_window: a film goes from a frame or a time to another, and says what comes of it",
-          "[gui]") {
+TEST_CASE("agore_window: movie from a frame or time to another → length displayed", "[gui]") {
   test::use_qt();
   QTemporaryDir base;
   const QString run = base.filePath("shaft at 9000");
@@ -164,7 +163,7 @@ TEST_CASE("agore_window: a film goes from a frame or a time to another, and says
   }
 }
 
-TEST_CASE("agore_window: a view that stands beside and is asked for changes places", "[gui]") {
+TEST_CASE("agore_window: selected additional view → exchanged with the first view", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   window.setAnimation(prepare(test::synthetic_sol8(short_run(5))));
@@ -178,7 +177,7 @@ TEST_CASE("agore_window: a view that stands beside and is asked for changes plac
   CHECK(window.options().beside[1].view == View::Bearing);
 }
 
-TEST_CASE("agore_window: a run that goes on is read again at the same moment", "[gui]") {
+TEST_CASE("agore_window: active run → reloaded at the same time", "[gui]") {
   test::use_qt();
   QTemporaryDir base;
   const std::filesystem::path sol8 = base.filePath("SOL8").toStdString();
@@ -256,7 +255,7 @@ TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
   CHECK(window.currentFrame() == 100);
 }
 
-TEST_CASE("agore_window: opening offers all that can be held, whatever was asked before", "[gui]") {
+TEST_CASE("agore_window: open dialog → default is the largest number of steps", "[gui]") {
   test::use_qt();
   AgoreWindow window;
   for (int time = 0; time < 2; ++time) {
@@ -360,9 +359,8 @@ TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gu
   CHECK(window.options().exaggeration == 10.0);
 }
 
-TEST_CASE(
-    "agore_window: files are opened, thinned to the steps asked for, and refused with a reason",
-    "[gui]") {
+TEST_CASE("agore_window: files → opened, thinned to the selected steps, rejected with a reason",
+          "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   const std::filesystem::path base = folder.path().toStdString();

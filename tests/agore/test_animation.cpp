@@ -69,8 +69,7 @@ TEST_CASE("animation: speeds, pockets and guiding race are recovered from a file
   CHECK(mean(element_spin(a, 4).value) == Approx(3.1).epsilon(0.1));
 }
 
-TEST_CASE("animation: a lone SOL8 is drawn at its own times, and says what it cannot know",
-          "[unit]") {
+TEST_CASE("animation: SOL8 only → drawn at its own times, unknown quantities named", "[unit]") {
   auto file = test::synthetic_sol8(short_run(60));
   // The run ends half a stored interval later: nothing may dip there.
   auto last = file.frames.back();
@@ -100,7 +99,7 @@ TEST_CASE("animation: a lone SOL8 is drawn at its own times, and says what it ca
   CHECK(element_orbit(b, 0).unknown.empty());
 }
 
-TEST_CASE("animation: SOL files beside a lone SOL8 give its curves", "[unit]") {
+TEST_CASE("animation: SOL8 with SOL files → curves from these files", "[unit]") {
   QTemporaryDir folder;
   const std::filesystem::path base = folder.path().toStdString();
   test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(40))));
@@ -121,8 +120,7 @@ TEST_CASE("animation: SOL files beside a lone SOL8 give its curves", "[unit]") {
   CHECK(*std::max_element(force.value.begin(), force.value.end()) == Approx(largest).epsilon(1e-6));
 }
 
-TEST_CASE("animation: the contacts tell which race guides, and lands that are not there stay away",
-          "[unit]") {
+TEST_CASE("animation: guiding race from contacts, missing lands not drawn", "[unit]") {
   auto file = test::synthetic_sol8(short_run(60));
   // The clearances alone would say inner; the cage touches on the side to which it has moved.
   for (auto& frame : file.frames) {
@@ -145,7 +143,7 @@ TEST_CASE("animation: the contacts tell which race guides, and lands that are no
   CHECK(data_page(none, {}).panels[0].message.find("no guide land") != std::string::npos);
 }
 
-TEST_CASE("animation: what cannot be shown is refused with a sentence", "[unit]") {
+TEST_CASE("animation: unusable file → rejected with a message", "[unit]") {
   auto file = test::synthetic_sol8(short_run(5));
   auto old = file;
   old.version = "Adore0.0.9";

@@ -48,7 +48,7 @@ int difference(const QImage& a, const QImage& b) {
 
 }  // namespace
 
-TEST_CASE("backdrop: a frame looks the same whatever was shown before", "[gui]") {
+TEST_CASE("backdrop: a frame does not depend on frames drawn before", "[gui]") {
   test::use_qt();
   MotionPicture used(run_with_race_at(0.0));
   ViewOptions before;

@@ -65,7 +65,7 @@ TEST_CASE("behind the end of RESULTS.h5 the frames of SOL8 are shown, and said t
   }
 }
 
-TEST_CASE("behind the end of RESULTS.h5 curves go on as SOL8 has them, or end", "[gui][h5]") {
+TEST_CASE("curves after the end of RESULTS.h5 → values of SOL8, or end", "[gui][h5]") {
   const testing::TemporaryFolder folder;
   write_cut(folder, 19);
   const Animation a = open_motion(folder / "SOL8");
@@ -110,8 +110,7 @@ TEST_CASE("behind the end of RESULTS.h5 a SOL8 cut anywhere gives whole frames a
   }
 }
 
-TEST_CASE("a RESULTS.h5 that stands beside SOL8 and is not used is told with its reason",
-          "[gui][h5]") {
+TEST_CASE("RESULTS.h5 that does not belong to SOL8 → not used, reason given", "[gui][h5]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
   write_cut(folder, 30);

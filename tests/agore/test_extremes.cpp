@@ -10,8 +10,7 @@ using namespace adore;
 using namespace adore::agore;
 using namespace adore::testing;
 
-TEST_CASE("curves beside the pictures have the extremes between stored steps",
-          "[gui][h5][step-band]") {
+TEST_CASE("curves next to the pictures → extremes between stored steps", "[gui][h5][step-band]") {
   test::use_qt();
   constexpr long kEvery = 3, kLast = 30;
   const auto force = [](long step) { return 20.0 + static_cast<double>(step % 2 == 0 ? step : 0); };
@@ -67,8 +66,7 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
   CHECK_FALSE(told(View::Element));  // of speeds, which have none
 }
 
-TEST_CASE("curves of a file without extremes say that peaks between stored steps are not in it",
-          "[unit][h5][step-band]") {
+TEST_CASE("curves of a file without extremes → note on missing peaks", "[unit][h5][step-band]") {
   const bearing::Bearing bearing = make_bearing(8);
   // As an earlier program wrote it: no channel of extremes.
   std::vector<std::string_view> plain;

@@ -70,7 +70,7 @@ TEST_CASE("render: a film in slow motion shows the frames at their own times", "
                     Catch::Contains("a larger --slow"));
 }
 
-TEST_CASE("render: films and numbered pictures begin and end where they are told to", "[gui]") {
+TEST_CASE("render: movies and numbered pictures → first and last frame as specified", "[gui]") {
   test::use_qt();
   auto file = test::synthetic_sol8(short_run(8));
   for (std::size_t i = 0; i < file.frames.size(); ++i)  // 0, 1, 4, 9, ... 49 us

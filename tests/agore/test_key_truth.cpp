@@ -267,7 +267,7 @@ bool names(const KeyEntry& entry, const Drawn& mark) {
 
 }  // namespace
 
-TEST_CASE("keys: every dot, star and dashed line that is drawn stands in the key by its shape",
+TEST_CASE("keys: every drawn dot, star and dashed line has an entry with its shape",
           "[gui][keys][slow]") {
   test::use_qt();
   std::map<Drawn::Shape, int> found;
@@ -340,7 +340,7 @@ TEST_CASE("keys: one quantity has one color in all views", "[gui][keys][slow]") 
   CHECK(colours.size() > 24);
 }
 
-TEST_CASE("keys: in a small window the bearing has half of its picture's height, beside any key",
+TEST_CASE("keys: small window → bearing has half of the picture height, for any key",
           "[gui][keys][slow]") {
   test::use_qt();
   for_each_state([&](const Animation& animation, std::size_t frame, const ViewOptions& options,
@@ -365,7 +365,7 @@ TEST_CASE("keys: in a small window the bearing has half of its picture's height,
   });
 }
 
-TEST_CASE("views: beside four small pictures no numbers of the curves lie on each other",
+TEST_CASE("views: four small pictures → numbers of the curves do not overlap",
           "[gui][agore][slow]") {
   test::use_qt();
   constexpr QSize kSize(700, 450);

@@ -195,8 +195,7 @@ TEST_CASE("marks: a path behind bodies is dashed in 3D, and no load hides a race
   }
 }
 
-TEST_CASE("marks: a flange that is pressed in says that nothing of it is drawn larger",
-          "[gui][agore]") {
+TEST_CASE("marks: flange penetration → note that it is not drawn", "[gui][agore]") {
   test::use_qt();
   const Animation animation = open_motion(test::example_run("tapered") / "RESULTS.h5");
   MotionPicture picture(animation);
@@ -357,8 +356,7 @@ TEST_CASE("marks: in space a roller's mark is a field, not a sliver", "[gui][ago
   }
 }
 
-TEST_CASE("marks: loads behind bodies are dashed in 3D, and the key says what dashes are",
-          "[gui][agore]") {
+TEST_CASE("marks: loads behind bodies → dashed in 3D, explained in the key", "[gui][agore]") {
   test::use_qt();
   const Animation animation = open_motion(test::example_run("cylindrical") / "RESULTS.h5");
   MotionPicture picture(animation);

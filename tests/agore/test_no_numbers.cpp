@@ -92,8 +92,7 @@ constexpr std::array kNoNumbers{std::numeric_limits<double>::quiet_NaN(),
 
 }  // namespace
 
-TEST_CASE("no_numbers: whatever number of a lone SOL8 is none, pictures are drawn without it",
-          "[gui]") {
+TEST_CASE("no_numbers: invalid number in SOL8 → pictures drawn without it", "[gui]") {
   test::use_qt();
   const results::Sol8File whole = test::synthetic_sol8(test::short_run(8));
   for (const auto& [name, change] : numbers_of_frames())
@@ -108,7 +107,7 @@ TEST_CASE("no_numbers: whatever number of a lone SOL8 is none, pictures are draw
     }
 }
 
-TEST_CASE("no_numbers: whatever channel of RESULTS.h5 has none at a step, pictures are drawn",
+TEST_CASE("no_numbers: channel of RESULTS.h5 without values at a step → pictures drawn",
           "[gui][h5][slow]") {
   test::use_qt();
   using namespace adore::testing;
@@ -137,7 +136,7 @@ TEST_CASE("no_numbers: whatever channel of RESULTS.h5 has none at a step, pictur
     }
 }
 
-TEST_CASE("no_numbers: stars in a lone SOL8 are told by the picture", "[gui]") {
+TEST_CASE("no_numbers: stars in SOL8 → reported in the picture", "[gui]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
   results::Sol8File file = test::synthetic_sol8(test::short_run(20));

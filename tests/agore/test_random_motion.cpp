@@ -43,8 +43,7 @@ Animation any_animation(const std::filesystem::path& folder, int number) {
 
 }  // namespace
 
-TEST_CASE("agore_window: a random walk over everything that a hand can do leaves it alive",
-          "[gui][slow]") {
+TEST_CASE("agore_window: random user actions → no crash", "[gui][slow]") {
   test::use_qt();
   AgoreWindow window;
   test::SyntheticRun run;

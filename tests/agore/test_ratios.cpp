@@ -86,7 +86,7 @@ TEST_CASE("ratios times the divisor that their title names are the speeds of RES
     }
 }
 
-TEST_CASE("the head line names both races where the outer one turns", "[gui][agore][h5]") {
+TEST_CASE("header line: rotating outer race → both races named", "[gui][agore][h5]") {
   const testing::TemporaryFolder folder;
   const auto text = [&](int outer, int inner) {
     return speed_text(open_motion(turned(folder, "ball", outer, inner) / "RESULTS.h5"));
@@ -113,7 +113,7 @@ TEST_CASE("without RESULTS.h5 no ratio is over a speed that its title does not n
   CHECK_THAT(page_of(open_motion(alone / "SOL8"), View::Cage).title, Contains("faster race"));
 }
 
-TEST_CASE("curves stored twice in a period of the fastest contact say so beside the picture",
+TEST_CASE("curves with two values per period of the fastest contact → note next to the picture",
           "[gui][agore][h5]") {
   const testing::TemporaryFolder folder;
   const fs::path run = turned(folder, "ball", 0, 6000);

@@ -244,7 +244,7 @@ TEST_CASE("a skew takes as much more of the play as clearances are larger",
       }
 }
 
-TEST_CASE("what is drawn of a roller and its pocket keeps the gaps in proportion",
+TEST_CASE("pocket view: roller and pocket drawn → ratio of the gaps kept",
           "[unit][agore][pocket]") {
   using agore::moved, agore::play_in;
   // At the second wall, at the first, in the middle, one part of four; jammed, and overlapping.
@@ -477,7 +477,7 @@ TEST_CASE("the section's guide land ends where its bar does", "[unit][agore]") {
   CHECK(agore::on_bar(cage, 30.0, {0, -8.0, 8.0, 33.0, 33.1}) == Part{-8.0, 8.0});
 }
 
-TEST_CASE("flange view: a roller is turned as Phi of SOL1 says, its +x end up", "[gui][h5]") {
+TEST_CASE("flange view: roller rotated by Phi of SOL1, its +x end up", "[gui][h5]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
   write_run(folder);

@@ -96,8 +96,7 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui
   CHECK_THROWS_WITH(picture.image({900, 600}, 3, options), Catch::Contains("no flanges"));
 }
 
-TEST_CASE("views: a bearing whose cage has no land shows loads beside it, not an empty chart",
-          "[gui][h5]") {
+TEST_CASE("views: cage without lands → loads instead of an empty chart", "[gui][h5]") {
   using namespace adore::testing;
   TemporaryFolder folder;
   bearing::Bearing bearing = make_bearing(8);
@@ -199,8 +198,7 @@ TEST_CASE("views: the speed of a run has its sign", "[gui][agore]") {
   }
 }
 
-TEST_CASE("views: a speed that varies is told by its ends or limits, not by a mean",
-          "[gui][agore]") {
+TEST_CASE("views: varying speed → given by its ends or limits, not by a mean", "[gui][agore]") {
   test::use_qt();
   const auto heading = [](const std::function<double(double)>& turned) {
     Animation animation = prepare(test::synthetic_sol8());
@@ -222,7 +220,7 @@ TEST_CASE("views: a speed that varies is told by its ends or limits, not by a me
         }).contains("runs between "));
 }
 
-TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agore]") {
+TEST_CASE("views: keys list exactly the drawn marks", "[gui][agore]") {
   test::use_qt();
   Animation animation = prepare(test::synthetic_sol8());
   for (auto& frame : animation.file.frames)

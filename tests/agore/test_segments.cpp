@@ -91,7 +91,7 @@ TEST_CASE("segments: the picture follows the segment of the chosen element", "[g
   }
 }
 
-TEST_CASE("agore_window: a key held down goes on frame by frame, and keys zoom, move and turn",
+TEST_CASE("agore_window: held key → continues frame by frame; keys zoom, move and rotate",
           "[gui]") {
   test::use_qt();
   AgoreWindow window;

@@ -11,7 +11,7 @@
 using namespace adore;
 using namespace adore::agore;
 
-TEST_CASE("agore: numbers of the small chart are read beside one to four views", "[gui]") {
+TEST_CASE("agore: numbers of the small chart → readable with one to four views", "[gui]") {
   test::use_qt();
   const Animation animation = prepare(test::synthetic_sol8(test::short_run(61)));
   // The pictures of windows of 640x480, 700x450 and 800x600, and saved ones.

@@ -30,7 +30,7 @@ MotionPicture picture_of_run(const testing::TemporaryFolder& folder, bool with_c
 
 }  // namespace
 
-TEST_CASE("depth_canvas: the nearest surface wins, whatever is drawn first", "[unit][agore]") {
+TEST_CASE("depth_canvas: nearest surface visible for any drawing order", "[unit][agore]") {
   const Shades red = shades_of(QColor(200, 0, 0)), blue = shades_of(QColor(0, 0, 200));
   constexpr float kLight = 190.0F;
   const auto triangle = [&](DepthCanvas& canvas, float depth, const Shades& shades) {
@@ -71,7 +71,7 @@ TEST_CASE("solid_view: the eye of 0, 0 looks as the flat views do", "[unit][agor
   CHECK((above.toward - Vec3(0, 0, 1)).norm() < 1e-12);
 }
 
-TEST_CASE("ring_profile: lean and skew of an axis are told apart", "[unit][agore]") {
+TEST_CASE("ring_profile: tilt and skew of an axis are distinguished", "[unit][agore]") {
   results::Sol8Element roller;
   roller.angles = {0.0, -0.1, 0.0};  // the axis points to (cos 0.1, 0, sin 0.1)
   roller.theta = 0.0;                // at the top, outwards is +z
@@ -202,7 +202,7 @@ TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui
   }
 }
 
-TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui][agore]") {
+TEST_CASE("motion_picture: views too low for separate keys → shared key", "[gui][agore]") {
   test::use_qt();
   const testing::TemporaryFolder folder;
   MotionPicture picture = picture_of_run(folder);
@@ -252,7 +252,7 @@ TEST_CASE("motion_picture: views too low for keys of their own share one", "[gui
   CHECK(test::pixels_of(image, key.toRect(), theme_of(options).red) > 20);
 }
 
-TEST_CASE("shared key: words longer than its lines go on in the next one", "[gui][agore]") {
+TEST_CASE("shared key: entries longer than a line → wrapped", "[gui][agore]") {
   test::use_qt();
   const desktop::Theme& t = desktop::theme(desktop::ThemeKind::Light);
   SharedKey key;
@@ -268,7 +268,7 @@ TEST_CASE("shared key: words longer than its lines go on in the next one", "[gui
   CHECK_FALSE(svg.contains("more"));
 }
 
-TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {
+TEST_CASE("motion_picture: several views → side by side", "[gui][agore]") {
   test::use_qt();
   const QRectF area(0, 0, 1280, 800);
   CHECK(MotionPicture::pictureAreas(area, 1).size() == 1);

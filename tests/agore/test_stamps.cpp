@@ -70,7 +70,7 @@ TEST_CASE("stamps: what is kept is drawn where it belongs, with all of its ink",
   }
 }
 
-TEST_CASE("stamps: looks are told apart, and what is too large is drawn and not kept",
+TEST_CASE("stamps: different looks are distinguished; large ones are drawn, not cached",
           "[unit][agore]") {
   Stamps stamps;
   const auto ink = [&](double radius, double reach, Stamps::Look look) {

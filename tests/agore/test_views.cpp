@@ -148,8 +148,7 @@ TEST_CASE("views: a frame is drawn within a twenty-fifth of a second of processo
   CHECK(per_frame < 40.0);  // processor time, so that a busy machine does not fail it
 }
 
-TEST_CASE("views: the element view shows contact loads when RESULTS.h5 lies beside the file",
-          "[gui]") {
+TEST_CASE("views: RESULTS.h5 in the folder → element view shows contact loads", "[gui]") {
   test::use_qt();
   const auto picture = [](bool with_contacts) {
     Animation animation = prepare(test::synthetic_sol8(short_run(30)));

@@ -206,7 +206,7 @@ TEST_CASE("a second viewer of a project hands its files over and ends", "[gui][a
   }
 }
 
-TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gui][apps]") {
+TEST_CASE("programs: files of other types → rejected with exit code 2", "[gui][apps]") {
   adore::test::use_qt();
   QTemporaryDir pictures;
   for (const char* program : {"adrplot", "agore"}) {
@@ -216,7 +216,7 @@ TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gu
   }
 }
 
-TEST_CASE("a pipe in the place of a file is refused at once, or passed over beside one",
+TEST_CASE("programs: pipe instead of a file → rejected at once; next to a file → skipped",
           "[gui][apps]") {
   adore::test::use_qt();
   QTemporaryDir folder;
@@ -269,8 +269,7 @@ TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
   check_pictures(pictures.path(), 4, QImage(pictures.filePath(names.front())).size());
 }
 
-TEST_CASE("one program starts another that lies beside it, and says when there is none",
-          "[gui][apps]") {
+TEST_CASE("programs: start another program of the same folder; missing → message", "[gui][apps]") {
   adore::test::use_qt();
   adore::desktop::start_programs_by({});
   QTemporaryDir pictures;
@@ -283,7 +282,7 @@ TEST_CASE("one program starts another that lies beside it, and says when there i
                     Catch::Contains("no-such-viewer") && Catch::Contains("PATH"));
 }
 
-TEST_CASE("beside --project stand files alone; everything of a first window is refused by name",
+TEST_CASE("option --project: accepts files only; options of a first window → rejected by name",
           "[gui][apps]") {
   adore::test::use_qt();
   const QString folder = run_folder();

@@ -210,7 +210,7 @@ TEST_CASE("a record of a study whose value was changed → verify names it, resu
   CHECK(read(folder / "s.study/RUNS.csv") == table);
 }
 
-TEST_CASE("a picture process that is killed → a sentence that names it, exit 2", "[cli]") {
+TEST_CASE("drawing process killed → message with its name, exit code 2", "[cli]") {
   if (contains(run_adore("plot none --out none").out, "ADORE_WITH_QT")) return;  // no pictures
   const Folder folder;
   new_ball_deck(folder);

@@ -82,7 +82,7 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
   }
 }
 
-TEST_CASE("every option of every command refuses a wrong use with a remedy", "[cli]") {
+TEST_CASE("cli: invalid use of every option of every command → rejected with a remedy", "[cli]") {
   std::vector<json> commands = tree().at("commands");
   REQUIRE(commands.size() >= 12);
   int tried = 0;
@@ -225,7 +225,7 @@ TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]
   CHECK(json::parse(run_as_given("run --list-options --json").out).size() > 8);
 }
 
-TEST_CASE("examples and new say what a deck does", "[cli]") {
+TEST_CASE("adore examples and new: description of the deck", "[cli]") {
   const Folder folder;
   const Result written = run_as_given("new ball --out " + folder.path().string());
   INFO(written.out);
@@ -241,7 +241,7 @@ TEST_CASE("examples and new say what a deck does", "[cli]") {
   CHECK(run_as_given("examples no-such").code == 2);
 }
 
-TEST_CASE("what plays no part in a run is said", "[cli]") {
+TEST_CASE("adore run: options without effect → reported", "[cli]") {
   const Folder folder;
   const std::string deck = (folder / "DATA.txt").string();
   REQUIRE(run_as_given("new deep-groove-6205 --out " + deck).code == 0);
@@ -275,7 +275,7 @@ TEST_CASE("a run ends with the way to its pictures and the way on", "[cli]") {
   CHECK(contains(more.out, "0.04 revolutions"));
 }
 
-TEST_CASE("the way on of a run is one, whatever its speeds do", "[cli]") {
+TEST_CASE("adore run: continuation command is unique for all speed laws", "[cli]") {
   const std::pair<const char*, const char*> cases[] = {
       {"", "rev --continue"},
       {"--set kVarSpeed=1 --set raceAngAcc2=1e6 --set endTime2=1", "s --continue"},

@@ -12,7 +12,7 @@ using namespace adore;
 using namespace adore::test;
 using nlohmann::json;
 
-TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "[cli]") {
+TEST_CASE("adore: unreadable input → rejected with a message, exit code 2", "[cli]") {
   const Folder folder;
   write(folder / "empty.txt", "");
   write(folder / "binary.txt", std::string("\x7f"
@@ -67,7 +67,8 @@ TEST_CASE("adore new gives a deck of every type that runs in time", "[cli]") {
 }
 
 TEST_CASE(
-    "a deck that asks for what is not built checks clean and is refused by record and variable",
+    "adore check: deck that needs a missing feature → no errors in the check, rejected by record "
+    "and variable",
     "[cli]") {
   const Folder folder;
   for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
@@ -136,7 +137,7 @@ TEST_CASE("examples of user routines run as their last lines say", "[cli]") {
   }
 }
 
-TEST_CASE("what an integrator cannot do is refused before a file is touched", "[cli]") {
+TEST_CASE("integrator: impossible request → rejected before any file is changed", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   for (const std::string set :
@@ -210,7 +211,7 @@ TEST_CASE("adore calc knows fits, growth, clearance, materials and units", "[cli
   CHECK(contains(bad.out, "valid codes"));
 }
 
-TEST_CASE("adore calc tells what it takes, with units, and refuses what it does not", "[cli]") {
+TEST_CASE("adore calc: inputs described with units, others rejected", "[cli]") {
   const Folder folder;
   const auto calc = [&](const std::string& name, const std::string& input) {
     write(folder / "in.json", input);

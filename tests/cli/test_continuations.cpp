@@ -88,7 +88,7 @@ TEST_CASE("a run of any method that keeps its past joins to the same bytes from 
   CHECK(methods >= 15);
 }
 
-TEST_CASE("constant steps and balls held in balance join to the same bytes from every checkpoint",
+TEST_CASE("constant steps and balls in balance: continuation from every checkpoint → same bytes",
           "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -150,10 +150,8 @@ TEST_CASE("a run killed at any of its last calls that change a file is completed
   CHECK(nothing_left < 10);  // and calls before it
 }
 
-TEST_CASE(
-    "whatever number of MASTER is damaged, the run goes on, is refused or fails with a "
-    "sentence",
-    "[cli][slow]") {
+TEST_CASE("damaged number in MASTER → run continues, is rejected, or fails with a message",
+          "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string run = "run " + (folder / "DATA.txt").string() +

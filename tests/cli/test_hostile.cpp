@@ -17,7 +17,7 @@ void refused(const Result& result, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("numbers of options out of range are refused with their range", "[cli]") {
+TEST_CASE("options: numbers out of range → rejected with their range", "[cli]") {
   Folder folder;
   new_ball_deck(folder);
   const std::string deck = " " + folder.path().string() + " ";
@@ -42,7 +42,7 @@ TEST_CASE("numbers of options out of range are refused with their range", "[cli]
   refused(run_adore("animate none --movie film.gif --slow 0"), "--slow is 0");
 }
 
-TEST_CASE("inputs of calculators beyond their range are refused, never read beyond", "[cli]") {
+TEST_CASE("calculators: inputs out of range → rejected, no access outside", "[cli]") {
   const std::string corpus = adore::test::source_dir().string() + "/tests/fuzz/corpus/calc/";
   Folder folder;
   // Each file of the corpus is a line with the calculator, then its inputs.
@@ -55,7 +55,7 @@ TEST_CASE("inputs of calculators beyond their range are refused, never read beyo
   }
 }
 
-TEST_CASE("deep JSON is refused wherever JSON is read", "[cli]") {
+TEST_CASE("deeply nested JSON → rejected by all readers", "[cli]") {
   Folder folder;
   new_ball_deck(folder);
   const std::string deep(50000, '[');
@@ -69,7 +69,7 @@ TEST_CASE("deep JSON is refused wherever JSON is read", "[cli]") {
   refused(run_adore("plan " + folder.path().string()), "64 levels");
 }
 
-TEST_CASE("an ADORE.json that cannot be read is refused, not passed over", "[cli]") {
+TEST_CASE("ADORE.json: unreadable → rejected, not skipped", "[cli]") {
   Folder folder;
   new_ball_deck(folder);
   std::filesystem::create_directory(folder / "ADORE.json");
@@ -82,7 +82,7 @@ TEST_CASE("an ADORE.json that cannot be read is refused, not passed over", "[cli
   CHECK(run_adore("plan " + folder.path().string()).code == 0);
 }
 
-TEST_CASE("a residual stress of no material is refused", "[cli]") {
+TEST_CASE("residual stress without a material → rejected", "[cli]") {
   Folder folder;
   new_ball_deck(folder);
   for (const char* value : {"1e100", "-1e100", "1e308"})
@@ -91,7 +91,7 @@ TEST_CASE("a residual stress of no material is refused", "[cli]") {
   CHECK(run_adore("plan " + folder.path().string() + " --set res2=1e10").code != 1);
 }
 
-TEST_CASE("fifteen megabytes of blank lines are refused in little memory", "[cli]") {
+TEST_CASE("fifteen megabytes of blank lines → rejected with little memory", "[cli]") {
   Folder folder;
   write(folder / "DATA.txt", std::string(15'000'000, '\n') + "'Rec 1', 0");
   refused(run_adore("check " + (folder / "DATA.txt").string()), "15000000 lines");

@@ -181,8 +181,7 @@ TEST_CASE("a killed run leaves readable files and continues from its last checkp
   CHECK(hidden_files(folder).empty());
 }
 
-TEST_CASE("what a killed run has stored after its checkpoint is not dropped by an earlier end",
-          "[cli]") {
+TEST_CASE("killed run: steps after its checkpoint → kept for an earlier end", "[cli]") {
   // Whichever of the files is the denser one.
   for (const auto& [dense, sets] : {std::pair{"SOL7", std::pair{"kPltFreq=1", "kAGraf=100000"}},
                                     std::pair{"SOL8", std::pair{"kPltFreq=100000", "kAGraf=1"}}}) {
@@ -304,7 +303,8 @@ TEST_CASE("a run killed at any call that changes a file joins to the bytes of an
   }
 }
 
-TEST_CASE("methods whose past is lost say so, and go on within their tolerance", "[cli]") {
+TEST_CASE("integrators without stored history → reported, continue within their tolerance",
+          "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = "run " + folder.path().string() + " --integrator cvode-bdf --quiet ";
@@ -348,7 +348,7 @@ TEST_CASE("a complete run is continued to a later end only, and stores no step t
   CHECK(after.steps.back().revolutions == Approx(0.04).epsilon(1e-6));
 }
 
-TEST_CASE("there must be a run to go on with", "[cli]") {
+TEST_CASE("option --continue without a run → rejected", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result none = run_as_given("run " + folder.path().string() + " --continue");
@@ -360,7 +360,7 @@ TEST_CASE("there must be a run to go on with", "[cli]") {
   CHECK(contains(still.out, "quasi-static"));
 }
 
-TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to go on",
+TEST_CASE("file size limit → run stops with a message, valid files, and a continuation command",
           "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -380,7 +380,7 @@ TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to g
   check_increasing(stored(folder / "SOL1"));
 }
 
-TEST_CASE("a run that ends before its first checkpoint says how to start again", "[cli]") {
+TEST_CASE("run ended before its first checkpoint → command for a new start", "[cli]") {
   // Room for no RESULTS.h5 at all, for an empty one, and for the listing's first pages alone.
   for (const int limit : {60, 300, 700}) {
     const Folder folder;
@@ -406,7 +406,7 @@ TEST_CASE("a run that ends before its first checkpoint says how to start again",
   }
 }
 
-TEST_CASE("a run on a disk of any small size ends with a sentence and no crash", "[cli][slow]") {
+TEST_CASE("full disk of any small size → run ends with a message, no crash", "[cli][slow]") {
   const Folder place;
   if (run_shell("mount -t tmpfs -o size=64k none " + place.path().string() + " 2>&1").code != 0) {
     WARN("not done: mounting a small disk needs rights that this user does not have");

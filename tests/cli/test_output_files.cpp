@@ -104,7 +104,7 @@ TEST_CASE("no output replaces an input or what another program wrote", "[cli]") 
   }
 }
 
-TEST_CASE("results of an earlier run are replaced only when that is asked for", "[cli]") {
+TEST_CASE("results of an earlier run → replaced only on request", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string run = "run " + folder.path().string() + kShort;
@@ -145,7 +145,7 @@ TEST_CASE("results of an earlier run are replaced only when that is asked for", 
   }
 }
 
-TEST_CASE("the commands that a run suggests are ones, whatever its folder is called", "[cli]") {
+TEST_CASE("suggested commands → valid for any folder name", "[cli]") {
   Folder folder;
   REQUIRE(run_adore("new ball --out " + (folder / "DATA.txt").string()).code == 0);
   const std::string here = "cd " + folder.path().string() + " && ";

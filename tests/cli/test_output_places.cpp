@@ -237,7 +237,7 @@ TEST_CASE("outputs of the apps: no obstacle leads a write to another place", "[c
   try_all({"adrinput s.json --render p", {}});
 }
 
-TEST_CASE("a study folder that is a link is refused", "[cli]") {
+TEST_CASE("study folder that is a link → rejected", "[cli]") {
   const Folder folder;
   prepare(folder.path(), {});
   const Victim victim;

@@ -188,7 +188,7 @@ TEST_CASE("fits and temperatures change statics and dynamics alike, in either un
   }
 }
 
-TEST_CASE("lost clearance and loose fits are said on the terminal, in PRINT and in RUN.json",
+TEST_CASE("lost clearance and loose fits → reported on the terminal, in PRINT and in RUN.json",
           "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -236,7 +236,7 @@ TEST_CASE("a set brings back the record that the deck holds, and names the defau
   CHECK(pressure("--set kReGeoImp=1", nullptr) == given);
 }
 
-TEST_CASE("check and run refuse the same values, by record and variable", "[cli]") {
+TEST_CASE("check and run reject the same values, by record and variable", "[cli]") {
   struct Case {
     const char* deck;
     const char* set;

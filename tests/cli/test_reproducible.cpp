@@ -29,7 +29,7 @@ std::string without_times(const std::string& print) {
 
 }  // namespace
 
-TEST_CASE("a reproducible run gives the same bytes whatever the processor offers", "[cli]") {
+TEST_CASE("reproducible run → same bytes on all processors", "[cli]") {
   if (!built_with_portable_math()) return;
   const Folder folder;
   new_ball_deck(folder);
@@ -82,7 +82,7 @@ TEST_CASE("the equilibrium is the same to the last bit with and without FMA in g
   }
 }
 
-TEST_CASE("PRINT and RUN.json say which arithmetic made the last digits", "[cli]") {
+TEST_CASE("PRINT and RUN.json → name of the arithmetic", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   REQUIRE(

@@ -121,8 +121,7 @@ TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
   CHECK(contains(other.out, "7208"));
 }
 
-TEST_CASE("a run goes on under changed loads and speeds and says so, and with no other bearing",
-          "[cli]") {
+TEST_CASE("continued run: changed loads and speeds → reported; other bearing → rejected", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
@@ -184,7 +183,7 @@ TEST_CASE("a run goes on under changed loads and speeds and says so, and with no
   }
 }
 
-TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked for", "[cli]") {
+TEST_CASE("run: fatigue lives printed, selected one stored in SOL7", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
@@ -315,7 +314,7 @@ TEST_CASE("lightly loaded elements are held, booked and continued as in an unbro
   CHECK(contains(other.out, "qFac"));
 }
 
-TEST_CASE("an integrator whose steps would let contacts vibrate is told, and held or refused",
+TEST_CASE("integrator: steps too long for contact vibrations → reported, limited or rejected",
           "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -364,7 +363,7 @@ TEST_CASE("the plan promises the steps that a run with a step cap takes", "[cli]
   }
 }
 
-TEST_CASE("a run whose energy has no account does not end with exit 0", "[cli][slow]") {
+TEST_CASE("run without an energy balance → exit code not 0", "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   // One ball between fixed races is squeezed out of its groove.
@@ -378,7 +377,7 @@ TEST_CASE("a run whose energy has no account does not end with exit 0", "[cli][s
   CHECK(json::parse(read(folder / "one" / "RUN.json")).at("status") == "failed");
 }
 
-TEST_CASE("a cage that starts inside elements or lands is refused with the overlap", "[cli]") {
+TEST_CASE("cage overlapping elements or lands at the start → rejected with the overlap", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
@@ -393,7 +392,7 @@ TEST_CASE("a cage that starts inside elements or lands is refused with the overl
   }
 }
 
-TEST_CASE("the load carried on the mean stands beside the one that the deck asks for", "[cli]") {
+TEST_CASE("actual mean load → reported next to the specified load", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result run = run_adore("run " + folder.path().string() + " --until 0.1rev --quiet");
@@ -413,8 +412,7 @@ TEST_CASE("the load carried on the mean stands beside the one that the deck asks
   CHECK(contains(light.out, "% off"));
 }
 
-TEST_CASE("a run that maxStps ends before fTime says so, and the plan says what will end it",
-          "[cli]") {
+TEST_CASE("run ended by maxStps before fTime → reported; plan names the limit", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();

@@ -76,7 +76,7 @@ TEST_CASE("a study is planned, run, reported, and nothing is computed twice", "[
   CHECK(records_in(folder / "a.study") == 22);
 }
 
-TEST_CASE("an influence is told where some runs of a study failed, and quiet is quiet", "[cli]") {
+TEST_CASE("study: influence with failed runs → note; --quiet → no output", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   write(folder / "a.json", R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
@@ -206,7 +206,7 @@ TEST_CASE("studies of every kind give the same tables from TOML and from JSON", 
   }
 }
 
-TEST_CASE("failed runs keep their diagnosis in the table, and the others go on", "[cli]") {
+TEST_CASE("study: failed runs → diagnosis in the table, the others continue", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   write(folder / "a.json", R"({"adore_study": 1, "kind": "sweep", "deck": "DATA.txt",

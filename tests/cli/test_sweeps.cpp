@@ -120,7 +120,7 @@ TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons",
   CHECK(read(folder / "sweep" / "SWEEP.csv").find("brgOD") != std::string::npos);
 }
 
-TEST_CASE("a sweep with failed runs says how to make them again, and makes no others", "[cli]") {
+TEST_CASE("sweep: failed runs → command that repeats only them", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string line = "run " + folder.path().string() +
@@ -148,7 +148,7 @@ TEST_CASE("a sweep with failed runs says how to make them again, and makes no ot
   CHECK(failed() == 2);
 }
 
-TEST_CASE("a run that makes no step offers no going on", "[cli]") {
+TEST_CASE("run without steps → no continuation command", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   for (const char* still : {"maxStps=0", "fTime=0.0"}) {
@@ -171,8 +171,7 @@ TEST_CASE("a sweep of a variable that is none ends before it has touched a file"
   CHECK_FALSE(fs::exists(folder / "sweep"));
 }
 
-TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs again",
-          "[cli][slow]") {
+TEST_CASE("sweep: killed → table kept, only missing runs computed", "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string sweep = " --set mode=-1 --set appLoadX=500.0:900.0:5 --threads 1 --quiet";
@@ -260,7 +259,7 @@ TEST_CASE("adore accuracy studies a deck's own run and puts what it finds into t
   if (!best["own"].get<bool>()) CHECK(after != before);
 }
 
-TEST_CASE("adore run --accuracy says what it chose, and goes on with it", "[cli][slow]") {
+TEST_CASE("adore run --accuracy: settings reported and used for the continuation", "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result run =
@@ -299,7 +298,7 @@ TEST_CASE("adore plan, check and new: --until and --set act", "[cli]") {
   CHECK(run_adore("run " + deck + " --extend").code == 2);
 }
 
-TEST_CASE("adore run --verify says how far its results go with the tolerance", "[cli]") {
+TEST_CASE("adore run --verify: sensitivity of the results to the tolerance reported", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const Result run = run_adore("run " + folder.path().string() +

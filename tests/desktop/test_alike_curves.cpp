@@ -155,8 +155,7 @@ TEST_CASE("chart_scene: what scatters about the bound is one stretch, not many",
   CHECK_FALSE(lines_of(0.2, 5.0).contains("≈"));   // crossings
 }
 
-TEST_CASE("chart_scene: a spike of a curve that lies on another one elsewhere is whole",
-          "[gui][desktop]") {
+TEST_CASE("chart_scene: spike of a partly covered curve → complete", "[gui][desktop]") {
   test::use_qt();
   // 20,000 values, 30 of them a spike: many to a pixel, so that lines are thinned.
   for (const QSize size : {QSize(700, 450), QSize(1280, 800)})
@@ -189,8 +188,7 @@ TEST_CASE("chart_scene: a spike of a curve that lies on another one elsewhere is
     }
 }
 
-TEST_CASE("chart_scene: a curve is whole where the one that it lies on has no values",
-          "[gui][desktop]") {
+TEST_CASE("chart_scene: covering curve without values → curve complete", "[gui][desktop]") {
   test::use_qt();
   for (const std::size_t count : {300UL, 20'000UL}) {
     std::vector<double> lower(count, 5.0), upper(count, 5.0);
@@ -221,7 +219,7 @@ TEST_CASE("chart_scene: a curve is whole where the one that it lies on has no va
   }
 }
 
-TEST_CASE("chart_scene: equal is said of equal values, in every size of a picture",
+TEST_CASE("chart_scene: label identical only for equal values, in every picture size",
           "[gui][desktop]") {
   test::use_qt();
   // Equal to the last digit over a part of the run, before they part at some slope, or never.

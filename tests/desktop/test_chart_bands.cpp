@@ -13,7 +13,7 @@ using namespace adore;
 using namespace adore::desktop;
 using adore::testing::lines_page;
 
-TEST_CASE("chart_scene: the extremes between stored values are a pale area", "[gui]") {
+TEST_CASE("chart_scene: extremes between stored values → min-max band", "[gui]") {
   test::use_qt();
   ChartPage page = lines_page();
   page.panels.pop_back();
@@ -181,7 +181,7 @@ int pale_pixels(ChartScene& scene, const ChartPage& page, QSize size) {
 
 }  // namespace
 
-TEST_CASE("chart_scene: what pale areas are is said where one is seen, in every size",
+TEST_CASE("chart_scene: visible min-max band → explained in every picture size",
           "[gui][step-band]") {
   test::use_qt();
   // One interval of a curve, or all, with extremes so many pixels beyond it.
@@ -223,7 +223,7 @@ TEST_CASE("chart_scene: what pale areas are is said where one is seen, in every 
         }
 }
 
-TEST_CASE("chart_scene: pale areas lie below all curves", "[gui][step-band]") {
+TEST_CASE("chart_scene: min-max bands below all curves", "[gui][step-band]") {
   test::use_qt();
   // The area of a later curve stands across an earlier curve, which keeps its color there.
   for (const bool log : {false, true}) {

@@ -13,7 +13,7 @@
 using namespace adore;
 using namespace adore::desktop;
 
-TEST_CASE("chart_scene: what a curve begins and ends with stands apart from the frame", "[gui]") {
+TEST_CASE("chart_scene: ends of a curve → distance from the frame", "[gui]") {
   test::use_qt();
   // A spike at the first and at the last value of a flat curve.
   for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark})

@@ -53,7 +53,7 @@ TEST_CASE("statistics between two places have the values of a straight line", "[
   CHECK(nearest_index(x, -5.0) == 0);
 }
 
-TEST_CASE("chart_view: cursors stand on stored values and tell what lies between", "[gui]") {
+TEST_CASE("chart_view: cursors on stored values → statistics in between", "[gui]") {
   test::use_qt();
   ChartView view;
   view.resize(900, 600);
@@ -215,7 +215,7 @@ TEST_CASE("chart_scene: a logarithmic axis has equal decades and no place for ze
         Approx(scene.positionOf(10.0) - scene.positionOf(1.0)));
 }
 
-TEST_CASE("axis_scale: logarithmic ticks are decades, with 2 and 5 where there is room", "[unit]") {
+TEST_CASE("axis_scale: logarithmic ticks → decades, with 2 and 5 if they fit", "[unit]") {
   const AxisScale wide = log_axis(3e-9, 2.0, "m");
   CHECK(wide.min == Approx(-9.0));
   CHECK(wide.max == Approx(1.0));
@@ -241,8 +241,7 @@ TEST_CASE("chart_scene: the view that a page begins with is kept where it is set
   CHECK(exported.zoom() == shown.zoom());
 }
 
-TEST_CASE("axis_scale: decades of frequency are told in kHz, with 2 and 5 as there is room",
-          "[unit]") {
+TEST_CASE("axis_scale: decades of frequency → in kHz, with 2 and 5 if they fit", "[unit]") {
   const AxisScale wide = log_axis(20.0, 56e3, "Hz", true, 26.0);
   CHECK(wide.unit == "kHz");
   std::vector<std::string> texts;
@@ -354,7 +353,7 @@ TEST_CASE("chart_view: ranges and hidden curves are those of their page, after o
   CHECK_FALSE(scene.page().panels[0].curves[0].hidden);
 }
 
-TEST_CASE("chart_view: what a page cannot go back to stays for the page that can", "[gui]") {
+TEST_CASE("zoom history: entries that do not apply to a page → kept", "[gui]") {
   test::use_qt();
   ChartView view;
   view.resize(900, 600);

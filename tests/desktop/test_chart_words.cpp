@@ -163,7 +163,7 @@ TEST_CASE("chart_scene: a step leads from a name to its line where others take i
   }
 }
 
-TEST_CASE("chart_scene: curves that would hide another say so and leave it half of the way",
+TEST_CASE("chart_scene: curves that would hide others → legend text, half of the line left",
           "[gui]") {
   test::use_qt();
   ChartPage page;
@@ -315,8 +315,7 @@ TEST_CASE("chart_scene: stretches of long curves are found as those of short one
   }
 }
 
-TEST_CASE("chart_scene: what is said of a curve over another is true of their values, and cheap",
-          "[gui]") {
+TEST_CASE("chart_scene: texts on covering curves → correct and fast", "[gui]") {
   test::use_qt();
   const auto name = [](const ChartScene& scene, const QString& start) {
     for (const QString& text : words(scene))
@@ -368,8 +367,9 @@ TEST_CASE("chart_scene: what is said of a curve over another is true of their va
   CHECK(scene.items().size() <= alone + 20);
 }
 
-TEST_CASE("chart_scene: a logarithmic panel without a value above 0 says so beside an empty curve",
-          "[gui]") {
+TEST_CASE(
+    "chart_scene: logarithmic panel without positive values → message, also with an empty curve",
+    "[gui]") {
   test::use_qt();
   ChartPage page;
   page.x = {0.0, 1.0, 2.0};
@@ -391,7 +391,7 @@ TEST_CASE("chart_scene: a logarithmic panel without a value above 0 says so besi
   CHECK_FALSE(said());
 }
 
-TEST_CASE("chart_scene: a panel without values has no scale, and says why", "[gui]") {
+TEST_CASE("chart_scene: panel without values → no scale, message with the reason", "[gui]") {
   test::use_qt();
   ChartPage page;
   page.x_title = "Time", page.x_unit = "s";
@@ -543,7 +543,7 @@ TEST_CASE("a note does not end in a word alone, nor takes a line more for that",
   CHECK(seen > 20);
 }
 
-TEST_CASE("a legend says which curves have no values", "[gui][desktop]") {
+TEST_CASE("legend: curves without values are marked", "[gui][desktop]") {
   test::use_qt();
   ChartPage page;
   page.x = {0.0, 1.0};
@@ -584,8 +584,7 @@ TEST_CASE("the reason of an empty panel stays within it", "[gui][desktop]") {
   CHECK(text_faults(scene).empty());
 }
 
-TEST_CASE("chart_scene: an outline that lies on another one leaves it half of the way, and says so",
-          "[gui]") {
+TEST_CASE("chart_scene: outline on another one → half of the line left, with a text", "[gui]") {
   test::use_qt();
   for (const double apart : {0.0, 1e-3, 0.1}) {
     ChartPage page;

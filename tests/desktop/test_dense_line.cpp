@@ -158,7 +158,8 @@ TEST_CASE("dense_line: a line of any slope and density looks as a painter stroke
       }
 }
 
-TEST_CASE("dense_line: a spike is as wide beside many points as beside few", "[gui][desktop]") {
+TEST_CASE("dense_line: width of a spike does not depend on the number of points",
+          "[gui][desktop]") {
   adore::test::use_qt();
   const auto ink_of_spike = [](double points) {
     QPolygonF line;

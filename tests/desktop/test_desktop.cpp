@@ -58,7 +58,7 @@ TEST_CASE("even_quantity: numbers of a list have one count of digits", "[unit]")
     }
 }
 
-TEST_CASE("axis_scale: ticks are 1, 2 or 5 times a power of ten and hold the data", "[unit]") {
+TEST_CASE("axis_scale: ticks 1, 2 or 5 times a power of ten, enclose the data", "[unit]") {
   for (const double span : {1.0, 3.7, 0.021, 8.8e5, 4e-9}) {
     const AxisScale axis = value_axis(0.3 * span, 1.3 * span, "", 5);
     const double mantissa = axis.step / std::pow(10.0, std::floor(std::log10(axis.step) + 1e-9));
@@ -71,7 +71,7 @@ TEST_CASE("axis_scale: ticks are 1, 2 or 5 times a power of ten and hold the dat
   }
 }
 
-TEST_CASE("axis_scale: no step of an axis is there for next to nothing", "[unit]") {
+TEST_CASE("axis_scale: outliers do not extend the axis", "[unit]") {
   // A gap of 120 µm with contacts of 3 µm: the axis begins below those, not at -100 µm.
   const AxisScale gap = value_axis(-3e-6, 120e-6, "m", 2);
   REQUIRE(gap.step == Approx(50.0).margin(51.0));
@@ -211,7 +211,7 @@ TEST_CASE("chart_scene: zooming follows the abscissa and keeps inside the data",
   CHECK(scene.readout({1, 1}).isEmpty());
 }
 
-TEST_CASE("chart_scene: a logarithmic axis says which curves it cannot show", "[gui]") {
+TEST_CASE("chart_scene: logarithmic axis → curves with hidden values are named", "[gui]") {
   test::use_qt();
   ChartPage page;
   page.x = {0.0, 1.0, 2.0};

@@ -89,7 +89,7 @@ TEST_CASE("chart_scene: values at or below 0 on a logarithmic axis are counted",
   CHECK_THAT(words_of(scene), !Contains("Not shown on the log"));
 }
 
-TEST_CASE("chart_scene: a line leaves a logarithmic axis at its foot, and is no row of dots",
+TEST_CASE("chart_scene: line leaving a logarithmic axis → ends at its lower end, no dots",
           "[gui]") {
   test::use_qt();
   ChartScene scene;
@@ -125,7 +125,7 @@ TEST_CASE("chart_scene: a line leaves a logarithmic axis at its foot, and is no 
   CHECK(inked(0.0, 1.0, 5) == 0);
 }
 
-TEST_CASE("chart_scene: a value beside missing ones stays a dot on a logarithmic axis", "[gui]") {
+TEST_CASE("chart_scene: single value between missing ones → dot on a logarithmic axis", "[gui]") {
   test::use_qt();
   ChartScene scene;
   scene.setPageSize({1280, 800});

@@ -74,7 +74,7 @@ TEST_CASE("page_export: SVG and PDF hold lines and text, not pixels", "[gui]") {
   CHECK_THROWS_AS(save_page(scene, base / "no" / "page.svg", {500, 400}), InputError);
 }
 
-TEST_CASE("svg_writer: what is drawn inside a clip stays there, and shades are shades", "[gui]") {
+TEST_CASE("svg_writer: clips and gradients as drawn", "[gui]") {
   test::use_qt();
   const QByteArray svg = svg_of({200, 100}, [](QPainter& p) {
     p.translate(10, 0);

@@ -69,8 +69,7 @@ TEST_CASE("image_export: names count on, and skip files that exist", "[gui]") {
   CHECK(next_image_name(first) == folder.filePath("plot-3.jpg"));
 }
 
-TEST_CASE("image_export: a picture has the name of what it shows, and a number of its own",
-          "[gui]") {
+TEST_CASE("image_export: file name from the content, with a number", "[gui]") {
   test::use_qt();
   QTemporaryDir data, pictures;
   const auto of = [&](const char* name) { return data.filePath(name); };
@@ -104,8 +103,7 @@ TEST_CASE("image_export: a picture has the name of what it shows, and a number o
   CHECK(proposed(of("SOL3-page-1.jpg")) == pictures.filePath("SOL3-page-1.jpg"));
 }
 
-TEST_CASE("image_export: PNG and JPEG are written, other wishes are refused with a sentence",
-          "[gui]") {
+TEST_CASE("image_export: PNG and JPEG written, other suffixes → rejected with a message", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   QImage image(64, 48, QImage::Format_RGB32);

@@ -325,7 +325,7 @@ TEST_CASE("chart_view: what is read below the pointer is of the view that is the
   }
 }
 
-TEST_CASE("chart_view: a mean of a curve that ends between the cursors says what it is of",
+TEST_CASE("chart_view: curve ending between the cursors → range of the mean given",
           "[gui][desktop]") {
   test::use_qt();
   ChartPage page;

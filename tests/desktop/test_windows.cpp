@@ -91,7 +91,7 @@ TEST_CASE("keys of the menu go before the editing keys of a field", "[gui][deskt
   CHECK(taken_by_field(Qt::Key_C, Qt::ControlModifier));  // copying stays with the field
 }
 
-TEST_CASE("messages that come together stand in one box, which one key closes", "[gui][desktop]") {
+TEST_CASE("messages: several at once → one box, closed by one key", "[gui][desktop]") {
   test::use_qt();
   QMainWindow window;
   window.show();
@@ -204,7 +204,7 @@ TEST_CASE("a window that opens behind does not take the keyboard until it is cho
   CHECK_FALSE(before.testAttribute(Qt::WA_ShowWithoutActivating));
 }
 
-TEST_CASE("selected text stands out from its background in both themes", "[gui][desktop]") {
+TEST_CASE("themes: selected text has contrast to its background", "[gui][desktop]") {
   test::use_qt();
   for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
     desktop::apply_theme(kind);
