@@ -579,7 +579,7 @@ class _PocketFrame(Calculator):
         bPocAngVar_deg: Sequence[float] = ...,
         cageConeAng_deg: float = ...,
     ) -> Result:
-        """centre and axes of a cage pocket"""
+        """center and axes of a cage pocket"""
 
 class _PocketLaw(Calculator):
     def __call__(  # type: ignore[override]
@@ -682,7 +682,7 @@ class _RollerInertia(Calculator):
         end_radius_2: Union[None, float] = ...,
         corners: bool = ...,
     ) -> Result:
-        """mass, mass centre and moments of a roller with crown, domes and corners"""
+        """mass, mass center and moments of a roller with crown, domes and corners"""
 
 class _ShearThinningFilm(Calculator):
     def __call__(  # type: ignore[override]
