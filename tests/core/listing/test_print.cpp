@@ -306,7 +306,7 @@ TEST_CASE("PRINT: printed step → half chords of inner contacts, and results th
   CHECK(in_oil.find("hypothetical") == std::string::npos);
 }
 
-TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]") {
+TEST_CASE("PRINT: tilted race → misalignment about y and z", "[unit][print]") {
   bearing::Bearing bearing = make_bearing(3, false);
   scene::Snapshot snapshot = make_snapshot(bearing, 0);
   const double tilt = 0.002;  // about y
@@ -319,7 +319,7 @@ TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]")
   CHECK_THAT(line_with(text, "Misalignment of the inner race about z"), Contains(" 0  deg"));
 }
 
-TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
+TEST_CASE("PRINT: the last page has plan, ledgers and cost", "[unit][print]") {
   RunSummary run;
   run.status = "done";
   run.integrator = "rkf5";
@@ -350,13 +350,13 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   CHECK_THAT(text, Contains("and goes on after it"));
 }
 
-TEST_CASE("titles of a printed table stand apart", "[unit][print]") {
+TEST_CASE("PRINT: titles of a table are separated", "[unit][print]") {
   Report report("run", UnitSystem::SI);
   CHECK_NOTHROW(report.table("", {{"eleven long", nullptr}}, {{"1", {2.0}}}));
   CHECK_THROWS_AS(report.table("", {{"twelve  long", nullptr}}, {{"1", {2.0}}}), InternalError);
 }
 
-TEST_CASE("PRINT.txt is continued after MASTER's length of it", "[unit][print]") {
+TEST_CASE("PRINT: continued after the length stored in MASTER", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());

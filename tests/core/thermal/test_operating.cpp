@@ -119,8 +119,7 @@ TEST_CASE(
         Approx(b.element_inertia.moments[0] * (1.0 + g) * (1.0 + g)).epsilon(1e-14));
 }
 
-TEST_CASE("operating bearing: groove centers of statics are on the moved circles",
-          "[physics][operating]") {
+TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
