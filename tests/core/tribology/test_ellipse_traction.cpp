@@ -246,7 +246,7 @@ TEST_CASE("traction: no slip → none, also if κ(0) is not zero", "[unit]") {
   CHECK(ellipse_traction_converged(kCoulomb, open, kGeneral).heat == 0.0);
 }
 
-TEST_CASE("regularization of a law with κ(0) ≠ 0: error below ε/u", "[unit]") {
+TEST_CASE("the regularization of a law with κ(0) ≠ 0 costs less than ε/u", "[unit]") {
   const EllipseKinematics sliding{0.0, 0.5, 0.0, 0.0, 0.0};
   const EllipseTraction rule = ellipse_traction(kCoulomb, kFlat, sliding, make_ellipse_rule(4, 4));
   CHECK(relative(rule.F_t, 0.05 * kFlat.Q) < std::pow(kRegularisationSlip / 0.5, 2));

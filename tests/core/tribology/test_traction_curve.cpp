@@ -129,7 +129,7 @@ TEST_CASE("largest_traction is the largest of every form", "[unit]") {
   CHECK(adore::tribology::largest_traction({}) == 0.0);
 }
 
-TEST_CASE("traction_curve: only laws that do not vanish at rest are regularized", "[unit]") {
+TEST_CASE("only laws that do not vanish at rest are regularized", "[unit]") {
   using adore::tribology::TractionLaw;
   CHECK_FALSE(TractionLaw(traction_curve(0, {0.0, 0.5, 0.0, 0.1})).rounded());
   CHECK_FALSE(TractionLaw(traction_curve(1, {0.0, 0.06, 0.04, 0.1})).rounded());
