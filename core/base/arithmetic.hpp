@@ -1,6 +1,6 @@
 #pragma once
 
-/// What decides the last digits of a result beside the source and the compiler.
+/// Causes of different last digits of a result in addition to source and compiler.
 namespace adore {
 
 /// Whether sin, exp, pow and the other functions of double were bound into the program

@@ -15,7 +15,7 @@ template <class Number>
   return many.empty() ? fmt::format("{} {}s", number, one) : fmt::format("{} {}", number, many);
 }
 
-/// The same of a number as it is printed: counted("0.5", "turn") is "0.5 turns", of "1" "1 turn".
+/// The same for a printed number: counted("0.5", "turn") is "0.5 turns", of "1" "1 turn".
 [[nodiscard]] inline std::string counted(std::string_view printed, std::string_view one,
                                          std::string_view many = {}) {
   if (printed == "1") return fmt::format("1 {}", one);

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// How things go wrong, and who can mend them (CLI exit codes in brackets):
-/// InputError [2] the user's deck, file or argument; SolverError [3] the numerics gave up;
+/// Kinds of errors, and who can correct them (CLI exit codes in brackets):
+/// InputError [2] the user's deck, file or argument; SolverError [3] the numerics failed;
 /// InternalError [1] a bug.
 namespace adore {
 
@@ -20,10 +20,10 @@ struct Issue {
   int line = 0;          ///< 1-based line of the file
   std::string record;    ///< record id, e.g. "5A"
   std::string variable;  ///< deck variable, e.g. "pitchDia"; "cageGsCls[2]" for the second instance
-  std::string value;     ///< what the user wrote
-  std::string message;  ///< what is wrong, as a clause: "the pitch diameter must be larger than the
-                        ///< ball diameter"
-  std::string remedy;   ///< what would be valid: "give a value above 0.0127 m"
+  std::string value;     ///< value given by the user
+  std::string message;   ///< the problem, as a clause: "the pitch diameter must be larger than the
+                         ///< ball diameter"
+  std::string remedy;    ///< the valid range, as a clause: "give a value above 0.0127 m"
 
   /// "DATA.txt:12: record 5A, pitchDia = 0.001: <message>; <remedy>"
   [[nodiscard]] std::string text() const;

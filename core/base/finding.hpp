@@ -71,7 +71,7 @@ struct Finding : Issue {
 [[nodiscard]] std::string_view severity_word(Severity severity);
 [[nodiscard]] nlohmann::ordered_json finding_json(const Finding& finding);
 [[nodiscard]] nlohmann::ordered_json findings_json(std::span<const Finding> findings);
-/// Of a file that somebody else may have written: entries that are no findings are left out, at
+/// From a file that may be foreign: entries that are not findings are left out, at
 /// most kMostFindings are read.
 [[nodiscard]] std::vector<Finding> read_findings(const nlohmann::json& list);
 inline constexpr std::size_t kMostFindings = 1000;

@@ -40,9 +40,9 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
 }
 
 /// (η, ξ, λ) of a passive matrix T, in -π..π, |ξ| <= π/2: η = atan2(-T32, T33), ξ = atan2(T31, c),
-/// c = cos ξ = |(T32, T33)|, and λ of the frame turned back by η, so that the three give T back to
-/// rounding however small c is. Below c = 1e-12 only η ± λ is defined: λ is 0, η the whole turn,
-/// and T comes back to 2e-12.
+/// c = cos ξ = |(T32, T33)|, and λ of the frame rotated back by η, so that the three give T to
+/// rounding for any small c. Below c = 1e-12 only η ± λ is defined: λ is 0, η the whole rotation,
+/// and T is reproduced to 2e-12.
 [[nodiscard]] inline Vec3 angles_from_matrix(const Mat3& T) noexcept {
   constexpr double kParallel = 1e-12;
   const double cos_xi = std::hypot(T(2, 1), T(2, 2));
@@ -95,7 +95,7 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
       .finished();
 }
 
-/// Quaternion of a turn by `angle` about the unit vector `axis`.
+/// Quaternion of a rotation by `angle` about the unit vector `axis`.
 [[nodiscard]] inline Quat quaternion_about(const Vec3& axis, double angle) noexcept {
   const double s = std::sin(0.5 * angle);
   return {std::cos(0.5 * angle), s * axis[0], s * axis[1], s * axis[2]};

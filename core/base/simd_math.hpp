@@ -12,8 +12,8 @@
 #endif
 
 /// Vector arithmetic of kernels: the widest vector of doubles that the including translation unit
-/// is compiled for. Each instruction set has a vector type of its own, hence its own version of
-/// everything that is a template over it; what is not has internal linkage.
+/// is compiled for. Each instruction set has a separate vector type, hence a separate version of
+/// every template over it; all other functions have internal linkage.
 namespace adore {
 
 namespace stdx = std::experimental;

@@ -9,7 +9,7 @@
 /// 1e-37 to 3e38, squares included. Of an estimate of 12 (14) bits one step, as in simd_math.hpp.
 namespace adore {
 
-/// @param V the vector of doubles of the kernel, so that each instruction set has a type of its own
+/// @param V the vector of doubles of the kernel, so that each instruction set has a separate type
 template <class V>
 struct SimdSingle {
   using F = stdx::rebind_simd_t<float, stdx::resize_simd_t<2 * V::size(), V>>;

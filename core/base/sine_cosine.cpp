@@ -33,7 +33,7 @@ void reduced(const double* angle, int n, double* sine, double* cosine) noexcept 
     const double half = (0.5 * k - 0.25 + kToInteger) - kToInteger;  // floor(k/2)
     const double odd = k - 2.0 * half;                               // 0 or 1
     const double quarter = (0.5 * half - 0.25 + kToInteger) - kToInteger;
-    const double turned = half - 2.0 * quarter;  // 0 or 1: by half a turn
+    const double turned = half - 2.0 * quarter;  // 0 or 1: half revolutions
     const double z = r * r;
     const double s =
         r + r * z *

@@ -19,7 +19,7 @@ enum class Grade : unsigned char {
   Note,
   Warning,
   Untrusted,  ///< results are not trusted: exit code 3
-  Refused     ///< the deck is refused: exit code 2
+  Refused     ///< the deck is rejected: exit code 2
 };
 
 inline constexpr double kNoBound = std::numeric_limits<double>::quiet_NaN();

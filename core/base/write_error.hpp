@@ -4,8 +4,8 @@
 
 namespace adore {
 
-/// A file of results cannot be written (any further): no fault of the deck. The run that wrote it
-/// says how to go on.
+/// A results file cannot be written (any further): not an error of the deck. The run that wrote it
+/// reports how to continue.
 class WriteError : public InputError {
  public:
   using InputError::InputError;

@@ -57,13 +57,13 @@ class WriteFolder {
   uid_t owner_ = 0;  ///< of the folder that the user named
 };
 
-/// Where a file is written: a name in an open folder. From a path, the folder is the one that the
-/// user named: of a file deeper in a folder tree of the program, give the folder itself.
+/// Target of a file: a name in an open folder. From a path, the folder is the one that the
+/// user named: for a file deeper in a folder tree of the program, give the folder itself.
 class WritePath {
  public:
   template <class Path>
   requires std::convertible_to<const Path&, std::filesystem::path> WritePath(
-      const Path& file)  // NOLINT(google-explicit-constructor): a path says it all
+      const Path& file)  // NOLINT(google-explicit-constructor): a path is sufficient
       : WritePath(std::filesystem::path(file), 0) {}
   WritePath(WriteFolder folder, std::string name);
 

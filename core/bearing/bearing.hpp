@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-/// The SI model of one bearing: what the physics reads. Plain values; knows no deck and no unit but
+/// The SI model of one bearing, input of the physics, independent of the deck. Plain values in
 /// SI and radians. Arrays of two are [0] = outer race ("1" in the deck), [1] = inner race ("2").
 /// Frames (design §6): base frame N at the ball plane of the unloaded bearing, X bearing axis, Z
 /// radial up; azimuth θ about +X from Z: y = -r sin θ, z = r cos θ; azimuth frame A: x axial, z
@@ -87,7 +87,7 @@ struct Inertia {
   Vec3 frame = Vec3::Zero();             ///< angles from the principal to the geometric axes [rad]
 };
 
-/// What a pocket has more than the nominal one (record 7.4).
+/// Deviations of a pocket from the nominal one (record 7.4).
 struct PocketDeviation {
   std::array<double, 2> clearance{};  ///< I, II, diametral [m]
   double thickness = 0.0;             ///< of the wall [m]
@@ -136,7 +136,7 @@ struct Cage : PieceStart {
   double pocket_clearance_1 = 0.0, pocket_clearance_2 = 0.0;  ///< diametral [m]
   /// Of all pockets; its clearances are in pocket_clearance_1 and 2 already, and 0 here.
   PocketDeviation every_pocket;
-  std::vector<PocketDeviation> pocket_deviation;  ///< of the first pockets; empty: all alike
+  std::vector<PocketDeviation> pocket_deviation;  ///< of the first pockets; empty: all identical
   /// Of pocket i from 0, the two above together.
   [[nodiscard]] PocketDeviation deviation_of(std::size_t i) const {
     if (i >= pocket_deviation.size()) return every_pocket;
@@ -210,7 +210,7 @@ struct Bearing {
   std::optional<OperatingFits>
       operating;  ///< set once the geometry is the operating one (thermal/operating.hpp)
 
-  /// For what is said of balls only. @throws std::bad_variant_access for rollers
+  /// For balls only. @throws std::bad_variant_access for rollers
   [[nodiscard]] const BallGeometry& balls() const { return std::get<BallGeometry>(elements); }
   [[nodiscard]] BallGeometry& balls() { return std::get<BallGeometry>(elements); }
   /// Null: a ball bearing.
@@ -221,7 +221,7 @@ struct Bearing {
     return std::get_if<RollerGeometry>(&elements);
   }
 
-  // What both have.
+  // Common members of both.
   [[nodiscard]] int element_count() const noexcept {
     return std::visit([](const auto& one) { return one.count; }, elements);
   }

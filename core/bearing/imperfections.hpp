@@ -41,11 +41,11 @@ struct GivenRace {
 struct RaceErrors {
   enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
   std::shared_ptr<const GivenRace> given;  ///< in the place of all that follows
-  std::array<double, 3>
-      variation{};  ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per turn, rad] sinusoidal
-  Harmonic land_offset;       ///< moves the land towards +x [m]
-  Harmonic taper;             ///< turns the profile, positive opens towards +x [rad]
-  Harmonic curvature_factor;  ///< added to f [-]
+  std::array<double, 3> variation{};       ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per
+                                           ///< revolution, rad] sinusoidal
+  Harmonic land_offset;                    ///< moves the land towards +x [m]
+  Harmonic taper;                          ///< turns the profile, positive opens towards +x [rad]
+  Harmonic curvature_factor;               ///< added to f [-]
 
   /// All amplitudes are zero.
   [[nodiscard]] bool ideal() const noexcept {
@@ -78,7 +78,7 @@ struct RaceErrors {
 struct LandErrors {
   RaceErrors::Roundness roundness = RaceErrors::Roundness::None;
   /// elliptical: half axes along y and z minus the nominal radius [m, m, -]; sinusoidal: amplitude,
-  /// waves per turn, phase [m, -, rad]
+  /// waves per revolution, phase [m, -, rad]
   std::array<double, 3> variation{};
 
   [[nodiscard]] bool ideal() const noexcept {

@@ -96,7 +96,7 @@ std::optional<Json> equivalent_case(const Json& in) {
 std::optional<Json> deep_groove_case(const Json& in) {
   const IsoGeometry g = iso_geometry(in);
   const double f0 = life::iso_static_factor(life::iso_gamma(g));
-  // The library works with the rating of its own formula; the case's rating scales the axial load.
+  // The library uses the rating of its formula; the case's rating scales the axial load.
   const double own = *life::iso_static_rating(g), given = get(in, "C0");
   const double Fr = get(in, "Fr"), Fa = get(in, "Fa");
   const auto load = life::iso_equivalent_load(g, Fr, Fa * own / given);

@@ -11,7 +11,7 @@ namespace adore::deck {
 struct NoPart {
   std::string record;        ///< schema id
   std::string variable;      ///< "reDen", "cageGsCls[2]" (instance), "kPltElemInd[3]" (element)
-  std::string value;         ///< as the deck has it
+  std::string value;         ///< as in the deck
   std::string because;       ///< a clause: "a quasi-static solution has no steps in time"
   bool switched_on = false;  ///< an option at another code than its default: it asks for something
 };

@@ -6,19 +6,19 @@
 /// Numbers as Fortran reads and we write them; the locale never matters.
 namespace adore::deck {
 
-/// What is wrong with a number, empty when nothing is. A clause that continues "the value ...".
+/// Error of a number, empty if valid. A clause that continues "the value ...".
 struct NumberProblem {
   std::string message;  ///< "is not a number"
   std::string remedy;   ///< "write 0.05"
   explicit operator bool() const { return !message.empty(); }
 };
 
-/// Optional sign and digits. A decimal point is refused: 3.0 is no integer.
+/// Optional sign and digits. A decimal point is rejected: 3.0 is not an integer.
 NumberProblem parse_integer(std::string_view text, long long& value);
 
 /// Decimal with or without point, exponent letter e, E, d, D or none before a signed exponent
-/// (1.5-3). NaN, infinity and values beyond the range of double are refused; values too small to be
-/// told from zero become zero.
+/// (1.5-3). NaN, infinity and values beyond the range of double are rejected; values too small for
+/// a double become zero.
 NumberProblem parse_real(std::string_view text, double& value);
 
 /// The nearest double with so many decimal digits, 1 to 17.

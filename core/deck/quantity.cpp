@@ -137,7 +137,7 @@ constexpr int kDigits = 15;  // that a double keeps of what a person typed
 struct Amount {
   double value = 0.0;
   std::optional<Unit> unit;  ///< value is in coherent SI then
-  bool point = false;        ///< of a scale with a zero of its own
+  bool point = false;        ///< of a scale with an offset zero
 };
 
 struct Failure {
@@ -246,7 +246,7 @@ class Parser {
       if (at_ == text_.size()) fail("ends where a number is due", kExample);
       fail(fmt::format("has no number where '{}' stands", text_.substr(at_)), kExample);
     }
-    // An exponent needs digits behind its letter: "3 d" is no exponent, and neither is "2 deg".
+    // An exponent needs digits after its letter: "3 d" is not an exponent, and neither is "2 deg".
     if (end < text_.size() && std::string_view("eEdD").find(text_[end]) != std::string_view::npos) {
       const std::size_t letter = end++;
       if (end < text_.size() && (text_[end] == '+' || text_[end] == '-')) ++end;

@@ -12,8 +12,8 @@
 /// stress and "3 mm" no force.
 namespace adore::deck {
 
-/// The number that a deck in `system` has for the text. Sums need a unit in every term or in none;
-/// °C and °F are points of the scale and stand alone.
+/// The number of the text in a deck in `system`. Sums need a unit in every term or in none;
+/// °C and °F are points of the scale and are used alone.
 /// @param unit of the variable; one without dimension takes numbers and their arithmetic only
 [[nodiscard]] NumberProblem parse_quantity(std::string_view text, const UnitPair& unit,
                                            UnitSystem system, double& value);

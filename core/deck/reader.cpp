@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
-/// Walks the schema and the text side by side: the records already read say which record has to
-/// come next.
+/// Walks through the schema and the text in parallel: the records already read determine the
+/// next record.
 namespace adore::deck {
 namespace {
 
@@ -25,7 +25,7 @@ class Reader {
   ReadResult read();
 
  private:
-  /// What to do about the record that has to come next.
+  /// Action for the next record.
   enum class Step : unsigned char { Read, Missing, Skip };
 
   void read_records(std::size_t index);
@@ -120,7 +120,7 @@ bool Reader::find_record_at(std::size_t index, bool certain, Step& step) {
 Reader::Step Reader::next_step(std::size_t index, bool certain) const {
   const Label* label = state_.label_here();
   const bool hinted = state_.use_labels && label != nullptr && label->hint.has_value();
-  if (!certain) {  // only the label can say that this record is here
+  if (!certain) {  // only the label identifies this record
     const bool this_one = hinted && label->hint->record == index &&
                           (label->hint->instance == 0 || label->hint->instance == state_.instance);
     return this_one ? Step::Read : Step::Missing;
@@ -209,10 +209,10 @@ void Reader::skip_record() {
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);
 }
 
-/// Keeps a record that the options do not ask for, quietly: when they change, the checks tell what
-/// is wrong with it.
+/// Keeps a record that the options do not require, without a message: when they change, the checks
+/// report its errors.
 void Reader::shelve(const RecordSpec& extra, int instance) {
-  if (instance == 0 && !extra.repeat.empty()) return;  // its label does not say which it is
+  if (instance == 0 && !extra.repeat.empty()) return;  // its label does not identify it
   const Reported reported = state_.reported;
   const std::vector<Issue> issues = state_.result.issues;
   const std::size_t dropped = state_.issues_dropped;
@@ -293,8 +293,8 @@ ReadResult read_records_of(std::string_view text, std::string file_name) {
   const Scanner scanner(text);
   const Labels labels(scanner);
   ReadResult plain = Reader(scanner, labels, false, file_name).read();
-  // A deck that reads well by the rules alone is right, whatever its labels say. Else they may tell
-  // what went wrong.
+  // A deck that follows the rules is right, independent of its labels. Otherwise they may show
+  // the error.
   const bool labelled_rest =
       std::any_of(plain.deck.user_lines.begin(), plain.deck.user_lines.end(), is_labelled_record);
   if (!labels.trusted() || (plain.ok() && !labelled_rest)) return plain;

@@ -168,7 +168,7 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
   return true;
 }
 
-/// False when there is no value and that has been reported. `given` when the deck says it itself.
+/// False if there is no value, which has been reported. `given`: the deck gives the value.
 bool RecordReader::read_value(const VariableSpec& variable, std::size_t position, Value& value,
                               bool& given) {
   if (!variable.default_value.empty()) value = default_value(variable);
@@ -261,7 +261,7 @@ void RecordReader::note_bare_end() {
                 "check the last value and end the line");
 }
 
-/// What stands between the last value and the next one, on the same line.
+/// Text between the last value and the next one, on the same line.
 void RecordReader::note_separator(std::size_t position) {
   const std::string_view rest = state_.scanner.rest_of_line();
   const std::size_t next = rest.find_first_not_of(" \t");

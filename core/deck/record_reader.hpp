@@ -9,7 +9,7 @@
 
 namespace adore::deck {
 
-/// What is being read and what went wrong so far; shared by the two halves of the reader.
+/// Current record and errors so far; shared by the two halves of the reader.
 struct ReadState {
   ReadState(const Scanner& text, const Labels& all_labels, bool follow_labels,
             std::string file_name);
@@ -27,8 +27,8 @@ struct ReadState {
 
   [[nodiscard]] Deck& deck() { return result.deck; }
   [[nodiscard]] const Label* label_here() const { return labels.on_line(scanner.position().line); }
-  /// Values after the label; an array whose length is in the same record counts with what is known
-  /// so far.
+  /// Values after the label; an array whose length is in the same record counts with the values
+  /// known so far.
   [[nodiscard]] int expected_values(const RecordSpec& of) const;
 
   void add(Issue issue);
@@ -62,8 +62,8 @@ class RecordReader {
   bool ended_ = false;     // a slash was read: the rest keeps its defaults
   bool broken_ = false;    // short or unreadable: the rest has no values, and that has been said
   int commas_ = 0;         ///< values after a comma
-  bool loose_ = false;     ///< some values stand after single blanks: that is the deck's style
-  std::size_t apart_ = 0;  ///< variable of the first value after the last comma that stands apart
+  bool loose_ = false;     ///< some values follow single blanks: this is the deck's style
+  std::size_t apart_ = 0;  ///< variable of the first value after the last comma that is set apart
   Token apart_token_;      ///< and that value; text empty: there is none
   bool last_word_bad_ = false;  // the last word was prose, not a number
   int last_line_ = 0;

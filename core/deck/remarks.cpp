@@ -46,7 +46,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// "[N, m]" as "[lbf, in]"; nothing when an entry is no unit of the system.
+/// "[N, m]" as "[lbf, in]"; nothing when an entry is not a unit of the system.
 std::optional<std::string> followed(std::string_view list, UnitSystem before) {
   std::string out;
   for (std::size_t from = 0; from <= list.size();) {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-/// What stands behind the values of records in a deck's text, which no reader takes.
+/// Text after the values of records in a deck, which no reader uses.
 namespace adore::deck {
 
-/// Where the values of a record end: the line (0-based), and what stands behind them there.
+/// End of the values of a record: the line (0-based), and the text after them.
 struct RecordEnd {
   std::size_t line = 0;
   std::string_view remark;

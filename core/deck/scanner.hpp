@@ -31,7 +31,7 @@ class Scanner {
   /// Splits into lines at LF, CRLF or CR. The text must outlive the scanner.
   explicit Scanner(std::string_view text);
 
-  /// Where reading goes on; copy it to come back.
+  /// Read position; copy it to return there.
   struct Position {
     std::size_t line = 0;  ///< 0-based
     std::size_t column = 0;
@@ -40,7 +40,7 @@ class Scanner {
   [[nodiscard]] Position position() const { return at_; }
   void set_position(const Position& position) { at_ = position; }
 
-  /// Drops what is left of a line that was begun, then skips blank lines. False at the end of the
+  /// Drops the rest of a started line, then skips blank lines. False at the end of the
   /// text.
   bool start_record();
   /// Goes to the first column of a line (0-based).
@@ -52,7 +52,7 @@ class Scanner {
   [[nodiscard]] const std::vector<std::string_view>& lines() const { return *lines_; }
   /// Is the position exactly at the end of a text whose last line has no line end?
   [[nodiscard]] bool at_bare_end() const;
-  /// What is left of the current line.
+  /// The rest of the current line.
   [[nodiscard]] std::string_view rest_of_line() const;
 
  private:

@@ -40,7 +40,7 @@ struct VariableSpec {
   VarType type = VarType::Real;
   std::string_view length = "1";  ///< "1", a number, or the name of an integer variable
   UnitPair unit;
-  std::string_view unitless_when;   ///< condition under which the value is a pure number whatever
+  std::string_view unitless_when;   ///< condition under which the value is always a pure number
                                     ///< `unit` says; mostly empty
   std::vector<OptionSpec> options;  ///< empty, or the codes that are valid
   std::string_view
@@ -55,7 +55,7 @@ struct RecordSpec {
   std::string_view id;  ///< "1", "2.1", "5G.2.1A", "7.2.i"
   std::string_view title;
   std::string_view condition;  ///< grammar of condition.hpp, e.g. "mode >= 0 && kReIP in (1,2)"
-  std::string_view repeat;     ///< empty (once), or the integer variable that says how often
+  std::string_view repeat;     ///< empty (once), or the integer variable with the number of records
   std::vector<VariableSpec> variables;  ///< recID first
 };
 
@@ -65,8 +65,8 @@ std::span<const RecordSpec> schema();
 /// nullptr when there is no such record.
 const RecordSpec* find_record(std::string_view id);
 
-/// Where a variable is declared. The same name may stand in several records, of which a deck has at
-/// most one.
+/// Place of a variable's declaration. The same name may be in several records, of which a deck has
+/// at most one.
 struct VariableRef {
   const RecordSpec* record = nullptr;
   std::size_t position = 0;  ///< index in record->variables

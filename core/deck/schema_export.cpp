@@ -47,7 +47,7 @@ std::string json_string(std::string_view text) {
   return out + "\"";
 }
 
-/// Infinity is no JSON number: a missing bound is null.
+/// Infinity is not a JSON number: a missing bound is null.
 std::string json_bound(double bound) {
   return bound == std::numeric_limits<double>::infinity() ||
                  bound == -std::numeric_limits<double>::infinity()

@@ -86,7 +86,7 @@ VariableSpec corner_radius(int end, std::string_view where) {
                        where)));
 }
 
-/// Records 5B.2 and 5D.2 are alike.
+/// Records 5B.2 and 5D.2 are identical.
 std::vector<VariableSpec> straight_raceways() {
   std::vector<VariableSpec> variables;
   for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}}) {

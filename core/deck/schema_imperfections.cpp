@@ -63,7 +63,7 @@ struct RaceNames {
   std::string_view name;
 };
 
-/// A wave over the turn, a sin(w theta + phi): amplitude, waves per turn, phase.
+/// A wave over the circumference, a sin(w theta + phi): amplitude, waves per revolution, phase.
 std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& unit,
                                std::string_view what, Range amplitude = kAny) {
   const auto name = [&](int i) { return keep(fmt::format("{}{}{}", stem, i, race)); };

@@ -9,7 +9,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr double kLargestInteger = 2147483647.0;  // what the classic tool can read
+constexpr double kLargestInteger = 2147483647.0;  // limit of the classic tool
 
 }  // namespace
 

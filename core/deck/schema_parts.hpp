@@ -28,8 +28,8 @@ inline constexpr Range kGroove{0.5, 10.0, true, true};  ///< groove radius over 
 inline constexpr Range kConformity{0.5, 100.0,
                                    true};             ///< groove radius over twice the crown radius
 inline constexpr Range kRockwell{0.0, 100.0, false};  ///< HRC
-// What no bearing has, in SI units. A value beyond ends a computation far from where it stands.
-inline constexpr Range kSize{1e-6, 1e3, false};        ///< m; of bodies. One in mm is told so
+// Physical limits of bearings, in SI units. A value beyond them would fail far from its origin.
+inline constexpr Range kSize{1e-6, 1e3, false};        ///< m; of bodies. A value in mm is reported
 inline constexpr Range kPlay{-0.1, 0.1, false};        ///< m; plays and fits of rings
 inline constexpr Range kShift{-1.0, 1.0, false};       ///< m; of a ring
 inline constexpr Range kLean{-1.0, 1.0, false};        ///< rad; of a ring
@@ -49,7 +49,7 @@ VariableSpec choice(std::string_view name, std::vector<OptionSpec> options, std:
 /// Integer that counts something.
 VariableSpec integer(std::string_view name, Range range, std::string_view help,
                      std::string_view default_value = {});
-/// The same, where some counts have a meaning of their own; the last option is "n".
+/// The same, where some counts have special meanings; the last option is "n".
 VariableSpec counted(std::string_view name, Range range, std::vector<OptionSpec> options,
                      std::string_view help, std::string_view default_value = {});
 VariableSpec real(std::string_view name, const UnitPair& unit, Range range, std::string_view help,

@@ -73,7 +73,7 @@ Deck in_units(const Deck& deck, UnitSystem to) {
   if (from == to) return deck;
   Deck out = deck;
   for (RecordData& record : out.records) convert_values(record, deck, from, to);
-  // What waits for an option comes back in the units of the deck.
+  // Values of unused options are returned in the units of the deck.
   Deck all = deck;
   all.records.insert(all.records.end(), deck.shelf.begin(), deck.shelf.end());
   for (RecordData& record : out.shelf) convert_values(record, all, from, to);

@@ -13,7 +13,7 @@ namespace adore::deck {
 /// units that both systems share, and where codes of `deck` make it a pure number.
 [[nodiscard]] bool depends_on_units(const Deck& deck, const VariableSpec& variable);
 
-/// "m", "lbf.in" as this deck has it; empty for pure numbers, codes and texts.
+/// "m", "lbf.in" in the units of this deck; empty for pure numbers, codes and texts.
 [[nodiscard]] std::string_view unit_name(const Deck& deck, const VariableSpec& variable);
 [[nodiscard]] std::string_view unit_name(const Deck& deck, const VariableSpec& variable,
                                          UnitSystem units);

@@ -8,9 +8,9 @@
 /// The library writes its messages in SI; their reader may have an English deck.
 namespace adore::deck {
 
-/// A message in the deck's units: every number that stands right before an SI unit ("4.2 GPa",
+/// A message in the deck's units: every number directly before an SI unit ("4.2 GPa",
 /// "0.0127 m", "3 N m") is converted, with at least three significant digits. SI texts stay as they
-/// are. A list needs the unit behind each of its numbers.
+/// are. A list needs the unit after each of its numbers.
 [[nodiscard]] std::string message_in_units(std::string_view text, UnitSystem units);
 
 }  // namespace adore::deck

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-/// Outlines and curves for drawings: what a deck describes, as plane figures that a painter only
-/// has to scale. They stand where the figures of a manual would: each names the deck variables that
-/// it shows. Plain values, SI metres; nothing here knows colours or pixels.
+/// Outlines and curves for drawings: content of a deck as plane figures that a painter only
+/// has to scale. They correspond to the figures of a manual: each names the deck variables that
+/// it shows. Plain values, SI meters; independent of colors and pixels.
 ///
 /// Planes: the meridian plane has x along the bearing axis to the right and the distance from it
 /// upwards (roller at azimuth 0); the side view is seen from +X, y to the right and z up.
@@ -26,7 +26,7 @@ enum class View : unsigned char {
 };
 [[nodiscard]] std::string_view title_of(View view);
 
-/// What a shape is, or what a variable speaks of.
+/// Type of a shape, and subject of a variable.
 enum class Part : unsigned char {
   Shaft,
   Housing,
@@ -124,15 +124,15 @@ struct Pane {
 struct Drawing {
   View view = View::CrossSection;
   std::vector<Pane> panes;
-  std::vector<std::string> remarks;  ///< what is exaggerated, assumed or left out; sentences
+  std::vector<std::string> remarks;  ///< exaggerations, assumptions and omissions; sentences
   std::string reason;                ///< why there is no figure; empty when there is one
 };
 
 /// Views that this deck calls for, in the order of View.
 [[nodiscard]] std::vector<View> views_of(const deck::Deck& deck);
 
-/// Draws what can be drawn of any deck, also of a wrong one; otherwise `reason` says why not. Does
-/// not throw for what is wrong with a deck. Cheap: below a millisecond.
+/// Draws as much as possible of any deck, also of a wrong one; otherwise `reason` has the cause.
+/// Does not throw for errors of a deck. Fast: below a millisecond.
 [[nodiscard]] Drawing draw(View view, const deck::Deck& deck);
 
 /// The view that a variable belongs to; of a whole record when the variable is empty. It may be
@@ -140,7 +140,7 @@ struct Drawing {
 [[nodiscard]] View view_for(std::string_view record, std::string_view variable);
 /// The bodies that a variable speaks of without a measure: materials, temperatures, masses.
 [[nodiscard]] std::vector<Part> parts_of(std::string_view record, std::string_view variable);
-/// "raceTemp1 = 293.15 K": the value as the deck has it; the name alone when it has none.
+/// "raceTemp1 = 293.15 K": the value in the deck; the name alone when it has none.
 [[nodiscard]] std::string label_of(const deck::Deck& deck, std::string_view variable,
                                    int instance = 1, int index = 1);
 

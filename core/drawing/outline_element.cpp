@@ -102,7 +102,7 @@ void draw_roller(const Deck& deck, const OutlineModel& m, Pane& pane) {
     put.note(name, {0.3 * half, 0.5 * r}, {0.0, 0.0});
 }
 
-/// How far the profile lies below the straight roller, on scales of its own.
+/// Depth of the profile below the straight roller, on separate scales.
 Pane profile_pane(const Deck& deck, const OutlineModel& m) {
   const contact::RollerProfile& p = m.profile;
   const bool english = deck.units() == deck::UnitSystem::English;
@@ -300,7 +300,7 @@ Drawing draw_pocket(const Deck& deck) {
   if (deck.integer("nCseg") < 1) throw InputError("This bearing has no cage (nCseg = 0).");
   if (!m.cage) throw InputError(m.remarks.back());
   Drawing out;
-  // The element lies at one wall, so that the whole clearance shows at the other.
+  // The element is at one wall, so that the whole clearance shows at the other.
   const double wall = pocket_half_around(m, 0.0) - 0.5 * m.diameter;
   const Point push{-std::max(wall, 0.0),
                    m.rollers ? 0.0

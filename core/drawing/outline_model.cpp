@@ -55,13 +55,13 @@ std::vector<std::string> needed(Type type) {
   throw InputError({deck.issue(Severity::Error, name, std::move(message), std::move(remedy))});
 }
 
-/// Refuses a value that a roller cannot do without, as a deck cut short or half typed leaves it.
+/// Rejects a value that a roller needs, when a deck is incomplete or half typed.
 void demand_number(const Deck& deck, const std::string& name) {
   if (!is_number(deck, name)) refuse(deck, name, "has no value yet", "give it to see a drawing");
 }
 
-/// What build_rollers() reads beside needed(): crowns of raceways, and the flanges that
-/// the deck has.
+/// Variables that build_rollers() reads in addition to needed(): crowns of raceways, and the
+/// flanges that the deck has.
 void demand_rollers(const Deck& deck, Type type) {
   if (type == Type::Cylindrical || type == Type::Tapered)
     for (const char* race : {"1", "2"}) {
@@ -194,8 +194,7 @@ OutlineModel outline_model(const Deck& deck) {
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "makes a groove that no ball fits into", "give a value above 0.5");
     m.balls = setup::build_balls(deck);
-    m.balls->groove_plane
-        .reset();  // drawn where the balls touch, whatever displacements count from
+    m.balls->groove_plane.reset();  // drawn where the balls touch, for any origin of displacements
     m.groove = contact::groove_geometry(*m.balls);
     m.length = m.diameter;
     m.angle = m.balls->contact_angle;

@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-/// What the views share: the geometry that a deck describes, read as far as it goes. SI.
+/// Common geometry of the views, read from a deck as far as possible. SI.
 namespace adore::drawing {
 
 struct OutlineCage : bearing::Cage {  ///< outer and inner diameter and width > 0

@@ -14,7 +14,7 @@ constexpr double kSmallestPocket = 0.05;  // of the element diameter: what is st
 /// A raceway with its limits to both sides, from -x to +x.
 struct Raceway {
   Path points;
-  double left = 0.0, right = 0.0;  ///< where the ring's faces are
+  double left = 0.0, right = 0.0;  ///< position of the ring's faces
 };
 
 /// Groove of a ball bearing between the shoulders; a split ring has two arcs with their own
@@ -99,7 +99,7 @@ Raceway roller_raceway(const OutlineModel& m, int race) {
   return out;
 }
 
-/// Half sizes of a pocket as the deck has them; too small a clearance makes them nonsense.
+/// Half sizes of a pocket in the deck; too small a clearance makes them meaningless.
 double axial_half(const OutlineModel& m, double z) {
   const OutlineCage& cage = *m.cage;
   const double radius = 0.5 * (m.diameter + cage.pocket_clearance_1);

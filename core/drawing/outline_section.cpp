@@ -261,7 +261,7 @@ Drawing draw_flanges(const Deck& deck) {
   add_bodies(m, pane);
   add_contact_line(m, pane);
   const double step = 0.06 * m.diameter;
-  // Two flanges have room for a closer look each; more are measured where they are.
+  // Two flanges can be enlarged separately; more are measured in place.
   const bool closer = m.flanges.size() <= 2;
   Measures put(deck, pane);
   double half = 0.62 * m.length;

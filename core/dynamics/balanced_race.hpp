@@ -4,18 +4,18 @@
 
 #include <array>
 
-/// Centre of an inner race without inertia (mode 2): in the directions whose load is given it
-/// stands where R = load + force of the elements = 0. Its place c is state; it moves by
+/// Center of an inner race without inertia (mode 2): in the directions whose load is given it
+/// is where R = load + force of the elements = 0. Its position c is state; it moves by
 ///   ċ = K⁻¹ D + (K/λ + C)⁻¹ R,   K = -dR/dc with elements that follow the race, D = ∂R/∂t at fixed
 /// c, C = friction force over slip speed, summed over the contacts with the race,
-/// so that it goes with its balance and a departure R decays at the rate λ = ½ √(tr K / 3 M), M the
+/// so that it follows its balance and a difference R decays at the rate λ = ½ √(tr K / 3 M), M the
 /// mass of all elements: the pace at which the elements themselves settle (held_elements.hpp), or
 /// more slowly where friction is stronger. Without C the race overshoots its slip where C > √(K m)
-/// and swings for ever: with the creep v of elements of mass m, m v' = C (ċ - v), the polynomial
-/// s² + s (λ + C/m - λ C²/(m K)) + λ C/m loses its damping [derived]. D needs no friction, R has
-/// all of it. Directions without stiffness stay where they are. A share of
-/// the radial load may turn about x (record 9.3A): load(t) = load + share (turn(ω t) - 1) radial
-/// load, whose rate is part of D. [SI, base axes]
+/// and oscillates without end: with the creep v of elements of mass m, m v' = C (ċ - v), the
+/// polynomial s² + s (λ + C/m - λ C²/(m K)) + λ C/m loses its damping [derived]. D needs no
+/// friction, R has all of it. Directions without stiffness do not move. A fraction of the radial
+/// load may turn about x (record 9.3A): load(t) = load + share (turn(ω t) - 1) radial load, whose
+/// rate is part of D. [SI, base axes]
 namespace adore::dynamics {
 
 class BalancedRace {

@@ -5,15 +5,15 @@
 #include <cstddef>
 
 /// Boundary between held_balls.cpp and the translation units that are compiled once per
-/// instruction set (race_kernel.hpp says why): contact/groove_spring.hpp for balls that are held,
-/// all alike, on a round race.
+/// instruction set (reason in race_kernel.hpp): contact/groove_spring.hpp for balls that are held,
+/// all identical, on a round race.
 namespace adore::dynamics {
 
 struct BallSpringsInput {
   double centre[3], axis[3];        ///< P_j and the axis of the race, base axes
   double centre_radius, offset, K;  ///< as groove_spring() has them
   const contact::AngleLaw* follow;  ///< null: K is that of every angle
-  std::size_t n;                    ///< held balls, 1 at least
+  std::size_t n;                    ///< number of held balls, at least 1
   const std::size_t* ball;          ///< their numbers in what follows
   const double *x, *r, *sin_theta, *cos_theta;
 };

@@ -4,14 +4,14 @@
 #include "bearing/bearing.hpp"
 #include "dynamics/race_contacts.hpp"
 
-/// Rigid bodies of a scene beside its elements: cage segments and races. SI, base axes unless said
-/// otherwise.
+/// Rigid bodies of a scene except its elements: cage segments and races. SI, base axes unless
+/// stated otherwise.
 namespace adore::dynamics {
 
-/// Who decides how a body moves.
+/// Determines the motion of a body.
 enum class Moves : unsigned char {
   Prescribed,  ///< a law of the time; what acts on it changes nothing
-  Integrated   ///< Newton and Euler: it has inertia and states of its own
+  Integrated   ///< Newton and Euler: it has inertia and separate states
 };
 
 /// Pose and motion of a body at this evaluation, and what acts on it.
@@ -38,7 +38,7 @@ struct BodyState {
     force += f;
     moment += (point - position).cross(f);
   }
-  /// Where its mass centre is [m].
+  /// Position of its mass center [m].
   [[nodiscard]] Vec3 centre_of_mass() const noexcept { return position + to_base * mass_centre; }
   void clear_actions() noexcept {
     force.setZero();
@@ -56,7 +56,7 @@ struct RaceBody : BodyState {
   double turn_beyond = 0.0;  ///< part of `angle` that `attitude` leaves out [rad]
 
   [[nodiscard]] Vec3 axis() const noexcept { return to_base.col(0); }
-  /// What the contact kernel reads.
+  /// Input of the contact kernel.
   [[nodiscard]] RaceMotion motion() const noexcept {
     return {position, axis(), speed, velocity, tilt, to_base.col(2), turn_beyond};
   }

@@ -45,8 +45,8 @@ struct GrooveContact {
   Mat3 stiffness = Mat3::Zero();  ///< ∂²V/∂p², symmetric, 0 when open [N/m]
 };
 
-/// What holds the orbit while x and r adjust: the orbital speed θ̇ (centrifugal force m r θ̇²) or,
-/// the choice that conserves energy, the angular momentum L = m r² θ̇ (force L²/(m r³)).
+/// Conserved quantity of the orbit while x and r adjust: the orbital speed θ̇ (centrifugal force m r
+/// θ̇²) or, the choice that conserves energy, the angular momentum L = m r² θ̇ (force L²/(m r³)).
 struct Orbit {
   enum class Kept : unsigned char { Speed, Momentum };
   Kept kept = Kept::Momentum;

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-/// What an effect or a body of a scene is to the System that holds it: it names its states,
-/// integrals and blocks once, and afterwards starts, stores, reports and explains itself. System
-/// knows this interface and no effect by name; effect_catalogue.hpp has one line for each.
+/// Interface of an effect or a body of a scene for its System: it declares its states,
+/// integrals and blocks once, and then starts, stores, reports and describes itself. System
+/// uses only this interface; effect_catalogue.hpp has one line for each effect.
 namespace adore::dynamics {
 
 /// One virtual call per block, none per contact. Blocks of effects that are off are never made.
@@ -32,14 +32,14 @@ class EffectBlock {
 /// When a block acts; within a phase in the order of declaration.
 enum class Phase : unsigned char {
   Races,       ///< motion of the races: prescribed ones from Evaluation::t alone, integrated ones
-               ///< from the state; knows nothing of elements, cannot fail
+               ///< from the state; independent of elements, cannot fail
   Kinematics,  ///< poses and velocities of elements and other bodies from the state
   Force,       ///< forces and moments on bodies
   Motion,      ///< rates of the bodies' states
   Account      ///< sums for integrals and ledgers
 };
 
-/// Where the cost ledger books the bodies' own blocks.
+/// Entry of the cost ledger for the bodies' blocks.
 inline constexpr std::string_view kMotionCost = "kinematics and equations of motion";
 
 /// Owner of state components that meet every element: the border of the arrow (System::coupling).
@@ -68,7 +68,7 @@ class BorderBody {
                          double* row) const noexcept = 0;
 };
 
-/// What elements touch besides the races: estimates for elements in balance (held_elements.hpp).
+/// Contacts of elements not with races: estimates for elements in balance (held_elements.hpp).
 class ElementSupport {
  public:
   virtual ~ElementSupport() = default;
@@ -81,10 +81,10 @@ class ElementSupport {
   }
 };
 
-/// Which bodies a block couples the elements with: whatever it adds to an element's force and
-/// moment acts on that element's partner with the opposite sign. A block that couples an element
-/// with two bodies is declared as two. Partners that are prescribed, or none of the scene's, count
-/// as none.
+/// Bodies that a block couples with the elements: its forces and moments on an element act on that
+/// element's partner with the opposite sign. A block that couples an element with two bodies is
+/// declared as two.
+/// Prescribed partners, and partners outside the scene, count as none.
 class Partners {
  public:
   Partners() = default;  ///< with none
@@ -101,7 +101,7 @@ class Partners {
   std::vector<BodyId> of_;
 };
 
-/// What an effect may ask of the whole between two steps.
+/// Requests of an effect to the whole system between two steps.
 class BetweenSteps {
  public:
   virtual ~BetweenSteps() = default;
@@ -125,11 +125,11 @@ class SceneEffect {
   virtual void declare(SceneBuilder& scene) = 0;
   /// Fills its components of the start state (0 until then).
   virtual void start(std::span<double> y) const { (void)y; }
-  /// Takes over from a start state what it keeps beside y.
+  /// Takes its memory in addition to y from a start state.
   virtual void resume(std::span<const double> y) { (void)y; }
   /// Adds what it makes of the races at time t (prescribed_races.hpp).
   virtual void prescribe(double t, PrescribedRaces& races) const { (void)t, (void)races; }
-  /// Goes on from a run in which races were prescribed as `before`; now they are as `now`.
+  /// Continues a run in which races were prescribed as `before`; now they are as `now`.
   virtual void go_on(const PrescribedRaces& before, const PrescribedRaces& now,
                      std::span<double> y) {
     (void)before, (void)now, (void)y;
@@ -143,24 +143,24 @@ class SceneEffect {
   /// Largest dQ/dδ of its contacts at a load of 1e-3 `force` [N/m]; 0: it has none.
   [[nodiscard]] virtual double stiffness(double force) const { return (void)force, 0.0; }
 
-  // Of the state evaluated last.
-  /// Clause that says why the state is not valid; empty: not because of this effect.
+  // For the last evaluated state.
+  /// Clause with the reason why the state is not valid; empty: not because of this effect.
   [[nodiscard]] virtual std::string why_invalid(const Evaluation& e) const { return (void)e, ""; }
-  /// Adds the energy that it stores beside Evaluation::elastic.
+  /// Adds the energy that it stores in addition to Evaluation::elastic.
   virtual void store(const Evaluation& e, EnergyLedger& energy) const { (void)e, (void)energy; }
   virtual void carry(const Evaluation& e, Momenta& momenta) const { (void)e, (void)momenta; }
   virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
   /// Adds what its contacts did, from what the evaluation left: the state that was evaluated
   /// (Evaluation::y, elements) may be gone. No allocation but the first time.
   virtual void look(const Evaluation& e, Look& out) const { (void)e, (void)out; }
-  /// What stands in for an integral that is too dear, with its error; empty: nothing.
+  /// Replacement of an integral that is too expensive, with its error; empty: none.
   [[nodiscard]] virtual std::string stated() const { return {}; }
   /// Adds its contacts to System::quadrature_error.
   virtual void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {
     (void)e, (void)error;
   }
 
-  /// A block of it gives races a motion beside their spin (then they do work without friction).
+  /// One of its blocks moves races in addition to their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
 
   /// Longest step from time t that resolves what it prescribes [s] (System::longest_step).
@@ -172,7 +172,7 @@ class SceneEffect {
   virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {
     return (void)t, (void)y, (void)scene, false;
   }
-  /// The fast part of the motion by itself (System::rhs_stiff): all `size` rates. One effect of a
+  /// The fast part of the motion alone (System::rhs_stiff): all `size` rates. One effect of a
   /// scene may have it.
   [[nodiscard]] virtual bool has_stiff_part() const noexcept { return false; }
   virtual bool stiff_part(const Evaluation& e, const double* y, double* dydt, int size) noexcept {
@@ -180,7 +180,7 @@ class SceneEffect {
   }
 };
 
-/// What a System is assembled from.
+/// Parts of a System.
 struct Assembly {
   struct Integral {
     int* index;
@@ -227,7 +227,7 @@ struct Assembly {
   CostLedger cost;
 };
 
-/// What SceneEffect::declare() works with.
+/// Input of SceneEffect::declare().
 class SceneBuilder {
  public:
   const bearing::Bearing& bearing;
@@ -235,7 +235,7 @@ class SceneBuilder {
   const statics::StaticSolution& statics;
   const std::array<double, 2>& fixed_angle;
   const SystemOptions& options;
-  const RollerScene* rollers;  ///< where rollers start; null: balls
+  const RollerScene* rollers;  ///< start positions of rollers; null: balls
   Evaluation& e;               ///< the blocks' working memory, there as long as the System
 
   /// Controlled components "<name>[k] [unit]" of one element, or of kBorder.
@@ -276,7 +276,7 @@ class SceneBuilder {
   /// Does an effect of the scene move the races?
   [[nodiscard]] bool races_move() const;
 
-  /// Elements touch this; it lives as long as the System.
+  /// Elements touch this; it outlives the System.
   void supports(ElementSupport& support) { out_.supports.push_back(&support); }
   /// Every force of the scene once more, for effects that need them ahead.
   [[nodiscard]] ForcePass force_pass(bool elements_alone) const noexcept {

@@ -20,7 +20,7 @@ struct CatalogueLine {
   LedgerTerms (*terms)();                                  ///< of the energy ledger; may be null
 };
 
-/// In the order in which effects declare themselves: who needs another one comes after it.
+/// In the order in which effects declare themselves: after the effects that they need.
 [[nodiscard]] std::span<const CatalogueLine> effect_catalogue();
 
 /// All items that the energy ledger of any scene may hold, kind by kind.

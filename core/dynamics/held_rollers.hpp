@@ -18,8 +18,8 @@
 /// ω of the roller, both relative to the race, with the axes (A, y', e) of statics/roller_pose.hpp,
 ///   ẋ' = v·A,  ṙ' = v·e,  ė = (v·y'/r') y',  ȧ = ω × a,  ṫ = ȧ·e + a·ė,  ḟ = ȧ·y' + a·ẏ',
 ///   ġ = H ṗ,  Ḟ = -(ġ_x A + ġ_r e + g_r ė + ṡ y' + s ẏ'),  s = (g_t f - g_f t)/r'   [derived].
-/// Limit: the springs leave out how a race with errors changes as it turns, and how the gap of a
-/// flange curves (1/R of its contact against 1.5/δ): a matter of the way to balance alone.
+/// Limit: the springs exclude the changes of a race with errors as it turns, and the curvature of
+/// the gap of a flange (1/R of its contact against 1.5/δ): this affects only the way to balance.
 namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {

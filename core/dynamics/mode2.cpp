@@ -28,7 +28,7 @@ struct Mode2Ball {
 };
 using Mode2Race = statics::RaceState<Mode2Ball>;
 
-// What race_equilibrium.hpp asks of an element set.
+// Interface of an element set for race_equilibrium.hpp.
 RaceScales race_scales(const Mode2Balls& set) {
   const double radius = set.ball.mid_radius();
   return {radius, 0.25 * set.play(), set.ball.groove().ball_radius + 4.0 * set.play(), 2.0 * radius,

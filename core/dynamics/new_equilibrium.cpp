@@ -102,7 +102,7 @@ class Instant {
                                                     const Vec5& guess, bool conservative) const;
   /// Puts element i to x, r (middle) and tilt.
   void put(std::span<double> y, std::size_t i, const Vec3& place) const;
-  /// Where it is.
+  /// Its position.
   [[nodiscard]] Vec3 place(std::span<const double> y, std::size_t i) const;
 
   /// Contact loads; false: the state is not valid.
@@ -137,7 +137,7 @@ class Instant {
   std::vector<double> rates_;
 };
 
-/// What is prescribed, and what is state.
+/// Prescribed parts, and state.
 std::array<Instant::RacePlace, 2> Instant::races_at(std::span<const double> y) const {
   const PrescribedRaces prescribed = system_.prescribed_races(t_, y);
   std::array<RacePlace, 2> out;
@@ -311,7 +311,7 @@ std::optional<double> Instant::potential(std::span<const double> y, double& elas
   const System::EnergyAccount account = system_.energy_account();
   elastic = account.elastic;
   double out = account.balance;
-  // What applied loads lose; fields are in the stored energy.
+  // Loss of applied loads; fields are in the stored energy.
   const statics::RaceTask load = task(false);
   const std::array<RacePlace, 2> at = races_at(y);
   const Vec3 q = at[1].displacement - at[0].displacement;
@@ -421,7 +421,7 @@ double narrowing(double before, double after) {
   return before > 0.0 && after > 0.0 ? std::min(1.0, after / before) : 1.0;
 }
 
-/// Where clearances of a cage of one piece become smaller, the cage keeps its relative place in its
+/// Where clearances of a one-piece cage become smaller, the cage keeps its relative position in its
 /// guide lands, and the elements theirs in the pockets along the pitch circle.
 void fit_cage(const MovingScene& before, double t, std::span<const double> y_before,
               const MovingScene& after, std::span<double> y) {

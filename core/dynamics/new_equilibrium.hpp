@@ -38,7 +38,7 @@ namespace adore::dynamics {
 
 struct NewEquilibrium {
   bool moved = false;
-  std::string why_not;         ///< where no equilibrium was found [a clause]
+  std::string why_not;         ///< reason for a missing equilibrium [a clause]
   double largest_shift = 0.0;  ///< of an element or the race [m]
   double excess = 0.0;         ///< [J]
   double elastic = 0.0;        ///< larger elastic energy of both equilibria, with a floor [J]

@@ -8,13 +8,13 @@
 
 namespace adore::dynamics {
 
-/// The fastest part of the motion by itself: ball centres vibrating on their normal race contacts,
+/// The fastest part of the motion alone: ball centers vibrating on their normal race contacts,
 ///   ẋ = x_dot, ṙ = r_dot, θ̇ = theta_dot                       of every ball
 ///   ẍ = N_x/m, r̈ = N_r/m, θ̈ = N_θ/(m r),  N = -Σ_j Q_j n_j    (race_contacts.hpp, no traction)
 /// and 0 for every other component. The velocities belong to it: with the accelerations alone
 /// the implicit part would be ẍ(x) at a position that the explicit part has fixed already, hence
 /// no more stable than an explicit method. It is the flow of the Hamiltonian ½m v² + Σ 0.4 K δ^2.5
-/// but for the fictitious forces of the cylindrical coordinates, which are slow.
+/// except for the fictitious forces of the cylindrical coordinates, which are slow.
 /// Source of the contact: race_contacts.hpp. Units SI. Limit: as there.
 class NormalContacts {
  public:

@@ -4,14 +4,14 @@
 
 #include <array>
 
-/// What a deck makes of both races at one time, beside what acts on them: kept with the state of a
-/// run, so that a run which goes on under other loads, speeds or laws of the time knows what
-/// changed.
+/// Prescribed motion of both races at one time: stored with the state of a
+/// run, so that a run that continues under other loads, speeds or laws of time knows the
+/// changes.
 ///
-/// A race that is prescribed turns on from where it was, ψ(t) = ψ(t0) + ∫Ω dt, whatever its speed
-/// was before: waves and lobes of its surface do not jump. A race that moves freely in some
-/// directions keeps its state there; in the others place, attitude, velocity and speed take the
-/// difference of what was prescribed and what is now. SI, rad, base axes.
+/// A prescribed race continues to turn from its position, ψ(t) = ψ(t0) + ∫Ω dt, for any previous
+/// speed: waves and lobes of its surface do not jump. A race that moves freely in some
+/// directions keeps its state there; in the others position, attitude, velocity and speed take the
+/// difference between the previous and the present prescription. SI, rad, base axes.
 namespace adore::dynamics {
 
 struct PrescribedRace {

@@ -21,15 +21,15 @@ struct GrooveRatios;
 /// differ.
 namespace adore::dynamics {
 
-/// What is one ball's own where balls differ: as in RaceKernelInput.
+/// Values of each ball if balls differ: as in RaceKernelInput.
 struct BallConstants {
   double offset, K, major, minor, ball_radius, rho;
   contact::AngleLaw follow;
   const contact::GrooveRatios<double>* ratios;  ///< of a race with errors; else null
 };
 
-/// Where the kernel collects the points of a law of the user, all contacts of the race, before it
-/// asks once, and reads κ afterwards. Sized at set-up (UserScratch in user_points.hpp).
+/// Storage for the points of a user law, all contacts of the race, before the only
+/// call, and for κ afterwards. Sized at set-up (UserScratch in user_points.hpp).
 struct UserPoints {
   double *slip, *inverse, *pressure, *kappa;  ///< of each point, stride values each
   double* row;                                ///< four numbers of each row of the rule, likewise
@@ -66,8 +66,8 @@ struct RaceKernelInput {
   bool tilts;
   double tilt[3];
   const contact::WavyGroove* wavy;  ///< null: a race of revolution
-  double zero[3];                   ///< where azimuths in a wavy race begin
-  const BallConstants* own;         ///< of all balls of the bearing; null: they are alike
+  double zero[3];                   ///< start of azimuths in a wavy race
+  const BallConstants* own;         ///< of all balls of the bearing; null: they are identical
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

@@ -68,7 +68,7 @@ class OnOneRace {
   const RaceKernelInput& in_;
 };
 
-/// Balls that are all alike: their constants are numbers.
+/// Identical balls: their constants are numbers.
 class AlikeBalls : public OnOneRace {
  public:
   using Scalar = double;
@@ -445,7 +445,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, const Balls& balls, co
   contacts.add_to(in, at, traction, totals);
 }
 
-/// What is done with the arrays of a vector.
+/// Operation on the arrays of a vector.
 enum class Use : unsigned char { Read, Write, Both };
 
 /// The arrays of a race that are read and those that are written, the first kAdded of them added
@@ -473,7 +473,7 @@ struct Copies {
       for (int i = 0; i < kLanes; ++i)
         source[array][i] = from.source[array][ball_of(i < used ? i : used - 1)];
   }
-  /// What is added to begins as it is in lanes below `used`, all else with 0.
+  /// Lanes below `used` start from the present sums, all others from 0.
   void begin(const Arrays& from, std::size_t first, int used) {
     for (int array = 0; array < kTargets; ++array)
       for (int i = 0; i < kLanes; ++i)

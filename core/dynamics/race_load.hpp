@@ -4,8 +4,8 @@
 
 namespace adore::dynamics {
 
-/// What an inner race in force balance (mode 2) is asked to carry, and what the bearing carries of
-/// it, along the directions whose load is given [N, base axes].
+/// Specified load of an inner race in force balance (mode 2), and its actual load
+/// from the bearing, along the directions whose load is given [N, base axes].
 struct RaceLoad {
   Vec3 asked = Vec3::Zero(), carried = Vec3::Zero();
 };

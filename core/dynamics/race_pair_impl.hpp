@@ -33,7 +33,7 @@ void visit_both_tails(const RaceKernelInput* in, std::size_t first, int rest, co
   }
 }
 
-/// Sums of the lanes of both tails, which go on where those of whole vectors ended.
+/// Sums of the lanes of both tails, which continue those of the whole vectors.
 class TailTotals {
  public:
   TailTotals(Totals* of, int rest) : of_(of), rest_(rest) {

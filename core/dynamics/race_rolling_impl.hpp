@@ -2,7 +2,7 @@
 
 #include "dynamics/race_kernel_impl.hpp"
 
-/// Rolling resistance of all contacts with one race, one ball per vector lane; beside
+/// Rolling resistance of all contacts with one race, one ball per vector lane; included with
 /// race_kernel_impl.hpp, in the same translation units.
 namespace adore::dynamics {
 namespace {
@@ -17,7 +17,7 @@ inline void Contacts<Race, Balls>::roll(const Lanes& at, const Balls& balls, con
   const V along = m.u_t - m.W_c * h, across = m.u_c + m.W_t * h;
   tribology::ContactPoint<V> point;
   point.load = load_;
-  // Open contacts beside closed ones have no ellipse.
+  // Open contacts next to closed ones have no ellipse.
   point.peak_pressure =
       1.5 * load_ / (std::numbers::pi * stdx::max(ellipse_.a * ellipse_.b, V(1e-30)));
   point.half_major = ellipse_.a;

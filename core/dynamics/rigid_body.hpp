@@ -43,8 +43,8 @@ struct SpinRates {
   return {rate, rate - frame.cross(omega), (omega - frame).cross(axis)};
 }
 
-/// Rigid body in geometric axes: its mass centre may lie off the geometric centre, its principal
-/// axes may be turned.
+/// Rigid body in geometric axes: its mass center may be off the geometric center, its principal
+/// axes may be rotated.
 struct RigidBody {
   double mass = 0.0;            ///< [kg]
   Mat3 inertia = Mat3::Zero();  ///< about the mass centre, geometric axes [kg m²]
@@ -103,7 +103,7 @@ struct RaceConstraints {
 struct RaceAccelerations {
   Vec3 acceleration, angular_acceleration;  ///< [m/s², rad/s²]
   Vec3 holding_force,
-      holding_moment;  ///< what the prescribed motion takes; 0 on free rows [N, N m]
+      holding_moment;  ///< reaction of the prescribed motion; 0 on free rows [N, N m]
 };
 /// Translation: a = F/m on free rows. Rotation: the free rows of I α + ω × Iω = M for the free α,
 /// with the prescribed ones given; the other rows give the holding moment. `inertia` about the mass

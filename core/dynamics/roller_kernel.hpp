@@ -6,7 +6,7 @@
 #include <cstddef>
 
 /// Boundary between roller_races.cpp and the translation units that are compiled once per
-/// instruction set: plain numbers and pointers only (race_kernel.hpp says why).
+/// instruction set: plain numbers and pointers only (reason in race_kernel.hpp).
 namespace adore::dynamics {
 
 /// On one roller, in its meridian frame; moment about its middle.
@@ -18,8 +18,8 @@ struct RollerKernelAction {
   double damping;  ///< power that damping takes [W]
 };
 
-/// Where the slices of all rollers that press wait for a law of the user: one behind the other,
-/// whole vectors of them, asked for in one call. Sized at set-up (SliceScratch in user_points.hpp).
+/// Storage for the loaded slices of all rollers before a call of a user law: in sequence,
+/// in whole vectors, for one call. Sized at set-up (SliceScratch in user_points.hpp).
 struct UserSlices {
   double* contact[7];              ///< ContactPoint in the order of TractionPoints
   double *slip, *inverse, *kappa;  ///< s, rounded, and 1/s
@@ -27,7 +27,7 @@ struct UserSlices {
   int* vectors_of;                 ///< of each roller
 };
 
-/// What else acts at the same contacts.
+/// Other loads on the same contacts.
 struct RollerRaceAddition {
   double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
   double heat;                 ///< [W]
@@ -48,10 +48,10 @@ struct RollerKernelInput {
   const UserSlices* user;  ///< of a law of the user; else null
   /// Of a law with a film: rolling resistance of the oil, of the same films; null: none.
   const tribology::RollingResistance* rolling;
-  RollerRaceAddition* rolled;  ///< what that is
+  RollerRaceAddition* rolled;  ///< meaning of the above
 };
 
-/// Rolling resistance of the oil beside a traction without a film (dynamics/roller_rolling.hpp).
+/// Rolling resistance of the oil with a traction law without a film (dynamics/roller_rolling.hpp).
 struct RollerRollingInput {
   const contact::RaceSlices* slices;  ///< as in RollerKernelInput
   bool alike;

@@ -30,7 +30,7 @@ inline void put_addition(const contact::RollerRaceSums<V>& sums, RollerRaceAddit
   out.heat = Lanes::sum(sums.heat);
 }
 
-/// What waits for traction.
+/// Slices that wait for traction.
 inline void put_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
   out.force[0] = Lanes::sum(sums.force.x);
   out.force[1] = Lanes::sum(sums.force.y);

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 
-/// A law of the user in the roller kernels: the slices of all rollers on a race are gone through
-/// once and kept, the routine is asked for those that press in one call, and forces, moments and
+/// A user law in the roller kernels: the slices of all rollers on a race are evaluated
+/// once and stored, the routine is called once for those with load, and forces, moments and
 /// heat are added with its answers, in the order of a built-in law. Decision 431.
 namespace adore::dynamics {
 namespace {

@@ -3,7 +3,7 @@
 #include "contact/roller_race_sum.hpp"
 #include "tribology/laws/rolling_resistance.hpp"
 
-/// Rolling resistance of the slices of one roller on one race, each with the line force of its own
+/// Rolling resistance of the slices of one roller on one race, each with the line force of its
 /// load, speed and width: F back on the roller's surface, 2 F R'/r along the entrainment at its
 /// axis, 1/R' the curvature of both bodies (rolling_resistance.hpp). Seen by the roller kernels.
 namespace adore::dynamics {
@@ -25,7 +25,7 @@ template <class T>
   sum.heat += dot(push, roller.velocity + cross(roller.omega, at.of_axis)) + dot(drag, slice.slip);
 }
 
-/// Of slices whose traction has no film of its own: what roller_race_sums hands its slices to.
+/// For slices whose traction has no film: receiver of the slices of roller_race_sums.
 template <class T>
 struct RollingOnSlices {
   const tribology::RollingResistance& law;

@@ -4,7 +4,7 @@
 #include "statics/slice_sums.hpp"
 
 /// Boundary between held_rollers.cpp and the translation units that are compiled once per
-/// instruction set (race_kernel.hpp says why): the sums of slices with their derivatives of
+/// instruction set (reason in race_kernel.hpp): the sums of slices with their derivatives of
 /// statics/slice_potential.hpp for a roller that moves, edges of lands included.
 namespace adore::dynamics {
 

@@ -17,7 +17,7 @@ std::vector<ElementPose> start_poses(const RollerScene& scene, const bearing::Be
     pose.theta_dot = solution.orbital_speed;
     pose.omega = solution.spin_speed * Vec3(along, outward, 0.0);
     pose.omega[0] += solution.orbital_speed;
-    // A positive tilt lifts the +x end: a turn about -y.
+    // A positive tilt lifts the +x end: a rotation about -y.
     pose.attitude = multiply(quaternion_about(Vec3::UnitX(), roller.azimuth),
                              quaternion_about(Vec3::UnitY(), -roller.tilt));
     out.push_back(pose);

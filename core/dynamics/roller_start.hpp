@@ -7,10 +7,10 @@
 
 #include <vector>
 
-/// How rollers start: where the equilibrium without friction puts them
+/// Start of rollers: at the positions of the equilibrium without friction
 /// (statics/roller_statics.hpp), with the speeds of pure rolling at nominal geometry and without
-/// skew. Skew is what friction makes of misalignment and tilt; it settles within the first turns of
-/// a run.
+/// skew. Skew follows from friction with misalignment and tilt; it settles within the first
+/// revolutions of a run.
 namespace adore::dynamics {
 
 /// A roller bearing's equilibrium, and the options that it was found with.

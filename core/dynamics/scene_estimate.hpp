@@ -23,7 +23,7 @@ struct BallVibration {
   double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
   /// Damping ratios vᵀ Σ (d Q + c) n nᵀ v/(2 m ω) of both (contact/damping_law.hpp).
   double along_damping = 0.0, across_damping = 0.0;
-  int stiffer_race = 0;  ///< whose contact is the stiffer one
+  int stiffer_race = 0;  ///< race with the stiffer contact
 };
 
 /// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness

@@ -12,7 +12,7 @@
 /// 570): relative errors of κ and F are a few 1e-6. Seen by the roller kernels.
 namespace adore::dynamics {
 
-/// What waits for its film.
+/// Slices that wait for their film.
 template <class T>
 struct WaitingSlices {
   static constexpr int kMost = 2;
@@ -91,7 +91,7 @@ struct FilmOnSlices {
   }
 };
 
-/// What the oil does to one roller.
+/// Forces of the oil on one roller.
 template <class T>
 struct OilOnRoller {
   const contact::RollerPose* at = nullptr;
@@ -148,7 +148,7 @@ class SlicesInOil {
   OilOnRoller<T>* owner_[WaitingSlices<T>::kMost];
 };
 
-/// What roller_race_sums is given; it takes what it is given as constant.
+/// Receiver for roller_race_sums; its input is treated as constant.
 template <class T>
 struct HandsToOil {
   SlicesInOil<T>& to;

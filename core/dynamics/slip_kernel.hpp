@@ -2,9 +2,9 @@
 
 #include "dynamics/race_kernel.hpp"
 
-/// Largest slip of every ball on one race, for a look between stored steps: geometry and motion as
-/// the race kernels have them, no traction. In translation units of their own, so that the hot
-/// kernels stay as they are (decision 750).
+/// Largest slip of every ball on one race, for a sample between stored steps: geometry and motion
+/// as in the race kernels, no traction. In separate translation units, so that the hot kernels do
+/// not change (decision 750).
 namespace adore::dynamics {
 
 /// Largest slip speed of each ball goes to `load` [m/s], 0 of open contacts:

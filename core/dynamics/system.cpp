@@ -29,7 +29,7 @@ bool System::Impl::user_refuses() const noexcept { return user->refused() || use
 void System::Impl::begin(double t, const double* y, double* dydt) noexcept {
   is_checked = false;
   if (user != nullptr) {
-    (void)user->refused();  // what an evaluation that ended early left
+    (void)user->refused();  // remains of an evaluation that ended early
     user->time = t;
   }
   e.begin(t, y, dydt);
@@ -54,7 +54,7 @@ bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) no
   return user == nullptr || !user_refuses();
 }
 
-/// What a block did to the elements is the difference of the forces on them.
+/// The effect of a block on the elements is the difference of the forces on them.
 bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
                                         double* shares) noexcept {
   const auto border = static_cast<std::size_t>(border_count);

@@ -40,24 +40,24 @@ class System {
   void set_scales(const Scales& scales);  ///< continuation keeps the first run's scales (N7)
   /// Start from statics and record 9.6.
   [[nodiscard]] std::vector<double> initial_state() const;
-  /// Fixes the reference of the ledgers and takes over what effects keep beside the state (call
-  /// once with the start state).
+  /// Fixes the reference of the ledgers and takes the effects' memory in addition to the state
+  /// (call once with the start state).
   void set_start(double t, std::span<const double> y);
-  /// What the deck makes of the races at t, and how far they have turned.
+  /// Prescribed motion of the races at t, with their rotation so far.
   [[nodiscard]] PrescribedRaces prescribed_races(double t, std::span<const double> y) noexcept;
-  /// Goes on at t from the state of a run whose deck made `before` of its races
+  /// Continues at t from the state of a run with the prescribed motion `before` of its races
   /// (prescribed_races.hpp); before set_start().
   void go_on(const PrescribedRaces& before, double t, std::span<double> y);
-  /// Goes on with the state of a system of the same layout whose bearing had other temperatures:
-  /// scales and ledgers go on, and the jumps of stored energy and momentum are booked in y (effect
-  /// "thermal steps").
+  /// Continues with the state of a system of the same layout whose bearing had other temperatures:
+  /// scales and ledgers continue, and the jumps of stored energy and momentum are booked in y
+  /// (effect "thermal steps").
   /// @throws SolverError when the state is not valid in this geometry
   void take_over(System& before, double t, std::span<double> y);
 
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
   /// trial step.
   RhsStatus rhs(double t, const double* y, double* dydt) noexcept;
-  /// The fast part of the motion by itself, for implicit-explicit methods (normal_contacts.hpp):
+  /// The fast part of the motion alone, for implicit-explicit methods (normal_contacts.hpp):
   /// false without race contacts.
   [[nodiscard]] bool has_stiff_part() const noexcept;
   /// Writes its rates, all of dydt. No allocation, no throw.
@@ -65,9 +65,9 @@ class System {
   /// Longest step from time t that resolves prescribed motion, and ends at its next kink [s];
   /// infinity when nothing is prescribed.
   [[nodiscard]] double longest_step(double t) const noexcept;
-  /// Who couples with whom: number of the element (0, 1, ...) that each controlled component
-  /// belongs to, -1 for what meets every element (cage, free races). Elements meet only through
-  /// that, and their neighbours in the ring where neighbours_meet().
+  /// Coupling: number of the element (0, 1, ...) that each controlled component
+  /// belongs to, -1 for components that meet every element (cage, free races). Elements are coupled
+  /// only through these, and with their neighbors in the ring if neighbours_meet().
   [[nodiscard]] std::span<const int> coupling() const noexcept;
   [[nodiscard]] bool neighbours_meet() const noexcept;
   /// rhs, and what each element adds to each rate of the border (coupling -1): shares[element *
@@ -96,7 +96,7 @@ class System {
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;
   [[nodiscard]] scene::QuadratureError quadrature_error(double t, std::span<const double> y);
-  /// What stands in for integrals that are too dear, with its error; empty: nothing.
+  /// Replacement of integrals that are too expensive, with its error; empty: none.
   [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;

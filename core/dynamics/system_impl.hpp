@@ -69,7 +69,7 @@ struct System::Impl final : BetweenSteps {
   bool evaluate_measured(double t, const double* y, double* dydt) noexcept;
   bool evaluate_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
   [[noreturn]] void throw_invalid(double t, const double* y) const;
-  /// Clause that says why the state evaluated last is not valid.
+  /// Clause with the reason why the last evaluated state is not valid.
   [[nodiscard]] std::string what_is_invalid(const double* y) const;
   /// Of the state evaluated last.
   [[nodiscard]] EnergyLedger energy_ledger() const;
@@ -78,7 +78,7 @@ struct System::Impl final : BetweenSteps {
 
   // For reports and between steps, into `rates`.
   const Evaluation& evaluate(double t, std::span<const double> y) override;
-  /// Did a routine of the user refuse what it was asked since the last call, or fail for good?
+  /// Did a user routine reject a state since the last call, or fail entirely?
   [[nodiscard]] bool user_refuses() const noexcept;
   [[nodiscard]] RhsStatus status(bool valid) const noexcept;
   void begin(double t, const double* y, double* dydt) noexcept;

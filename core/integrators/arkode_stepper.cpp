@@ -12,8 +12,8 @@ constexpr int order_of(ArkodeMethod method) { return method == ArkodeMethod::Exp
 /// pair 4(3), and the additive pair 4(3) of Kennedy and Carpenter that takes OdeSystem::rhs_stiff
 /// implicitly and the rest explicitly. The implicit pair, too, is half of an additive pair of
 /// Kennedy and Carpenter: the other half carries the quadratures, with the same weights at the same
-/// stages, so that they are no unknowns of Newton's iteration. Holds a constant step, then without
-/// an error estimate. Sources: [reynolds2023], [dormand1980], [kennedy2003], [kennedy2019].
+/// stages, so that they are not unknowns of Newton's iteration. Supports a constant step, then
+/// without an error estimate. Sources: [reynolds2023], [dormand1980], [kennedy2003], [kennedy2019].
 class ArkodeStepper final : public SundialsStepper {
  public:
   ArkodeStepper(std::string name, ArkodeMethod method)

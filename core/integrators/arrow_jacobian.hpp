@@ -19,9 +19,9 @@ class ArrowJacobian {
 
   [[nodiscard]] const std::shared_ptr<const ArrowShape>& shape() const noexcept { return shape_; }
   [[nodiscard]] RhsPart part() const noexcept { return part_; }
-  /// Fills J at (t, y), where the part has the value f0. A point that the model refuses is tried on
-  /// the other side. Retry: the model refuses the neighbours on both sides. `y` is displaced during
-  /// the call and given back as it was.
+  /// Fills J at (t, y), where the part has the value f0. A point that the model rejects is replaced
+  /// by the other side. Retry: the model rejects the neighbors on both sides. `y` is displaced
+  /// during the call and restored.
   [[nodiscard]] Outcome operator()(double t, double* y, const double* f0, ArrowMatrix& J);
   /// Evaluations of the part so far.
   [[nodiscard]] long evaluations() const noexcept { return evaluations_; }

@@ -9,14 +9,14 @@ namespace adore::integrators {
 /// Block number of a component that belongs to no block.
 inline constexpr int kBorder = -1;
 
-/// Which rows of an arrow matrix form a block and which the border, in plain numbers:
+/// Rows of the blocks and of the border of an arrow matrix, as plain numbers:
 ///
-///   [ A_0            B_0 ]    A_b: a block by itself
+///   [ A_0            B_0 ]    A_b: block
 ///   [      A_1       B_1 ]    B_b: the border acts on the block
 ///   [           ...  ... ]    C_b: the block acts on the border
-///   [ C_0  C_1  ...   D  ]    D:   the border by itself
+///   [ C_0  C_1  ...   D  ]    D:   border
 ///
-/// Rows of a block may lie anywhere and blocks may differ in size. Without blocks everything is
+/// Rows of a block may be anywhere and blocks may differ in size. Without blocks everything is
 /// border: a dense matrix. In a ring each block also meets the one before and after it, the last
 /// one the first: cyclic block-tridiagonal with a border.
 class ArrowShape {
@@ -101,12 +101,12 @@ class ArrowMatrix {
   void solve(double* x) noexcept;
 
  private:
-  /// Of a block of the chain: A_b, to and from what is left in the end, to and from the next block.
+  /// For a block of the chain: A_b, to and from the remaining part, to and from the next block.
   struct Parts {
     std::size_t A, B, C, next, back;
   };
   std::shared_ptr<const ArrowShape> shape_;
-  std::vector<Parts> parts_;  ///< where the parts of each block begin in values_, stored by rows
+  std::vector<Parts> parts_;  ///< start of the parts of each block in values_, stored by rows
   std::size_t D_ = 0;
   std::vector<double> values_;
   std::vector<std::vector<int>> pivots_;  ///< of each block, then of the border

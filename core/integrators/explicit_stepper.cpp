@@ -12,8 +12,8 @@ namespace {
 constexpr double kLossOrder = 3.0;
 /// The step after one that lost this share of what it may is not longer.
 constexpr double kNearlyTooMuch = 0.3;
-/// What is lost at much the same rate in so many shorter trials is not lost by the length of the
-/// step; after so many steps in a row that end like this the next ones are not watched.
+/// A loss that is the same in this many shorter trials is not caused by the step length;
+/// after this many such steps in a row the next ones are not checked.
 constexpr int kStubborn = 3;
 constexpr int kUnwatched = 50;
 
@@ -68,7 +68,7 @@ void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const doubl
   t_rounding_ = memory.at("time lost by rounding");
   h_next_ = std::clamp(memory.at("next step"), control.minimum, control.maximum);
   for (int i = 0; i < size_; ++i) f_[i] = memory.at("rate[" + std::to_string(i) + "]");
-  // Other loads or speeds than before: the past says nothing of what follows.
+  // Other loads or speeds than before: the past gives no information on what follows.
   double change = 0.0;
   const bool valid = evaluate_(t_, y_.data(), f_new_.data()) == Outcome::Ok;
   for (int i = 0; i < size_; ++i)

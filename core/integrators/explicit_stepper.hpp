@@ -7,17 +7,17 @@
 
 namespace adore::integrators {
 
-/// What our own explicit methods share: step size control, stop times, projection and diagnosis. A
-/// method supplies one trial step and its error estimate.
+/// Common part of the explicit methods of this program: step size control, stop times, projection
+/// and diagnosis. A method supplies one trial step and its error estimate.
 ///
 /// A trial is accepted in this order: error test on the method's result, projection, derivative at
 /// the projected state. The last derivative therefore always belongs to the projected state, and a
 /// projection costs nothing.
 ///
 /// A trial that passes this test but loses more of OdeSystem::kept() than tol allows is repeated
-/// with a shorter step, as long as shorter steps lose less: a blow that begins inside a step moves
-/// each component by less than its own tolerance and still costs energy. A step that nothing else
-/// made shorter than the tolerance asks loses next to nothing, so smooth runs keep their steps.
+/// with a shorter step, as long as shorter steps lose less: an impact that begins inside a step
+/// moves each component by less than its tolerance and still costs energy. A step whose length only
+/// the tolerance determines loses very little, so smooth runs keep their steps.
 class ExplicitStepper : public Stepper {
  public:
   ExplicitStepper(std::string name, int order) : name_(std::move(name)), order_(order) {}
@@ -56,7 +56,7 @@ class ExplicitStepper : public Stepper {
   virtual void accepted(double h) = 0;
   /// The n-th trial in a row failed.
   virtual void rejected(int in_a_row) { (void)in_a_row; }
-  /// What the method itself remembers of the past, and back.
+  /// The memory of the method, and its restoration.
   virtual void save(Memory& memory) const = 0;
   virtual void restore(const Memory& memory) = 0;
   /// Factor to the next step after an accepted trial of this error.
@@ -78,20 +78,20 @@ class ExplicitStepper : public Stepper {
   [[nodiscard]] Trial try_step(double h, double t_new, bool accept_any_error);
   [[noreturn]] void give_up(Outcome outcome, double h) const;
 
-  /// What a step from kept_ to where the system was evaluated last lost.
+  /// Loss of a step from kept_ to the last evaluated state of the system.
   [[nodiscard]] double lost(double& kept) noexcept;
-  /// Counts steps that were shortened in vain.
+  /// Counts steps that were shortened without success.
   void be_patient(bool in_vain) noexcept;
 
   std::string name_;
   int order_ = 0;
   int size_ = 0;
   int width_ = 0;
-  double t_rounding_ = 0.0;  ///< what the sum of steps lost by rounding
+  double t_rounding_ = 0.0;  ///< loss of the sum of steps by rounding
   double h_next_ = 0.0;
   double kept_ = 0.0;      ///< OdeSystem::kept() at (t_, y_)
   double kept_new_ = 0.0;  ///< at the end of the trial
-  int patience_ = 0;       ///< steps in a row watched in vain; below 0: steps left unwatched
+  int patience_ = 0;  ///< steps in a row checked without success; below 0: steps left unchecked
 };
 
 }  // namespace adore::integrators

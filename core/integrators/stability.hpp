@@ -3,14 +3,14 @@
 #include <string_view>
 #include <vector>
 
-/// What a method does to a vibration that it does not resolve. The test equation is y' = λ y with
+/// Effect of a method on a vibration that it does not resolve. The test equation is y' = λ y with
 /// λ = (-ζ + √(ζ² - 1)) ω: a contact vibration of damping ratio ζ, y' = iω y without damping. A
-/// method multiplies its amplitude by some factor per step that depends on hω alone; above 1 the
-/// vibration grows out of rounding until the error control sees it, far below the loads that it
-/// then carries.
+/// method multiplies its amplitude by a factor per step that depends on hω only; above 1 the
+/// vibration grows from rounding until the error control detects it, far below the loads that it
+/// then has.
 namespace adore::integrators {
 
-/// Which of its steps a method is asked about: the methods of fixed order have one.
+/// Order of the method's steps: methods of fixed order have one.
 /// CVODE changes its order; `order` is the one held by the package's last steps, or its bound.
 inline constexpr int kOwnOrder = 0;
 

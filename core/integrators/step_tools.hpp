@@ -73,7 +73,7 @@ void error_weights(const OdeSystem& system, double tolerance, std::vector<double
   return h * (1.0 + 1e-6) >= t_stop - t;
 }
 
-/// What stopped a stepper, for the text of a StepFailure. component < 0: none is to blame.
+/// Cause of a stepper's failure, for the text of a StepFailure. component < 0: none.
 struct Diagnosis {
   std::string_view method;
   std::string cause;

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-/// One interface for every integrator. This folder knows nothing of bearings: it solves y' = f(t,
+/// One interface for every integrator. This folder is independent of bearings: it solves y' = f(t,
 /// y).
 namespace adore::integrators {
 
 enum class EvalStatus : unsigned char {
   Ok,
-  Retry,  ///< the point lies outside the model's validity: try a smaller step
+  Retry,  ///< the point is outside the model's validity: try a smaller step
   Fail    ///< no step size helps: stop
 };
 
@@ -46,7 +46,7 @@ class OdeSystem {
     (void)t, (void)y, (void)dydt;
     return EvalStatus::Fail;
   }
-  /// Who couples with whom, for the Jacobian of implicit methods: block number 0, 1, ... of each
+  /// Coupling of components, for the Jacobian of implicit methods: block number 0, 1, ... of each
   /// controlled component, or -1 for the border. No rate of one block depends on a component of
   /// another block; blocks and border may depend on each other. Empty: everything couples. Constant
   /// after start().
@@ -54,11 +54,11 @@ class OdeSystem {
   /// Do blocks form a ring, in which the rates of each also depend on the components of the one
   /// before and the one after it (the last and the first are neighbours)? Constant after start().
   [[nodiscard]] virtual bool blocks_form_ring() const noexcept { return false; }
-  /// The rates of `part`, and what each block contributes to each rate of the border:
+  /// The rates of `part`, and the contribution of each block to each rate of the border:
   ///   shares[block * border size + k] for the k-th border component, such that
-  ///   rate = (what does not depend on blocks) + Σ shares.
-  /// Also in a ring the share of a block depends on that block and the border alone.
-  /// Asked for only where there are blocks and a border; as it stands here the border's rates do
+  ///   rate = (part independent of blocks) + Σ shares.
+  /// Also in a ring the share of a block depends only on that block and the border.
+  /// Called only if there are blocks and a border; in this default the border's rates do
   /// not depend on blocks at all.
   virtual EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
                                      double* shares) noexcept;
@@ -72,7 +72,7 @@ class OdeSystem {
   /// (but never goes below StepControl::minimum), so it must also stop short of the next event,
   /// e.g. a pulse that begins later. Infinity when nothing is prescribed.
   [[nodiscard]] virtual double step_guard(double t) const noexcept;
-  /// What the exact solution keeps, at the point of the last rhs() of the whole.
+  /// Quantities that the exact solution conserves, at the point of the last rhs() of the whole.
   struct Kept {
     double value = 0.0;
     double scale = 0.0;     ///< one step may change it by tol * scale; 0: nothing is watched
@@ -85,13 +85,13 @@ class OdeSystem {
 
 struct StepControl {
   double initial = 0.0;     ///< first trial step [s]; 0: chosen by the stepper
-  double minimum = 0.0;     ///< a step of this size is accepted whatever its error, and counted
+  double minimum = 0.0;     ///< a step of this size is accepted with any error, and counted
   double maximum = 0.0;     ///< [s], > 0; equal to minimum: constant step
   double tolerance = 1e-6;  ///< bound on max_i |e_i| / |scale_i| per step
   int highest_order = 0;    ///< methods of variable order (CVODE) go no higher; 0: their own limit
 };
 
-/// What one accepted step was.
+/// Data of one accepted step.
 struct StepInfo {
   double t = 0.0;       ///< time reached
   double h = 0.0;       ///< step size used
@@ -108,10 +108,10 @@ struct Counters {
   long repeated_for_energy = 0;
 };
 
-/// What a method knows beyond time and state, by name.
+/// Memory of a method in addition to time and state, by name.
 using Memory = std::map<std::string, double>;
 
-/// The stepper cannot go on. The text names time, step size and the worst component.
+/// The stepper cannot continue. The text names time, step size and the worst component.
 class StepFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -124,8 +124,8 @@ class Stepper {
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
   /// Order of the propagated solution (highest order for variable-order methods).
   [[nodiscard]] virtual int order() const noexcept = 0;
-  /// Can this method keep h fixed (minimum = maximum)? A deck that asks for a constant step is
-  /// refused by name if not.
+  /// Can this method keep h fixed (minimum = maximum)? If not, a deck with a constant step is
+  /// rejected with the method's name.
   [[nodiscard]] virtual bool holds_constant_step() const noexcept = 0;
   /// Takes the system and the start state. `system` must outlive the stepper. May be called again
   /// (restart).
@@ -134,15 +134,15 @@ class Stepper {
   /// themselves.
   virtual void start(OdeSystem& system, double t0, std::span<const double> y0,
                      const StepControl& control) = 0;
-  /// What a continued run needs to go on from here, for resume(): always "next step" [s].
+  /// Data that a continued run needs for resume(): always "next step" [s].
   [[nodiscard]] virtual Memory memory() const = 0;
-  /// As start(), from time, state and memory() of an earlier run by the same method. Goes on bit
-  /// for bit as if it had never stopped, unless loses() says otherwise; with a right-hand side that
+  /// As start(), from time, state and memory() of an earlier run by the same method. Continues bit
+  /// for bit as without a break, unless loses() is not empty; with a right-hand side that
   /// has changed since, starts with the next step. @throws as start(), and std::out_of_range when
   /// the memory is not of this method.
   virtual void resume(OdeSystem& system, double t0, std::span<const double> y0,
                       const StepControl& control, const Memory& memory) = 0;
-  /// What memory() cannot hold, as a clause; empty when it holds everything.
+  /// Data that memory() cannot store, as a clause; empty when it stores all.
   [[nodiscard]] virtual std::string_view loses() const noexcept { return {}; }
   /// One accepted step, never beyond t_stop (the last step is shortened to hit it exactly, or
   /// stretched by at most one part in a million).

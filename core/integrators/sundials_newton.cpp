@@ -4,8 +4,8 @@
 
 /// Newton's linear algebra for SUNDIALS: the arrow matrix I - γJ of the controlled components as
 /// the package's matrix, its decomposition as the package's linear solver. Quadratures q' = g(t, c)
-/// are no unknowns: ARKODE takes them explicitly; for CVODE x_q = b_q + γ (g(c + x_c) - g(c)),
-/// which is Newton's correction without a linearisation and keeps linear invariants exactly.
+/// are not unknowns: ARKODE takes them explicitly; for CVODE x_q = b_q + γ (g(c + x_c) - g(c)),
+/// which is Newton's correction without linearization and keeps linear invariants exactly.
 namespace adore::integrators {
 namespace {
 

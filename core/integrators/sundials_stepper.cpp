@@ -135,9 +135,9 @@ StepInfo SundialsStepper::step(double t_stop) {
   return info;
 }
 
-// The packages give up where our own methods go on; each case is taken up again from the last
+// The packages stop where the methods of this program continue; each case is resumed from the last
 // state: an error above the tolerance at the minimum step, with a wider tolerance; a point that the
-// model refused, with a smaller step (ARKODE does not even try one for an explicit stage).
+// model rejected, with a smaller step (ARKODE does not even try one for an explicit stage).
 void SundialsStepper::advance_or_throw(double t_stop, bool& at_minimum) {
   const double before = t_;
   const double resolution = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_);
@@ -179,7 +179,7 @@ void SundialsStepper::begin_afresh(double h) {
   restart(h);
 }
 
-// The package goes on with its own state and hands out the projected one, until they differ by a
+// The package continues with its state and returns the projected one, until they differ by a
 // few tolerances.
 void SundialsStepper::follow_projection() {
   if (projects() || !system_->project(t_, state_.data())) return;
@@ -192,11 +192,11 @@ void SundialsStepper::follow_projection() {
   std::copy(state_.begin(), state_.end(), y);
   static_cast<void>(derivative());
   if (!derivative_known_)
-    return;  // the model refuses the projected point: keep the package's own state
+    return;  // the model rejects the projected point: keep the package's state
   begin_afresh(std::min(estimate_first_step(), next_step()));
 }
 
-// What Newton's iteration leaves is an error that no estimate sees for sure: it is held below a
+// The remaining error of Newton's iteration is not reliably seen by an estimate: it is kept below a
 // tenth of the estimate of the steps so far, above rounding. A step without an estimate (ARKODE at
 // a constant step) counts as one without an error.
 void SundialsStepper::follow_error(double error) {

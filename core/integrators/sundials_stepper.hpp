@@ -43,21 +43,21 @@ using SunMatrix = Owned<SUNMatrix, MatrixDeleter>;
 using SunLinearSolver = Owned<SUNLinearSolver, LinearSolverDeleter>;
 using SunNonlinearSolver = Owned<SUNNonlinearSolver, NonlinearSolverDeleter>;
 
-/// What the SUNDIALS packages share: error norm, right-hand side at the border to C, minimum steps,
-/// projection, diagnosis. The package itself is behind the few protected functions.
+/// Common part of the SUNDIALS packages: error norm, right-hand side at the C interface, minimum
+/// steps, projection, diagnosis. The package itself is behind the few protected functions.
 ///
 /// Error norm: the vectors carry their own norm, max |e_i| w_i with w_i = 1 / (scale_i tol) and 0
 /// for quadratures, so the tolerance means the same as in our own methods and quadratures control
 /// nothing, Newton's convergence included.
 ///
 /// Newton: iterated until its error is below a tenth of the error estimates of the steps before,
-/// and 1e-4 of the tolerance at least. The packages' own rule, a tenth of the tolerance, lets it be
+/// and at most 1e-4 of the tolerance. The packages' rule, a tenth of the tolerance, lets it be
 /// the largest error of a step that stpMax bounds, with one sign for thousands of steps (decision
 /// 415).
 ///
 /// Minimum step: the packages stop when a step of the minimum size fails. It is then repeated from
 /// the last state with a tolerance ten times wider, and wider again, until it passes: accepted
-/// whatever its error, and counted. CVODE then begins again at order 1, so such steps are poor.
+/// with any error, and counted. CVODE then begins again at order 1, so such steps are poor.
 class SundialsStepper : public Stepper {
  public:
   SundialsStepper(std::string name, int order) : name_(std::move(name)), order_(order) {}
@@ -83,14 +83,14 @@ class SundialsStepper : public Stepper {
 
  protected:
   static constexpr int kMostIterations = 8;  ///< of Newton in a stage; the packages' own is 3
-  /// What one call of the package did.
+  /// Result of one call of the package.
   enum class Advance : unsigned char { Done, ErrorTooLarge, NotConverged, Refused, Failed };
   struct Statistics {
     long rejected = 0;
     long nonlinear_iterations = 0;
   };
-  /// Makes the package's memory for the system; vector_ holds the start state.
-  /// @throws StepFailure when the package cannot do what is asked.
+  /// Creates the package's memory for the system; vector_ has the start state.
+  /// @throws StepFailure when the package does not support the settings.
   virtual void create() = 0;
   /// Starts afresh from (t_, vector_) with this first step.
   virtual void restart(double h) = 0;
@@ -104,7 +104,7 @@ class SundialsStepper : public Stepper {
   virtual void iterate_to(double share) { (void)share; }
   /// Since the last create() or restart().
   [[nodiscard]] virtual Statistics statistics() const = 0;
-  /// Does the package itself project the state it goes on with?
+  /// Does the package itself project the state with which it continues?
   [[nodiscard]] virtual bool projects() const { return false; }
 
   [[nodiscard]] bool constant_step() const noexcept { return control_.minimum == control_.maximum; }

@@ -7,7 +7,7 @@ namespace adore::integrators {
 
 std::array<double, kMaxStages> quadrature_error_weights(const Tableau& tableau) {
   std::array<double, kMaxStages> weights{};
-  // What the pair's own estimate sees of f(t): its weights gathered by node.
+  // Weights of f(t) in the pair's estimate, gathered by node.
   bool blind = true;
   for (int i = 0; i < tableau.stages; ++i) {
     double at_node = 0.0;

@@ -10,8 +10,8 @@ namespace adore::life {
 inline constexpr std::size_t kDamageParts = 3;  ///< outer race, inner race, elements
 using DamageParts = std::array<double, kDamageParts>;
 
-/// What fatigue does per second: dD_i/dt = n/(L_i 1e6), n relative turns of the races per second.
-/// An infinite life or standstill gives none.
+/// Fatigue damage per second: dD_i/dt = n/(L_i 1e6), n relative revolutions of the races per
+/// second. An infinite life or standstill gives none.
 struct DamageRate {
   DamageParts damage{};  ///< [1/s]
   double turns = 0.0;    ///< [1/s]

@@ -48,7 +48,7 @@ std::optional<double> film_parameter(const BearingContacts& contacts, std::size_
   return outer && inner ? std::min(outer, inner) : std::nullopt;
 }
 
-/// What counts as a point or a line contact, and why.
+/// Point or line contact, with the reason.
 void note_shapes(BearingLife& out, std::size_t slices) {
   const LifeState& state = out.state;
   bool lines = false;
@@ -195,7 +195,8 @@ double LifeCalculator::original_race_life(const BearingContacts& contacts, std::
     for (std::size_t at = k; at < patches.size(); at += slices)
       half = std::max(half, patches[at].a);
     if (!(half > 0.0)) continue;  // nothing loaded on this track
-    // A slice carries Q_c ~ l^(7/9) of its own length: slices multiply to the whole roller's life.
+    // A slice carries Q_c ~ l^(7/9) with its length: the slices multiply to the whole roller's
+    // life.
     const double Q_c = capacity(race, index, 2.0 * half, line);
     std::vector<double> lives;
     lives.reserve(patches.size() / slices);
@@ -332,7 +333,7 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
   for (std::size_t i = 0; i < 2; ++i) {
     bool& line = out.model[0].line[i];
     line = out.shape[i] != ContactShape::Point;
-    // Of another model only the shape is asked for, which is settled but in between.
+    // Only the shape is needed for another model; it is known except in between.
     if (!only || *only == LifeModel::Original || out.shape[i] == ContactShape::Between)
       original[i] = race_life_of(contacts, i, 0, out.shape[i], line);
   }
@@ -386,7 +387,7 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
         i == bearing::kElementPart ? by_original[0] && by_original[1] : by_original[i];
     for (std::size_t m = 0; m < 3; ++m)
       out.pressure_exponent[m][i] = law(m, i, line).pressure_exponent();
-    // What is printed is what was used.
+    // The printed values are the used ones.
     if (!line) out.parameters.part[i].slope = parameters_.part[i].point_slope;
   }
   if (!(by_original[0] && by_original[1]))

@@ -40,7 +40,8 @@ struct ModificationFactors {
   double filter = 1.0;
   std::array<std::optional<double>, 3> film_parameter;  ///< Λ of races and elements; empty: unknown
   bool thin_film = false;
-  std::array<bool, 2> residual_refused{};  ///< the residual stress lies outside its formula
+  std::array<bool, 2>
+      residual_refused{};  ///< the residual stress is outside the range of its formula
 };
 /// Everything that changes with the loads.
 struct LifeState {

@@ -10,7 +10,7 @@
 namespace adore::life {
 namespace {
 
-/// D/d_m, whatever the angle.
+/// D/d_m, for any angle.
 double size_ratio(const CapacityGeometry& g) { return g.gamma / g.cos_alpha; }
 
 void check(const CapacityGeometry& g) {

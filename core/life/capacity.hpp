@@ -5,7 +5,7 @@
 /// Original Lundberg-Palmgren theory: the contact load that a race endures for 1e6 revolutions.
 namespace adore::life {
 
-/// What the capacity of one race contact depends on. Point contacts read the radii, line contacts
+/// Inputs of the capacity of one race contact. Point contacts use the radii, line contacts
 /// the length.
 struct CapacityGeometry {
   double diameter = 0.0;  ///< D of the rolling element [m]

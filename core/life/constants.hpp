@@ -7,8 +7,8 @@
 #include <vector>
 
 /// Constants of the life models, read once from the embedded life_constants.json, each with the
-/// word that says where it comes from: seen (in a public source), recalled (literature by memory),
-/// derived or calibrated (this project), manual, deck, option. The word is printed beside the
+/// word for its origin: seen (in a public source), recalled (literature by memory),
+/// derived or calibrated (this project), manual, deck, option. The word is printed with the
 /// value.
 namespace adore::life {
 

@@ -173,7 +173,7 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
         out.race[i].patches.push_back({Q, 0.5 * width, b, p});
       }
     }
-    // One crown that is no crown: no ellipses at all.
+    // A crown of infinite radius: no ellipses at all.
     if (out.race[i].ellipses.size() != solution.rollers.size()) out.race[i].ellipses.clear();
     out.race[i].angle = angle.value(bearing.rollers()->race_angle[i]);
   }

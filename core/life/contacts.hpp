@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-/// What the life models read of a bearing, whatever its type: one geometry, one list of contacts
+/// Input of the life models for any type of bearing: one geometry, one list of contacts
 /// per race. Every solution (balls or rollers, at rest or in motion) is converted to it.
 namespace adore::life {
 
@@ -29,7 +29,7 @@ struct LifeGeometry {
                                            ///< infinite: straight raceway
 };
 
-/// Contacts of one race. patches[element * slices + slice]; a roller's slices lie in the same order
+/// Contacts of one race. patches[element * slices + slice]; a roller's slices have the same order
 /// on every element, because slice k of all elements shares one track on the race.
 struct RaceContacts {
   std::vector<ContactPatch> patches;

@@ -10,7 +10,7 @@
 /// implementations. Forces in N, lives in 1e6 revolutions, L_10r infinite without load.
 namespace adore::life {
 
-/// Where an optional a_ISO comes from.
+/// Source of an optional a_ISO.
 struct IsoCondition {
   double contamination = 0.0;  ///< e_C
   double fatigue_limit = 0.0;  ///< C_u [N]

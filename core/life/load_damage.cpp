@@ -306,7 +306,7 @@ double DamageOfSteps::mean_change() const noexcept {
   return weight_ > 0.0 ? change_ / weight_ : 0.0;
 }
 
-/// The one list of what MASTER keeps beside sum and batches.
+/// The only list of the values in MASTER in addition to sum and batches.
 template <class Self, class Visit>
 void DamageOfSteps::visit(Self& self, Visit visit) {
   visit("life.steps.time", self.time_);

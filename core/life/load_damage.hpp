@@ -50,7 +50,7 @@ class LoadDamage {
   struct Table {
     double reference = 1.0;       ///< load [N]
     std::vector<double> race;     ///< when all elements have this load; to the power of the slope
-                                  ///< where the race does not rotate relative to the load
+                                  ///< if the race does not rotate relative to the load
     std::vector<double> element;  ///< likewise
   };
   struct Sums {

@@ -28,8 +28,8 @@ ModelParameters model_parameters(const LifeModelInput& input, const Marked& stre
                                  const Marked& depth) {
   ModelParameters out;
   out.factor = given_or(input.factor, {1.0, "default"});
-  // No model has a stress exponent of 0: it stands for the built-in one. A depth exponent of 0 has
-  // a meaning, so it stands for the built-in one only beside it.
+  // No model has a stress exponent of 0: it selects the built-in one. A depth exponent of 0 has
+  // a meaning, so it selects the built-in one only together with it.
   const bool blank = !input.stress_exponent || *input.stress_exponent == 0.0;
   out.stress_exponent = blank ? stress : Marked{*input.stress_exponent, "deck"};
   const bool own_depth = input.depth_exponent && (!blank || *input.depth_exponent != 0.0);

@@ -25,7 +25,7 @@ struct PartParameters {
   Marked original_factor;                ///< races
   std::array<ModelParameters, 3> model;  ///< updated, Zaretsky, Harris
   Marked slope;                          ///< of balls, or of rollers that count as lines
-  Marked point_slope;                    ///< where they count as points
+  Marked point_slope;                    ///< point contact or not
   Marked fatigue_limit;                  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
   double poisson_ratio = 0.3;
   double elastic_modulus = 0.0;  ///< behind the pressures [Pa]
@@ -45,7 +45,7 @@ struct LifeParameters {
   bool ceramic_elements = false;
   bool modulus_follows_temperature = false;  ///< material laws on (kMatPropMod = 1)
   bearing::LifeChoices choices;
-  std::vector<std::string> notes;  ///< what was taken for what is not known
+  std::vector<std::string> notes;  ///< assumptions for unknown values
 };
 
 /// @param element, race materials; code 1 is the deck's own

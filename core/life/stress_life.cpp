@@ -135,7 +135,7 @@ StressLife::StressLife(const StressModel& model) : model_(model) {
   n_ = power / model.slope;
   const CalibrationState& at = calibration_state(model.line);
   PeakCache peaks;
-  // The limit of the calibration stays at its own value (684 MPa) whatever limit is in force.
+  // The limit of the calibration stays at its value (684 MPa), independent of the limit in use.
   const double limit = model.model == LifeModel::Harris ? constants().harris_limit : 0.0;
   reference_ = log_hazard(at.patch, at.track, at.poisson, limit, peaks);
 }

@@ -51,7 +51,7 @@ class PeakCache {
   std::size_t next_ = 0;
 };
 
-/// What a surface sees per relative ring turn.
+/// Loading of a surface per relative ring revolution.
 struct Track {
   double length = 0.0;  ///< l_t [m]: race π d_m (1∓γ), element π D
   double cycles = 0.0;  ///< u: race Z(1±γ)/2, element d_m(1-γ²)/(2D) per race

@@ -113,7 +113,7 @@ void Report::table(std::string_view name_title, const std::vector<Column>& colum
   std::string titles = fmt::format("  {:<{}}", name_title, name_width),
               unit_line(2 + name_width, ' ');
   for (const Column& column : columns) {
-    demand(column.title.size() < kCell, "titles of a printed table stand apart");
+    demand(column.title.size() < kCell, "titles of a printed table must be separated");
     titles += fmt::format("{:>{}}", column.title, kCell);
     const std::string unit = column.unit == nullptr || column.unit == &unit::kPure
                                  ? std::string()

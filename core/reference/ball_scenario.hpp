@@ -11,14 +11,14 @@
 /// Balls between races that are held or turn at constant speed, without cage and gravity.
 namespace adore::reference {
 
-/// What one race does to one ball at the state evaluated last.
+/// Effect of one race on one ball at the last evaluated state.
 struct BallLoad {
   double Q = 0.0, heat = 0.0;  ///< [N, W]
   dynamics::RaceContactState contact;
 };
 
-/// Grooves of a ball bearing by their centre circles, which deck geometry reaches with a pitch
-/// diameter and clearance of its own. Hertz constants stay those of the nominal γ = D cos α0/d_m.
+/// Grooves of a ball bearing by their center circles, with a matching pitch
+/// diameter and clearance of the deck. Hertz constants stay those of the nominal γ = D cos α0/d_m.
 void set_grooves(SmallScene& scene, double diameter, const std::array<double, 2>& groove_factor,
                  const std::array<double, 2>& centre_radius, double gamma);
 [[nodiscard]] tribology::ContactSurface contact_surface(const std::string& name);

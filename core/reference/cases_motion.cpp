@@ -58,7 +58,7 @@ Json azimuth_spin_case(const Json& in) {
            0.5 * polar * spin * spin + 0.5 * transverse * (omega.squaredNorm() - spin * spin)}};
 }
 
-/// A cage off its mass centre, with principal axes of its own, under a force.
+/// A cage off its mass center, with tilted principal axes, under a force.
 Json trajectory_case(const Json& in) {
   const dynamics::RigidBody body = rigid_body(in);
   const Quat q0 = quaternion(in.at("initial_quaternion"));

@@ -23,7 +23,7 @@ struct SmallScene {
   bearing::Bearing bearing;
   scene::ScenePlan plan;
   statics::StaticSolution start;        ///< elements, and displacement of the inner race
-  std::array<double, 2> hertz_angle{};  ///< where the Hertz constants are frozen [rad]
+  std::array<double, 2> hertz_angle{};  ///< angle of the frozen Hertz constants [rad]
   scene::SystemOptions options;
   std::vector<dynamics::EffectMaker> laws;
 

@@ -147,7 +147,7 @@ Json rotating_pocket(const Json& the_case) {
   scene.have({scene::Effect::PocketTraction});
   const bearing::TractionCurve curve = traction_law(in.at("pocket_law"));
   scene.bearing.pocket_traction = curve;
-  // What the pocket does, for ledgers of its own: those of ADRX3 book what they change as heat.
+  // Effect of the pocket, for separate ledgers: those of ADRX3 book its changes as heat.
   const tribology::TractionLaw law(curve);
   Motion* motion = nullptr;
   const auto pocket = [&, law](const Evaluation& e) {
@@ -324,7 +324,7 @@ class Whirl {
         [&](double t, const double* y) { return cage(t, y).position.norm() - clearance_; },
         [&](double t, const double* y) { return slip(cage(t, y)); }};
     const auto times = sample_times(the_case);
-    std::vector<double> all = times;  // the last tenth starts at a time of its own
+    std::vector<double> all = times;  // the last tenth starts at a separate time
     const double last_tenth = times.front() + 0.9 * (times.back() - times.front());
     const auto where = std::lower_bound(all.begin(), all.end(), last_tenth);
     const auto extra = static_cast<std::size_t>(where - all.begin());

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-/// dynamics_roller: one cylindrical roller between two races, with loads Q = k δ of its own and
+/// dynamics_roller: one cylindrical roller between two races, with separate loads Q = k δ and
 /// slip that is uniform along each line (tests/reference/dynamics_README.md, family 7). The roller
 /// of a plane problem is a ball with the roller's moment of inertia; races are walls that press on
 /// it.

@@ -6,9 +6,9 @@
 
 #include <array>
 
-/// F_dynamics, dynamics_impact and dynamics_plates. What no bearing has: races are grooves of given
-/// Hertz constants on which the ball moves radially, a pendulum is an inner race with its mass
-/// centre off its axis, a rigid body is a cage, a plate is a wall that presses on the ball.
+/// F_dynamics, dynamics_impact and dynamics_plates. Parts that are not bearings: races are grooves
+/// of given Hertz constants on which the ball moves radially, a pendulum is an inner race with its
+/// mass center off its axis, a rigid body is a cage, a plate is a wall that presses on the ball.
 namespace adore::reference {
 namespace {
 
@@ -26,7 +26,7 @@ constexpr double kFactor = 0.52;     ///< of the grooves
 constexpr double kWideFactor = 0.6;  ///< of an inner groove that the ball does not reach
 constexpr double kInnerGap = 5e-4;   ///< to it [m], less than (kWideFactor - 0.5) D
 
-/// Where the ball touches the outer and the inner race [m].
+/// Contact points of the ball with the outer and the inner race [m].
 SmallScene radial_scene(double mass, double diameter, const std::array<double, 2>& touch,
                         double inner_factor) {
   SmallScene scene;
@@ -233,7 +233,7 @@ struct Plates {
       plate.velocity = speed[k] * Vec3::UnitX();
       const Vec3 m = kSide[k] * e.to_base(0, Vec3::UnitY());
       const auto action = press(e, 0, plate, m, radius, linear_spring(load[k]), 1.0, law);
-      e.add_force(0, e.to_cylindrical(0, load[k] * m));  // what presses the ball on the plate
+      e.add_force(0, e.to_cylindrical(0, load[k] * m));  // load of the ball on the plate
       heat[k] = action.heat;
       work += action.friction.dot(plate.velocity);
     }

@@ -58,7 +58,7 @@ double number(const Json& tolerance, const char* name) {
 }
 
 /// README.md, life_* and thermal_*: rel, rel_KEY, abs, abs_KEY, relative, absolute; each entry by
-/// itself. rollers_*: the same, relative to the largest entry of the array.
+/// separately. rollers_*: the same, relative to the largest entry of the array.
 ToleranceRule readme_rule(const Json& tolerance, std::string_view key) {
   ToleranceRule rule;
   if (tolerance.is_number()) {

@@ -11,7 +11,7 @@ struct ToleranceRule {
   double relative = 0.0, absolute = 0.0;
   /// Size that `relative` refers to.
   enum class Scale : unsigned char {
-    Entry,     ///< each number by itself
+    Entry,     ///< each number separately
     Channel,   ///< the largest magnitude of the whole array
     Diagonal,  ///< matrix: √(K_ii K_jj)
     Norm       ///< array of vectors: the length of each innermost vector

@@ -18,7 +18,7 @@ void count(StepperWork& work, const integrators::Stepper& stepper) {
   work.add({0, counters.steps, counters.rejected, counters.evaluations});
 }
 
-/// The solution from a known point to a later time, by a stepper of its own.
+/// The solution from a known point to a later time, by a separate stepper.
 State advance(const Problem& problem, double t0, const State& y0, double t, StepperWork& work) {
   if (t <= t0) return y0;
   const auto stepper = integrators::make_stepper(problem.stepper);

@@ -229,7 +229,7 @@ FileResult run_file(const std::filesystem::path& path, const Json& content) {
   return result;
 }
 
-/// What keeps the list from being one of cases; empty when it is one.
+/// Reason why the list is not a list of cases; empty when it is.
 std::string wrong_case(const Json& cases) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Json& one = cases[i];
@@ -277,7 +277,7 @@ Json read_cases(const std::filesystem::path& path, const std::string& standard_i
   return content;
 }
 
-/// Infinite numbers are no JSON.
+/// Infinite numbers are not JSON.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace

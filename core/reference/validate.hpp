@@ -19,7 +19,7 @@ struct QuantityResult {
   std::string key;  ///< "steady_state.Q_o"
   double error = 0.0, tolerance = 0.0;
   bool pass = true;
-  std::string message;  ///< why it fails when no number says it
+  std::string message;  ///< reason of failure if no number shows it
 };
 
 struct CaseResult {

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-/// Where the processor time of a run goes. Timers inside the right-hand side are sampled (every
-/// n-th call is measured in full) so that the ledger costs below 2 % and still adds up to the run's
-/// time. Inside a call the clock is that of the wall, which is quick to read; a call during which
-/// the thread did not have the processor all the time is left out.
+/// Distribution of the processor time of a run. Timers inside the right-hand side are sampled
+/// (every n-th call is measured in full) so that the ledger costs below 2 % and still adds up to
+/// the run's time. Inside a call the wall clock is used, which is fast; a call during which the
+/// thread did not have the processor all the time is left out.
 namespace adore::scene {
 
 /// Processor time of this thread [s]: what other programs do meanwhile does not count.

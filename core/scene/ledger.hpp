@@ -13,7 +13,7 @@
 /// the maker of an item knows which items there are.
 namespace adore::scene {
 
-/// What an item is to the balance
+/// Sign of an item in the balance
 ///   residual = work - heat - taken + switches - (stored - start),
 /// which shrinks with the integrator's tolerance.
 enum class LedgerKind : unsigned char {
@@ -26,13 +26,13 @@ enum class LedgerKind : unsigned char {
   Note     ///< for information, no term of the balance
 };
 
-/// What kind of item this is, stated once beside what makes it. Lives as long as the program.
+/// Kind of this item, defined once next to its source. Lives as long as the program.
 struct LedgerTerm {
   LedgerKind kind;
   std::string_view id;     ///< channel energy.<id>; of heat that no race owns also power.<id>
   std::string_view label;  ///< of the channel: "heat in the pockets"
-  /// In RUN.json and PRINT.txt: "kinetic energy now"; of heat where it arises: "cage pockets". The
-  /// second is that of the inner race where each race has an item of its own, else empty.
+  /// In RUN.json and PRINT.txt: "kinetic energy now"; for heat its source: "cage pockets". The
+  /// second is that of the inner race if each race has a separate item, otherwise empty.
   std::array<std::string_view, 2> name;
   std::string_view help;         ///< of the channel
   std::string_view frame = "-";  ///< of the channel: "N" where the value depends on the frame
@@ -87,7 +87,7 @@ class Ledger {
       if (item.term->kind == LedgerKind::Heat) total += item.rate;
     return total;
   }
-  /// What came in less what went out since the start: what should be stored now, less the start.
+  /// Inflow minus outflow since the start: expected stored energy now, minus the start.
   [[nodiscard]] Value flow() const {
     Value total = signed_sum(zero(), LedgerKind::Work, 1.0);
     total = signed_sum(total, LedgerKind::Heat, -1.0);

@@ -2,7 +2,7 @@
 
 #include "scene/ledger.hpp"
 
-/// Items of the ledgers that belong to no effect. Those of an effect stand in its file.
+/// Items of the ledgers that belong to no effect. Those of an effect are in its file.
 namespace adore::scene::terms {
 
 using enum LedgerKind;

@@ -18,7 +18,7 @@ enum class Looked : unsigned char {
   PocketForce,  ///< of contact, as reported [N]
   PairForce,    ///< of an element and the next one, without cage [N]
   LandForce,    ///< of cage and race [N]
-  RaceForceX,   ///< what holds or loads a race, base frame [N, N m]
+  RaceForceX,   ///< load or reaction of a race, base frame [N, N m]
   RaceForceY,
   RaceForceZ,
   RaceMomentX,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What a run will simulate, decided before anything runs. Made by setup/ from the deck; a plain
+/// Content of a run, decided before it starts. Made by setup/ from the deck; a plain
 /// value.
 namespace adore::scene {
 
@@ -32,7 +32,7 @@ enum class Effect : unsigned char {
   TurningFrame,        ///< the base frame turns: ScenePlan::race_motions
   SuppressedMotions,   ///< accelerations that are zero: ScenePlan::suppressed
   ElementBalance,      ///< all elements stand in force balance (modes 1 and 2)
-  RaceBalance,         ///< the inner race stands in force balance (mode 2)
+  RaceBalance,         ///< the inner race is in force balance (mode 2)
   ElementDrag,         ///< the medium drags on elements (kChrn)
   CageDrag,            ///< and on the cage
   PocketFilm,          ///< oil films in the pockets (kPocHydro)
@@ -74,8 +74,8 @@ struct ScenePlan {
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
   double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
                                   ///< below which an element is held
-  bearing::RaceMotions race_motions;  ///< how races move beside their constant spin; each entry
-                                      ///< switches on its effect
+  bearing::RaceMotions race_motions;  ///< motion of the races beyond their constant spin; each
+                                      ///< entry switches on its effect
   SuppressedMotions suppressed;
   bool user_frame = false;  ///< routine ADRX1 accelerates the base frame
   int unknowns = 0;         ///< controlled state components

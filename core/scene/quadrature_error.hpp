@@ -2,7 +2,7 @@
 
 namespace adore::scene {
 
-/// What the fixed ellipse rule of a run leaves of the traction of balls in one state, against a
+/// Error of the fixed ellipse rule of a run for the traction of balls in one state, against a
 /// rule of twice as many nodes along both axes (where the rule converges, its error is that or a
 /// little more). All 0 without traction and for rollers, whose slices have no rule.
 struct QuadratureError {

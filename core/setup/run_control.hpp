@@ -24,7 +24,7 @@ enum class StartState : unsigned char {
   Continue    ///< kIcOpt 1: append to the files of MASTER (N3)
 };
 
-/// Record 1, 2.1, 2.3 and 3.4 in plain words; step sizes and end time stay dimensionless until the
+/// Record 1, 2.1, 2.3 and 3.4 as named values; step sizes and end time stay dimensionless until the
 /// time scale is known.
 struct RunControl {
   bool dynamic = false;  ///< mode >= 0

@@ -10,7 +10,7 @@
 ///
 /// The rule of superposition: free thermal growth r g, centrifugal growth u_w and the growth under
 /// fit pressure u_p are added (linear elasticity; ring.hpp). A part is free to grow by g = ε(T) -
-/// ε(T_room) of its own material. The clearance given by the deck is that of the unmounted bearing
+/// ε(T_room) of its material. The clearance given by the deck is that of the unmounted bearing
 /// at room temperature and rest. Mounted at room temperature and at rest is the same calculation
 /// with g = 0 and w = 0 (at_rest).
 namespace adore::thermal {

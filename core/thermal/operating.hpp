@@ -21,14 +21,14 @@ namespace adore::thermal {
 /// shoulders, cage, guide lands and pockets (theory: ring.hpp, assembly.hpp).
 ///   D' = D (1 + g_b);  groove radius f_j D (1 + g_j);  Pd' = Pd + 2 (u_o - u_i) - 2 (D' - D);
 ///   A' = groove radii - D';  cos α' = 1 - Pd'/(2A'), α' = 0 for Pd' <= 0, which stays as preload;
-///   circles of curvature centres move with the raceways: R_o' = R_o + u_o - f_o D g_o, R_i' = R_i
+///   circles of curvature centers move with the raceways: R_o' = R_o + u_o - f_o D g_o, R_i' = R_i
 ///   + u_i + f_i D g_i; pitch diameter such that a ball touching both grooves at α' lies on it.
 /// Masses stay, moments of inertia grow by (1 + g)² of their part. The envelope stays the nominal
-/// one: it is how housing and shaft are made. With material laws E, k, c and the expansion
+/// one, as housing and shaft are made. With material laws E, k, c and the expansion
 /// coefficient of every part are those at its temperature. The cage turns at its epicyclic speed
-/// for its own growth. When nothing grows and nothing presses, the geometry comes back bit by bit.
+/// for its growth. Without growth and pressure the geometry is reproduced bit by bit.
 /// The result carries its `operating` report, with warnings where clearance turned negative, an
-/// interference came loose, or a hoop stress passes the elastic limit.
+/// interference came loose, or a hoop stress exceeds the elastic limit.
 /// @throws InputError when a temperature is not above 0 K, or the operating clearance allows no
 /// contact (α' >= 90°).
 [[nodiscard]] bearing::Bearing operating_bearing(const bearing::Bearing& bearing);

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-/// What the medium in the cavity of a bearing (kChrn) does to its elements and its cage. SI.
+/// Effect of the medium in the cavity of a bearing (kChrn) on its elements and its cage. SI.
 ///
-/// The medium turns with the outer race [choice]: speeds are relative to it, and it hands on to
-/// the outer race what elements and cage do to it, so that its power is all heat.
+/// The medium turns with the outer race [choice]: speeds are relative to it, and it passes the
+/// reactions of elements and cage to the outer race, so that its power is all heat.
 /// Element: F = ½ C_D ρ A V² against the velocity of its centre, of a sphere or a cylinder across
 /// the flow; of its projected area what the wall of the cage hides is left out. Spin: of a ball
 /// that of a sphere in the cavity; of a roller a cylinder in a wide annulus, gap R/2, which gives
 /// the exact 4π μ ω R² l of a cylinder in an endless medium, and both end faces as discs. The
 /// narrow gaps of the pockets are those of pocket hydrodynamics (kPocHydro).
-/// Cage: both cylindrical surfaces as annuli against the races, with the play of guide lands where
-/// they are, and both side faces as discs less the opening. Decision 300.
+/// Cage: both cylindrical surfaces as annuli against the races, with the clearance of guide lands
+/// where they are, and both side faces as discs less the opening. Decision 300.
 namespace adore::tribology {
 
 /// Medium of a bearing at its temperature: that of the coolant where it is known, else the mean of

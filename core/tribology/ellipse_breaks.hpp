@@ -2,7 +2,7 @@
 
 #include "base/scalar_math.hpp"
 
-/// Where the traction changes its character along the major axis, for the split rule
+/// Points where the traction changes its character along the major axis, for the split rule
 /// (ellipse_traction.hpp).
 namespace adore::tribology {
 
@@ -30,10 +30,10 @@ template <class T>
   high = M::max(first, second);
 }
 
-/// Where u_t = -width and u_t = +width, u_t being the parabola through its values at ξ = -a, 0, a.
-/// A curve that does not reach one of them has both break points at its vertex (or at an end): the
-/// piece between them is empty, and the rule stays continuous in the motion. T is double or a
-/// vector of doubles.
+/// Points with u_t = -width and u_t = +width, u_t being the parabola through its values at ξ = -a,
+/// 0, a. A curve that does not reach one of them has both break points at its vertex (or at an
+/// end): the piece between them is empty, and the rule stays continuous in the motion. T is double
+/// or a vector of doubles.
 template <class T>
 [[gnu::always_inline]] inline EllipseBreaks<T> ellipse_breaks(T left, T centre, T right, T width) {
   using M = ScalarMath<T>;

@@ -169,12 +169,13 @@ double largest_slip(const Kinematics& kinematics) {
   return largest;
 }
 
-/// Per unit load: ∫ κ, ∫ κ|u|, ∫ |u| by a fixed rule, to say what "small" means.
+/// Per unit load: ∫ κ, ∫ κ|u|, ∫ |u| by a fixed rule, as the reference for "small".
 struct Sizes {
   double coefficient = 0.0, heat = 0.0, slip = 0.0;
 };
 
-/// What a law reads of a point: its pressure, or the peak of its strip, as parts of the contact's.
+/// Input of a law at a point: its pressure, or the peak of its strip, as fractions of the
+/// contact's.
 template <class Law>
 double pressure_at(double strip_peak, double of_strip) {
   return is_of_strip<Law>() ? strip_peak : strip_peak * of_strip;

@@ -34,7 +34,7 @@ struct EllipseSurface {
   [[gnu::always_inline]] T height(const T& xi) const {
     return is_curved(rho) ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
   }
-  /// The surfaces of all lanes are of one kind.
+  /// The surfaces of all lanes are of the same type.
   [[gnu::always_inline]] static bool is_curved(const S& rho) {
     if constexpr (std::is_same_v<S, double>)
       return rho > 0.0;
@@ -43,7 +43,7 @@ struct EllipseSurface {
   }
 };
 
-/// Where a surface convention (tribology::ContactSurface) places the arc or plane.
+/// Position of the arc or plane by a surface convention (tribology::ContactSurface).
 enum class SurfacePlace : unsigned char {
   ThroughEdge,   ///< through the ends of the major axis on the undeformed ball
   HalfApproach,  ///< half the approach below the undeformed ball at the centre
@@ -159,7 +159,7 @@ class EllipseSum {
     }
   }
 
-  /// What is the same at all points of a row.
+  /// Values common to all points of a row.
   struct Row {
     T xi, half_width, load, h, u_t, mean, swing, fixed;
   };
@@ -227,9 +227,9 @@ class EllipseSum {
   [[gnu::always_inline]] T rolling_slip(const T& xi) const {
     return e_.motion.u_t + e_.motion.W_n * xi - e_.motion.W_c * e_.surface.height(xi);
   }
-  /// Slip at the ends of the pieces over W_n b, unless the rule says it. Films bend over a wider
-  /// range than the kink of a rounded law: of 0.2 to 12 the value with the least errors in heat of
-  /// pieces that are alike (decision 326).
+  /// Slip at the ends of the pieces over W_n b, unless the rule sets it. Films bend over a wider
+  /// range than the kink of a rounded law: from 0.2 to 12 the value with the smallest errors in
+  /// heat of equal pieces (decision 326).
   static constexpr double kSweep = kHasFilm<Law> ? 1.5 : 0.5;
   /// Ends of the pieces of the split rule, s = ξ/a.
   [[gnu::always_inline]] EllipseBreaks<T> breaks() const {
@@ -252,11 +252,11 @@ class EllipseSum {
     return ScalarMath<T>::root(along * along + across * across);
   }
   [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T, S>& e) {
-    // Open contacts beside closed ones have no ellipse.
+    // Open contacts next to closed ones have no ellipse.
     return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));
   }
 
-  /// Whether κ is a number of the slip, and nothing else is asked of the law.
+  /// κ is a function of the slip only, and no other result of the law is needed.
   static constexpr bool of_slip_alone() {
     if constexpr (requires { Law::kOfSlipAlone; })
       return Law::kOfSlipAlone;

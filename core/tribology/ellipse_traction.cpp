@@ -157,7 +157,7 @@ EllipseRule make_split_ellipse_rule(int major, int minor) {
 }
 
 EllipseRule make_film_rule() {
-  // Where the load ends with the ellipse, where u_t reverses, in between.
+  // Points where the load ends with the ellipse, where u_t reverses, and in between.
   EllipseRule rule =
       film_pieces(edge_nodes(0.3437, 0.807), legendre_nodes(2), four_nodes(0.084, 0.346));
   rule.sweep = 0.955;

@@ -87,7 +87,7 @@ struct EllipseTraction {
   double M_c = 0.0, M_t = 0.0, M_n = 0.0;  ///< on the ball about its centre [N m]
   double heat = 0.0;                       ///< ∫ κ p |u| dA [W]
   double load_slip = 0.0;                  ///< ∫ p |u| dA [W]
-  double max_slip = 0.0;  ///< largest |u|; it lies on the edge of the ellipse [m/s]
+  double max_slip = 0.0;                   ///< largest |u|, at the edge of the ellipse [m/s]
 };
 
 /// Quadrature rule of a run for the Hertz pressure. With s = ξ/a and v = η/(b sqrt(1-s²)) the load
@@ -98,7 +98,7 @@ struct EllipseTraction {
 ///  with a steep
 ///    start changes from sticking to sliding (Heathcote's bands), which `major` fixed nodes see
 ///    only to ~1/major². w⁴ = slip_scale(law)⁴ + (W_n b/2)⁴; u_t is taken as a parabola in s for
-///    this purpose only. Films: pieces with nodes of their own (make_film_rule).
+///    this purpose only. Films: pieces with separate nodes (make_film_rule).
 /// Both are continuous in the motion, sum to the load and keep the power balance of traction
 /// exactly.
 struct EllipseRule {
@@ -148,7 +148,7 @@ inline constexpr EllipseSize kFilmNodes{12, 4}, kStripNodes{16, 2};
                                                const EllipseKinematics& motion,
                                                const EllipseRule& rule) noexcept;
 
-/// By largest_slip.hpp, whatever law and rule [m/s].
+/// By largest_slip.hpp, for any law and rule [m/s].
 [[nodiscard]] double largest_slip(const EllipseGeometry& geometry,
                                   const EllipseKinematics& motion) noexcept;
 

@@ -134,7 +134,7 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
     case LubricantModel::ViscoElastic:
       break;
   }
-  constexpr double kLeastRaceSpeed = 0.1;  // m/s, for the range of a bearing that stands
+  constexpr double kLeastRaceSpeed = 0.1;  // m/s, for the range of a bearing at rest
   const double T = s.wall_temperature, speed = std::max(s.race_speed, kLeastRaceSpeed);
   ViscoElasticSurface surface;
   if (lubrication.direct_strips) {

@@ -53,7 +53,7 @@ LubricantProperty property(const Json& entry, const char* key) {
   return constant(number(entry, key));
 }
 
-/// Every constant below `json` with what is said of it.
+/// Every constant below `json` with its provenance.
 void collect(const Json& json, const std::string& path, std::vector<LubricantSource>& out) {
   if (!json.is_object()) return;
   if (json.contains("value") && json.contains("provenance")) {

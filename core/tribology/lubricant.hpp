@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The lubricants of kTrac 1 to 20 (record 10.0), from the embedded resources/lubricants.json,
-/// where every number stands with its unit and where it comes from. SI, kelvin.
+/// where every number has its unit and source. SI, kelvin.
 ///
 /// A contact has two regions. The inlet, at low pressure, makes the film: base viscosity μ0(T),
 /// α(T). The pressed middle makes the traction, by one of four models:
@@ -30,7 +30,7 @@ struct LubricantProperty {
   [[nodiscard]] double at(double temperature) const;
 };
 
-/// Where a number of a lubricant comes from.
+/// Source of a number of a lubricant.
 struct LubricantSource {
   std::string quantity;  ///< "traction.alphaT"
   double value = 0.0;
@@ -81,7 +81,7 @@ struct Lubricant {
 
 /// @throws InputError naming the codes of the table
 [[nodiscard]] const Lubricant& lubricant(int code);
-/// Λ at 40 °C of a user's lubricant without one of its own: middle of mineral oils (0.06 to 0.09
+/// Λ at 40 °C of a user's lubricant without a given value: middle of mineral oils (0.06 to 0.09
 /// between discs, Johnson & Cameron 1967 [recalled, medium]) and esters (0.03 to 0.08) [choice].
 inline constexpr double kUserLimit = 0.07;
 [[nodiscard]] Lubricant user_lubricant(const bearing::UserLubricant& given);

@@ -18,8 +18,8 @@ struct PressureRange {
 /// @throws InputError naming the codes of the table
 [[nodiscard]] const PressureRange& pressure_range(int code);
 
-/// What to say of traction and pressed viscosity at a pressure [Pa]: "beyond 1 GPa, where its
-/// measurements end, extrapolated", or that the end is not known; empty within the range.
+/// Note on traction and viscosity at a pressure [Pa]: "extrapolated beyond 1 GPa, the
+/// highest measured pressure", or that this is unknown; empty within the range.
 [[nodiscard]] std::string beyond_range(const PressureRange& range, double pressure);
 
 }  // namespace adore::tribology

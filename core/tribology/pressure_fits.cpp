@@ -25,7 +25,7 @@ void to_powers(const std::vector<double>& chebyshev, double* power) {
 }
 
 double error_of(const PressureFit& fit, const std::function<double(double)>& value, double end) {
-  constexpr int kGrid = 211;  // beside all points of the fits
+  constexpr int kGrid = 211;  // different from all points of the fits
   double largest = 0.0;
   for (int i = 0; i <= kGrid; ++i) {
     const double p = end * i / kGrid;

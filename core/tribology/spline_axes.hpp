@@ -11,7 +11,7 @@ namespace adore::tribology {
 /// Axis of a spline through `values` values from `from` to `to`, both ends among them; its
 /// coefficients are one more at each end.
 [[nodiscard]] SplineAxis spline_axis(double from, double to, std::size_t values);
-/// Where value k stands, or `beyond` steps after it.
+/// Index of value k, or `beyond` steps after it.
 [[nodiscard]] double spline_place(const SplineAxis& axis, std::size_t k, double beyond = 0.0);
 
 /// Values v[first + (k + 1) stride], k = 0 ... n - 1, become the coefficients v[first + k stride],

@@ -8,7 +8,7 @@ namespace adore::tribology {
                                           double flooded_film);
 
 /// φ = 1 - exp(-1.68005 ψ^0.8315 + 0.260137 ψ^1.558 - 0.016146 ψ^2.296), without the cut at ψ = 8
-/// of its source: it goes on to 1 smoothly. ψ <= 0: 0, a dry contact. 0 to 6 % above the integral.
+/// of its source: it approaches 1 smoothly. ψ <= 0: 0, a dry contact. 0 to 6 % above the integral.
 [[nodiscard]] double starvation_factor(double psi);
 
 /// The fit as its source has it: 1 for ψ >= 8.

@@ -11,7 +11,7 @@ namespace adore::tribology {
 
 /// Gupta, Cheng, Zhu, Forster & Schrand 1992 (recalled), the default of the suite:
 ///   φ = [1 - 13.2 (p0/E') L^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L^0.64]
-/// as it stands: falls below 0 when L > (13.2 p0/E')^(-1/0.42), some 160.
+/// without a limit: below 0 when L > (13.2 p0/E')^(-1/0.42), about 160.
 [[nodiscard]] double thermal_reduction_raw(double L, double S, double pressure_over_modulus);
 
 /// The same, not below `floor`: φ where φ > floor + w, floor where φ < floor - w, a parabola

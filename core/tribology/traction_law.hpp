@@ -33,7 +33,7 @@ class TractionLaw {
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), law_);
   }
-  /// f(RoundedLaw) of contacts without a film, of which the law needs to know nothing but
+  /// f(RoundedLaw) of contacts without a film, for which the law needs only
   /// `contact`; T double, or a vector: one contact a lane. A law with a film gives that of its
   /// metal contact.
   template <class T = double, class F>
@@ -56,8 +56,8 @@ class TractionLaw {
 
   /// κ(u), u >= 0, not rounded, for reports. @param pressure [Pa], read by laws that depend on it
   [[nodiscard]] double coefficient(double slip, double pressure = 0.0) const;
-  /// What is added to u² before the root [m²/s²]: ε², ε = kRegularisationSlip, when κ(0) ≠ 0 or
-  /// there is a film; else (1e-12 m/s)², so that κ(s)/s is finite at rest.
+  /// Addend of u² before the root [m²/s²]: ε², ε = kRegularisationSlip, when κ(0) ≠ 0 or
+  /// there is a film; otherwise (1e-12 m/s)², so that κ(s)/s is finite at rest.
   [[nodiscard]] double slip_floor() const noexcept { return floor_; }
   /// Is slip rounded?
   [[nodiscard]] bool rounded() const noexcept { return floor_ > kNoRounding; }

@@ -192,7 +192,7 @@ std::shared_ptr<const ViscoElasticSurface> surface_of(const ViscoElasticLiquid& 
   using Key = std::array<double, 10>;
   static std::mutex mutex;
   static std::map<Key, std::shared_ptr<const ViscoElasticSurface>> kept;
-  constexpr std::size_t kMost = 32;  // each thermal step has a temperature of its own
+  constexpr std::size_t kMost = 32;  // each thermal step has a different temperature
   const Key key{liquid.sinh_law ? 1.0 : 0.0,
                 liquid.viscosity,
                 liquid.alpha,

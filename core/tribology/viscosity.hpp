@@ -15,7 +15,7 @@
 #include <variant>
 
 /// Viscosity over pressure and temperature as a value: one of the laws of viscosity/, each in a
-/// file of its own. SI, kelvin, never above 1e12 Pa s (the glass).
+/// separate file. SI, kelvin, never above 1e12 Pa s (the glass).
 namespace adore::tribology {
 
 class Viscosity {

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-/// What the structures of adore_user.h hold behind their first member, said once: checks, copies
-/// and the way into another process are walks over this list.
+/// Contents of the structures of adore_user.h after their first member, in one place: checks,
+/// copies and the transfer to another process walk through this list.
 namespace adore::user {
 
 /// visit.in(pointer, count) for each array that is read, visit.out(pointer, count, columns, stride)

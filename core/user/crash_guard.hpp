@@ -2,8 +2,8 @@
 
 #include <atomic>
 
-/// Says which routine of the user was running when the process crashes: machine code of a plug-in
-/// has no other protection here (a process of its own gives one).
+/// Reports which user routine was running when the process crashes: machine code of a plug-in
+/// has no other protection here (a separate process gives one).
 namespace adore::user {
 
 /// The call under way, for the signal handler.

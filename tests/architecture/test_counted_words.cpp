@@ -78,7 +78,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "{} elements do not fit",
                                       "the file has {} lines",
                                       "it has at most {} lines",
-                                      "a table has {} lines at most",
+                                      "a table has at most {} lines",
                                       "a study has {} runs at most",
                                       "{} elements of {} mm on a pitch diameter",
                                       "an array of {} values",
@@ -89,7 +89,7 @@ TEST_CASE("sentences of the sources write no number before a plural", "[unit]") 
                                       "{} balls; there must be at least one",
                                       "{} rollers; there must be at least one",
                                       "the random variables have {} dimensions",
-                                      "the study has {:.3g} runs, and {} is the most",
+                                      "the study has {:.3g} runs, more than {}",
                                       "{} cage segments, ",
                                       "{} names none",
                                       "{} names no set"};

@@ -78,7 +78,7 @@ std::string Balls::why_invalid(const Evaluation& e) const {
   return {};
 }
 
-/// The velocity comes from the state: ẋ and ṙ of held balls stand there as zero.
+/// The velocity comes from the state, in which ẋ and ṙ of held balls are zero.
 void Balls::store(const Evaluation& e, EnergyLedger& energy) const {
   const ElementViews& b = e.elements;
   const double *x_dot = e.y + s_[Quantity::XDot].first, *r_dot = e.y + s_[Quantity::RDot].first;

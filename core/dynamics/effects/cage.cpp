@@ -30,7 +30,7 @@ constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse on the held ca
 constexpr LedgerTerm kAngularImpulse{
     LedgerKind::Work, "", "", {"angular impulse on the held cage"}, ""};
 
-/// What suppresses motions of the cage, now.
+/// Present reactions of suppressed motions of the cage.
 struct Holding {
   double power = 0.0;                                ///< [W]
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< about the base origin [N, N m]

@@ -61,7 +61,7 @@ struct FilmLand {
   tribology::JournalFilm film;
 };
 
-/// What one film does: on the journal at its centre, on the bearing the opposite at its own.
+/// Force of one film: on the journal at its center, the opposite on the bearing at its center.
 struct FilmAction {
   Vec3 force = Vec3::Zero();
   double radial = 0.0, tangential = 0.0;
@@ -70,7 +70,7 @@ struct FilmAction {
 };
 
 FilmAction act(const FilmLand& land, const BodyState& cage, const RaceBody& race) noexcept {
-  constexpr double kLeast = 1e-6;  // eccentricity below which its direction says nothing
+  constexpr double kLeast = 1e-6;  // eccentricity below which its direction has no meaning
   FilmAction out;
   out.axis = race.axis();
   out.cage_centre = cage.position + land.x * cage.to_base.col(0);
@@ -156,7 +156,7 @@ class LandFilm final : public SceneEffect {
       land.race = land.cage_inside ? 0 : 1;
       land.x = contact::land_centre(guide.edge, guide.width);
       land.film = {viscosity, 0.5 * guide.diameter - (land.cage_inside ? 0.0 : c), guide.width, c};
-      constexpr double kTightest = 0.5;  // a play of a few critical films still has one
+      constexpr double kTightest = 0.5;  // a clearance of a few critical films still has one
       land.largest = std::max(kTightest, 1.0 - films.critical_film / c);
       lands_.push_back(land);
     }
@@ -288,7 +288,7 @@ class PocketFilm final : public SceneEffect, public ElementSupport {
       stiffness += a.stiffness * m * m.transpose();
     });
   }
-  /// Squeeze also where the film opens and has none: what stands for it may be larger.
+  /// Squeeze also where the film opens and has none: its replacement may be larger.
   void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override {
     for_films(e, i, [&](const PocketFilmAction& a) {
       const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();

@@ -42,7 +42,7 @@ class FreeBody final : public BorderBody {
   [[nodiscard]] const BodyState& state(const Evaluation& e) const noexcept;
   [[nodiscard]] double kinetic_energy(const BodyState& body) const noexcept;
   void carry(const BodyState& body, Momenta& momenta) const;
-  /// Motion, orientation and turn as they stand in y.
+  /// Motion, orientation and rotation in y.
   void report(const Evaluation& e, BodySnapshot& snapshot) const;
   [[nodiscard]] double total_turn(const double* y) const noexcept { return y[s_.rotation.first]; }
   /// Force, and moment about `position`, that hold the constrained directions [N, N m].
@@ -66,7 +66,7 @@ class FreeBody final : public BorderBody {
   /// ω̇ in body axes from a moment in base axes, `omega` in body axes.
   [[nodiscard]] Vec3 free_rate(const BodyState& body, const Vec3& omega,
                                const Vec3& moment) const noexcept;
-  /// The body with its constraints, whatever they prescribe.
+  /// The body with its constraints, for any prescribed values.
   [[nodiscard]] HeldAt held(const BodyState& body) const noexcept {
     return {mass_, body.to_base * inertia_ * body.to_base.transpose(), arm(body), axes_};
   }

@@ -8,13 +8,13 @@
 #include <type_traits>
 #include <vector>
 
-/// ADRX7 of contacts that are found one after another: pockets, lands, flanges, elements among each
-/// other. A block goes through its contacts twice. The first pass notes slip and load wherever
-/// friction is wanted, and acts on nothing; the routine is asked for all of them in one call; the
-/// second pass takes the answers in the same order and acts. Both passes are the same code on the
-/// same state, so that they meet the same contacts, and the second does the arithmetic of a
-/// built-in law. A built-in law has its one pass, and nothing of this.
-/// Of these contacts a routine is told slip and load; pressure, widths, entrainment and curvature
+/// ADRX7 of contacts that are found one after another: pockets, lands, flanges, contacts between
+/// elements. A block goes through its contacts twice. The first pass stores slip and load of all
+/// contacts with friction, without forces; the routine is called once for all of them; the
+/// second pass uses the answers in the same order and adds forces. Both passes are the same code on
+/// the same state, so that they meet the same contacts, and the second has the arithmetic of a
+/// built-in law. A built-in law needs only one pass.
+/// The routine gets slip and load of these contacts; pressure, widths, entrainment and curvature
 /// are 0. Decision 431.
 namespace adore::dynamics {
 
@@ -38,7 +38,7 @@ class GatheredTraction {
     [[nodiscard]] Answering under(double) const { return *this; }
   };
 
-  /// Room for so many contacts; more are no mistake.
+  /// Room for this many contacts; more are allowed.
   void reserve(std::size_t contacts) {
     for (auto* values : {&slip_, &load_, &kappa_, &none_}) values->reserve(contacts);
   }
@@ -81,7 +81,7 @@ template <class Friction>
                                                                    double N, double square) {
   if constexpr (requires { friction.law.under(N); }) {
     return N * Friction{friction.law.under(N), friction.floor}(square);
-  } else if constexpr (kIsOfUser<Friction>) {  // one contact by itself, for reports
+  } else if constexpr (kIsOfUser<Friction>) {  // one contact, for reports
     Friction here = friction;
     here.law.contact.load = N;
     return N * here(square);
@@ -106,7 +106,7 @@ template <class Friction, class Pass>
     pass(friction);
   }
 }
-/// The same of a law as it stands; null: pass(nullptr).
+/// The same for an unchanged law; null: pass(nullptr).
 template <class Pass>
 inline void in_passes_of(GatheredTraction& asked, const tribology::TractionLaw* law,
                          const Pass& pass, int race = -1) {

@@ -8,7 +8,7 @@
 
 namespace adore::dynamics {
 
-/// Heat of one kind of contacts now: of all, an item of the ledger, and of each pocket or land.
+/// Present heat of one kind of contacts: of all, an item of the ledger, and of each pocket or land.
 struct HeatByPart {
   double sum = 0.0;          ///< [W]
   std::vector<double> part;  ///< [W]; sized before the first evaluation

@@ -9,8 +9,8 @@
 
 namespace adore::dynamics {
 
-/// Normal forces or slips of one kind of contacts as an evaluation left them, for a look
-/// (scene/look.hpp): the state that they came from may be gone by then.
+/// Normal forces or slips of one kind of contacts from the last evaluation, for a sample
+/// (scene/look.hpp): the state that they came from may have changed since.
 struct KeptValues {
   std::vector<double> at;  ///< by place [N or m/s]; sized before the first evaluation
   std::size_t row = 1;     ///< places of one pocket or element

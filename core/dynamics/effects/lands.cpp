@@ -32,7 +32,7 @@
 /// race, at the point of the race axis beside the slice, which is minus the gradient of the energy
 /// over all poses. Limit: the law is that of a full circle also near the ends of the arc.
 ///
-/// Lands with shape errors of the cage or the race have a block of their own (uneven_lands.cpp).
+/// Lands with shape errors of the cage or the race have a separate block (uneven_lands.cpp).
 namespace adore::dynamics {
 namespace {
 
@@ -43,7 +43,7 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "dissipated since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kHeat, &kLandDamping};
 
-/// Where a slice is nearest to the race.
+/// Position where a slice is nearest to the race.
 struct Nearest {
   double size = 0.0;              ///< s [m]
   Vec3 direction = Vec3::Zero();  ///< d, across the race axis
@@ -220,7 +220,7 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
   }
 }
 
-/// A slice of a round land that ADRX4 is asked for.
+/// A slice of a round land for ADRX4.
 struct UserLandTouch {
   std::size_t segment = 0, land = 0;
   Vec3 direction, acts_at, point;

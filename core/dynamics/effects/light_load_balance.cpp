@@ -24,7 +24,7 @@
 namespace adore::dynamics {
 namespace {
 
-// The kinetic energy leaves out ½m(ẋ² + ṙ²) of held elements.
+// The kinetic energy excludes ½m(ẋ² + ṙ²) of held elements.
 constexpr LedgerTerm kSwitches{LedgerKind::Switch,
                                "switches",
                                "switches of held elements",

@@ -2,9 +2,10 @@
 #include "dynamics/element_masses.hpp"
 #include "scene/ledger_terms.hpp"
 
-/// What acts from outside on balls, cage and free races together: the reactions of the prescribed
-/// races and gravity, as force and as moment about the base origin. The race sums are formed apart
-/// from the forces on the balls, so the momentum residual sees a force without its reaction.
+/// External loads on balls, cage and free races together: the reactions of the prescribed
+/// races and gravity, as force and as moment about the base origin. The race sums are formed
+/// independently of the forces on the balls, so the momentum residual detects a force without its
+/// reaction.
 namespace adore::dynamics {
 namespace {
 

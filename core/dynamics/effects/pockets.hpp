@@ -17,10 +17,10 @@
 #include <optional>
 #include <type_traits>
 
-/// Balls in the pockets of a cage or of its segments. Round pockets that are all alike, with balls
-/// that are, have a short way of their own; other shapes, halves, pockets with deviations (record
-/// 7.4) and balls of unequal diameter take the general one: the wall is that of a nominal ball, the
-/// play what the ball leaves of it. A ball in a cut pocket touches the halves of two segments,
+/// Balls in the pockets of a cage or of its segments. Identical round pockets with identical balls
+/// have a separate fast path; other shapes, halves, pockets with deviations (record
+/// 7.4) and balls of unequal diameter use the general one: the wall is that of a nominal ball, the
+/// clearance that left by the ball. A ball in a cut pocket touches the halves of two segments,
 /// which are two sets.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
@@ -52,7 +52,7 @@ class PocketSet {
   [[nodiscard]] std::size_t size() const noexcept { return qx_.size(); }
   /// The element in pocket i: the same number, but for the last halves of segments.
   [[nodiscard]] std::size_t element(std::size_t i) const noexcept { return element_[i]; }
-  /// Of the ball in pocket i; of round pockets that are alike one for all.
+  /// For the ball in pocket i; identical round pockets have one for all.
   [[nodiscard]] double ball_radius(std::size_t i) const noexcept {
     return shaped() ? 0.5 * shaped_[i].pocket.ball_diameter : ball_radius_;
   }
@@ -84,7 +84,7 @@ class PocketSet {
   /// Force, gap and angles of every surface of pocket i; call locate() first.
   [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i) const;
 
-  // Of round pockets that are all alike.
+  // For identical round pockets.
   [[nodiscard]] bool inside(std::size_t i) const noexcept {
     const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
     return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ &&
@@ -181,7 +181,7 @@ template <class Friction>
   return a;
 }
 
-/// One contact that ADRX3 is asked for, of a pocket of a set.
+/// One contact for ADRX3, of a pocket of a set.
 struct UserPocketTouch {
   std::size_t pocket, surface;
   PocketAction action;

@@ -5,12 +5,12 @@
 
 #include <optional>
 
-/// Mode 2: the inner race stands in force balance along the directions whose load is given
+/// Mode 2: the inner race is in force balance along the directions whose load is given
 /// (balanced_race.hpp), whose turning share (9.3A) turns as a load; the others follow their laws of
-/// the time (9.3B). A load of routine ADRX1 of the user is added to it (user_motion.hpp). Its
-/// centre is state, in the border of the arrow; its speed and tilt stay prescribed. What it does to
-/// the elements is the work of the inner race in the ledger: the load's work, less what goes with
-/// its way to balance. Who forms its velocity: held_elements.hpp.
+/// time (9.3B). A load of user routine ADRX1 is added to it (user_motion.hpp). Its
+/// center is state, in the border of the arrow; its speed and tilt stay prescribed. Its work on
+/// the elements is the work of the inner race in the ledger: the load's work, minus the energy of
+/// its motion to the balance. Its velocity: held_elements.hpp.
 namespace adore::dynamics {
 
 class RaceBalance final : public SceneEffect, public BorderBody {

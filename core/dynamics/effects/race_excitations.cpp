@@ -7,9 +7,10 @@
 #include <limits>
 #include <numbers>
 
-/// Races that move by laws of the time beside their spin (records 9.3 and 9.4, excitations.hpp):
-/// each adds to the motion that the race has already, so that laws of several records act together.
-/// Held directions of a free race follow the same laws by their accelerations (free_races.cpp).
+/// Races that move by laws of time in addition to their spin (records 9.3 and 9.4,
+/// excitations.hpp): each adds to the present motion of the race, so that laws of several records
+/// act together. Held directions of a free race follow the same laws by their accelerations
+/// (free_races.cpp).
 namespace adore::dynamics {
 namespace {
 

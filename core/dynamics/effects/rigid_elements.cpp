@@ -15,8 +15,8 @@
 namespace adore::dynamics {
 namespace {
 
-/// Part of a roller's axis along the bearing below which its contacts are not known
-/// (contact/roller_race.hpp): it lies across.
+/// Component of a roller's axis along the bearing below which its contacts are undefined
+/// (contact/roller_race.hpp): it is across the bearing.
 constexpr double kLeastAlong = 0.1;
 
 bool lies_across(const Mat3& attitude) noexcept { return !(attitude(0, 0) > kLeastAlong); }
@@ -157,7 +157,7 @@ Vec3 RigidElements::angular_momentum(const Evaluation& e, std::size_t i) const n
   return B * (masses_[i].inertia * (B.transpose() * e.element_omega(i)));
 }
 
-/// From the state: ẋ and ṙ of held elements stand there as zero.
+/// From the state, in which ẋ and ṙ of held elements are zero.
 Vec3 RigidElements::carried_velocity(const Evaluation& e, std::size_t i) const noexcept {
   return e.to_base(i, e.y[s_.at(Quantity::XDot, i)], e.y[s_.at(Quantity::RDot, i)],
                    e.elements.r[i] * e.elements.theta_dot[i]);

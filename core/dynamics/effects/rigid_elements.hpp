@@ -3,20 +3,20 @@
 #include "dynamics/effect.hpp"
 #include "dynamics/element_masses.hpp"
 
-/// Rolling elements as rigid bodies with any inertia: rollers, and balls of unequal moments or off
-/// centre (record 6.1). Reference point P in (x, r, θ) as for balls (balls.hpp), attitude as a
-/// quaternion body -> base, ω absolute on the azimuth axes. The mass centre G is at the arm c from
-/// P (element_masses.hpp). Euler about G with the tensor I of the body, B = body -> azimuth axes, F
-/// and M about P what acts on the element:
+/// Rolling elements as rigid bodies with any inertia: rollers, and balls of unequal moments or
+/// eccentric mass (record 6.1). Reference point P in (x, r, θ) as for balls (balls.hpp), attitude
+/// as a quaternion body -> base, ω absolute on the azimuth axes. The mass centre G is at the arm c
+/// from P (element_masses.hpp). Euler about G with the tensor I of the body, B = body -> azimuth
+/// axes, F and M about P what acts on the element:
 ///   ω̇ = B I⁻¹ (Bᵀ M - c × Bᵀ F - ω_b × I ω_b),  ω_b = Bᵀ ω;   rates of the components on e_x, e_r,
 ///   e_θ: ω̇ - θ̇ e_x × ω
 ///   a_P = F/m - B (ω̇_b × c + ω_b × (ω_b × c))
 /// The whole is free, so that neither needs a system of equations.
 /// Blocks and effects read the attitudes from Evaluation::attitude. Not valid when an element is on
-/// the axis, or a roller lies across the bearing.
+/// the axis, or a roller is across the bearing.
 namespace adore::dynamics {
 
-/// Where an element stands at the start.
+/// Start position of an element.
 struct ElementPose {
   double azimuth = 0.0, x = 0.0, r = 0.0;  ///< of the reference point [rad, m, m]
   double theta_dot = 0.0;                  ///< [rad/s]

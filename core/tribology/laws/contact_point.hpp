@@ -1,7 +1,7 @@
 #pragma once
 
-/// What a traction law may know of a contact when it is asked for its functor. SI. T is double or a
-/// vector of doubles, one contact a lane; values that nobody reads cost nothing.
+/// Input of a traction law for one contact, from which it makes its functor. SI. T is double or a
+/// vector of doubles, one contact a lane; unused values cost nothing.
 ///
 /// A law is a value type with
 ///   template <class T> auto at(const ContactPoint<T>&) const;   per contact, once
@@ -29,7 +29,7 @@ struct ContactPoint {
   T curvature{};    ///< 1/R of both bodies along rolling [1/m]; 0: that of the law
 };
 
-/// Has the law a film? Then strips along rolling can be asked for (film_law_of.hpp).
+/// Does the law have a film? Then strips along rolling are available (film_law_of.hpp).
 template <class Law>
 inline constexpr bool kHasFilm = requires(const Law& law) {
   law.film;

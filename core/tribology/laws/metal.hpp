@@ -5,8 +5,8 @@
 
 namespace adore::tribology {
 
-/// The curve of record 10.1 under a film, in either form: asked for only where the film breaks
-/// down, so that it need not be a type of its own.
+/// The curve of record 10.1 under a film, in either form: used only where the film breaks
+/// down, so that it need not be a separate type.
 struct MetalLaw {
   bool slopes = true;
   TwoSlopeLaw two_slope;

@@ -36,7 +36,7 @@ struct SplineAxis {
     using M = ScalarMath<T>;
     const T last = static_cast<double>(knots - 3);  // cells
     const T steps = (x - from) * inverse_step;
-    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), last);  // what is no number: the first
+    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), last);  // NaN: the first
     Place<T> out;
     out.cell = ScalarLanes<T>::floor(M::min(s, last - 1e-9));
     weights(s - out.cell, out.weight);

@@ -7,7 +7,7 @@
 /// the race kernels see it.
 namespace adore::tribology {
 
-/// The five kinds of contact that have a traction law of their own.
+/// The five kinds of contact with separate traction laws.
 enum class TractionKind : unsigned char {
   ElementRace,
   ElementCage,
@@ -16,7 +16,7 @@ enum class TractionKind : unsigned char {
   ElementElement
 };
 
-/// What a routine is asked: contacts side by side, point k of contact i at [k * stride + i]. SI;
+/// Input of a routine: contacts in parallel, point k of contact i at [k * stride + i]. SI;
 /// members as in user/adore_user.h.
 struct TractionPoints {
   int kind = 0, race = -1;

@@ -39,7 +39,7 @@ struct ViscoElasticLiquid {
 /// chords.
 struct ViscoElasticFilm {
   const double* saturation = nullptr;   ///< S: [transit][pressure][slip]
-  const double* corner = nullptr;       ///< ln γ_r: [transit][pressure], axes of its own
+  const double* corner = nullptr;       ///< ln γ_r: [transit][pressure], separate axes
   double stress = 0.0, stress_p = 0.0;  ///< κ_s = stress_p + 4/π stress/p
   /// Both for single precision: 16 powers of each cell over pressure and slip, of all transits
   /// one behind the other; over transit and pressure of the corner (base/single.hpp).

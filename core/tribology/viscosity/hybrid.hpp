@@ -10,7 +10,7 @@ namespace adore::tribology {
 /// Hybrid of McEwen and Paluch (Bair 2015, form recalled):
 ///   μ = A exp(B/(T - T∞)) (1 + a1 p/q)^q exp(CF p/(p∞ - p)),
 ///   a1(T) = a1 exp(-aT (T - TR)),  p∞(T) = p∞ + p∞' (T - TR).
-/// Above 0.9 p∞ ln μ goes on with the slope that it has there [choice]. SI, kelvin; T > T∞.
+/// Above 0.9 p∞ ln μ continues with its slope there [choice]. SI, kelvin; T > T∞.
 struct HybridViscosity {
   double A = 0.0, B = 0.0, Tinf = 0.0, a1 = 0.0, q = 1.0, CF = 0.0, pInf = 0.0, aT = 0.0,
          pInfT = 0.0, TR = 0.0;

@@ -7,13 +7,13 @@
 
 using adore::excerpt;
 
-TEST_CASE("a message quotes a short value whole and the start of a long one", "[unit][base]") {
+TEST_CASE("excerpt(): short value → quoted whole, long one → its start", "[unit][base]") {
   CHECK(excerpt("12.7 mm") == "12.7 mm");
   CHECK(excerpt(std::string(200, 'x')) == std::string(200, 'x'));
   CHECK(excerpt(std::string(1'000'000, 'x')) == std::string(80, 'x') + "… (1000000 bytes)");
 }
 
-TEST_CASE("an excerpt never cuts a character in two", "[unit][base]") {
+TEST_CASE("excerpt(): any length → characters are never cut", "[unit][base]") {
   for (int before = 0; before < 4; ++before) {
     std::string text(static_cast<std::size_t>(77 + before), 'x');
     const std::size_t start = text.size();
@@ -27,7 +27,7 @@ TEST_CASE("an excerpt never cuts a character in two", "[unit][base]") {
   }
 }
 
-TEST_CASE("an issue with a value of a megabyte has a text that a window can show", "[unit][base]") {
+TEST_CASE("issue: value of a megabyte → text that a window can show", "[unit][base]") {
   adore::Issue issue;
   issue.record = "3.1";
   issue.variable = "nRe";

@@ -31,7 +31,7 @@ std::string nested(int levels) {
 
 }  // namespace
 
-TEST_CASE("JSON is read to 64 levels and no deeper, as array and as object", "[unit][json]") {
+TEST_CASE("JSON: 64 levels of arrays and objects → read, deeper → error", "[unit][json]") {
   CHECK(refusal(nested(kMaxNesting)) == "no error");
   CHECK_THAT(refusal(nested(kMaxNesting + 1)),
              Contains("IN.json is not valid JSON") && Contains("more than 64 levels"));
@@ -42,7 +42,7 @@ TEST_CASE("JSON is read to 64 levels and no deeper, as array and as object", "[u
   CHECK_THAT(refusal(objects), Contains("64 levels"));
 }
 
-TEST_CASE("what is no JSON is refused in one bounded printable line", "[unit][json]") {
+TEST_CASE("JSON: invalid text → one bounded printable line", "[unit][json]") {
   for (const std::string& text :
        {std::string("{ \"a\": "), std::string("nope"), std::string(), std::string("{\"a\": 1e999}"),
         "\"" + std::string(100000, '\xff'), std::string("\x1b[2J"), std::string("{\"a\": 1,}")}) {
@@ -53,7 +53,7 @@ TEST_CASE("what is no JSON is refused in one bounded printable line", "[unit][js
   }
 }
 
-TEST_CASE("foreign JSON is parsed in one place", "[unit][json]") {
+TEST_CASE("JSON: foreign files → parsed in one place", "[unit][json]") {
   // Tables that the program carries, and an option's value, are no foreign files.
   const std::set<std::string> own{"core/base/json_text.hpp",
                                   "core/base/validity.cpp",

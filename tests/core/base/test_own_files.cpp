@@ -11,8 +11,7 @@
 
 using namespace adore;
 
-TEST_CASE("files are told apart by how they begin, and own ones by our name and version",
-          "[unit]") {
+TEST_CASE("own_files: first bytes → type of the file; name and version → own file", "[unit]") {
   struct Case {
     std::string bytes;
     FileSort sort;

@@ -23,7 +23,7 @@ void check_ranges(const Vec3& angles) {
 
 }  // namespace
 
-TEST_CASE("angles turn by eta about X, then by xi about y', then by lambda about z''",
+TEST_CASE("rotation angles: eta about X, then xi about y', then lambda about z''",
           "[unit][rotation]") {
   // Each turn moves the axes that the ones before it have left.
   const Vec3 angles(0.4, -0.7, 1.1);
@@ -34,8 +34,7 @@ TEST_CASE("angles turn by eta about X, then by xi about y', then by lambda about
   CHECK((rotation_matrix(q).transpose() - passive_matrix(angles)).norm() < 1e-14);
 }
 
-TEST_CASE("angles give every attitude back, through all singular ones and beside them",
-          "[unit][rotation]") {
+TEST_CASE("rotation angles: every attitude, also singular ones → reproduced", "[unit][rotation]") {
   const int parts = 24;  // of a turn: quarter and half turns among them
   for (int i = -parts; i <= parts; ++i)
     for (int k = -parts; k <= parts; ++k)
@@ -68,7 +67,8 @@ TEST_CASE("angles give every attitude back, through all singular ones and beside
         }
 }
 
-TEST_CASE("a quaternion of any length or sign has the angles of its attitude", "[unit][rotation]") {
+TEST_CASE("rotation angles: quaternion of any length or sign → those of its attitude",
+          "[unit][rotation]") {
   const Vec3 angles(2.0, -0.3, -1.2);
   const Quat q = quaternion_from_angles(angles);
   for (const double factor : {-1.0, 0.5, 1.0 + 1e-6, -3.0})
@@ -77,13 +77,13 @@ TEST_CASE("a quaternion of any length or sign has the angles of its attitude", "
               .norm() < 1e-14);
 }
 
-TEST_CASE("the identity and half turns have angles without a negative zero", "[unit][rotation]") {
+TEST_CASE("rotation angles: identity and half rotations → no negative zero", "[unit][rotation]") {
   const Vec3 none = angles_from_quaternion({1, 0, 0, 0});
   for (const double angle : none) CHECK_FALSE(std::signbit(angle));
   CHECK(angles_from_quaternion({0, 1, 0, 0})[0] == Approx(kPi));  // half a turn about X
 }
 
-TEST_CASE("the tilt of an axis turns X into it, along Y too", "[unit][rotation]") {
+TEST_CASE("tilt of an axis: X is rotated into it, also along Y", "[unit][rotation]") {
   const int parts = 16;
   for (int i = -parts; i <= parts; ++i)
     for (int k = -parts; k <= parts; ++k)

@@ -56,7 +56,7 @@ TEST_CASE("single precision: functions are right to a few 1e-7 over the range of
   CHECK(largest_error(1e-15, 1e15, asinh, [](double x) { return std::asinh(x); }) < 1e-6);
 }
 
-TEST_CASE("single precision: two vectors of doubles are packed and come back in their order",
+TEST_CASE("single precision: two vectors of doubles → packed and unpacked in order",
           "[unit][simd]") {
   const V a([](auto i) { return 1.0 + static_cast<double>(i); });
   const V b([](auto i) { return -0.5 - static_cast<double>(i); });

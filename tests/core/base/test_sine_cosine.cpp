@@ -32,8 +32,7 @@ double worst_error(const std::vector<double>& angles) {
 
 }  // namespace
 
-TEST_CASE("sines and cosines agree with the standard library to two units in the last place",
-          "[unit]") {
+TEST_CASE("sine_cosine(): within two units in the last place of the standard library", "[unit]") {
   std::mt19937_64 dice(7);
   for (const double range : {1e-3, 1.0, 10.0, 1e4, 0.999e6}) {
     std::uniform_real_distribution<double> angle(-range, range);
@@ -44,7 +43,7 @@ TEST_CASE("sines and cosines agree with the standard library to two units in the
   }
 }
 
-TEST_CASE("sines and cosines at and beside every quarter turn", "[unit]") {
+TEST_CASE("sine_cosine(): multiples of 90° and their neighbors", "[unit]") {
   std::vector<double> angles;
   for (int k = -40; k <= 40; ++k) {
     const double quarter = k * 0.5 * std::numbers::pi;
@@ -55,8 +54,7 @@ TEST_CASE("sines and cosines at and beside every quarter turn", "[unit]") {
   CHECK(worst_error(angles) <= 2.0);
 }
 
-TEST_CASE("sines and cosines of huge angles are the standard library's, and none is lost",
-          "[unit]") {
+TEST_CASE("sine_cosine(): huge angles → values of the standard library", "[unit]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double angles[4] = {1.0, 3e9, nan, -2.0};
   double sine[4], cosine[4];

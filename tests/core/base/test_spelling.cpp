@@ -4,7 +4,7 @@
 
 using adore::edit_distance;
 
-TEST_CASE("letters put in, left out, replaced or swapped count one each", "[unit][base]") {
+TEST_CASE("edit_distance(): inserted, missing, replaced or swapped letter → 1", "[unit][base]") {
   CHECK(edit_distance("plot", "PLOT") == 0);
   CHECK(edit_distance("", "plot") == 4);
   CHECK(edit_distance("plot", "") == 4);

@@ -23,14 +23,14 @@ void check_size() {
 
 }  // namespace
 
-TEST_CASE("eigenvectors of symmetric matrices are orthonormal and solve the problem",
+TEST_CASE("symmetric_eigen(): symmetric matrix → orthonormal eigenvectors that solve the problem",
           "[unit][base]") {
   check_size<2>();
   check_size<3>();
   check_size<5>();
 }
 
-TEST_CASE("a matrix that is not finite has no eigenvalues", "[unit][base]") {
+TEST_CASE("symmetric_eigen(): matrix that is not finite → no eigenvalues", "[unit][base]") {
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
   A(1, 1) = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(adore::symmetric_eigen<3>(A).values.allFinite());

@@ -40,8 +40,7 @@ std::size_t count_files(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("an atomic write creates and replaces a file and leaves nothing else behind",
-          "[unit][base]") {
+TEST_CASE("atomic write: file created or replaced, no other files left", "[unit][base]") {
   const Folder folder;
   const fs::path file = folder.path / "deck.txt";
   adore::write_file_atomically(file, "first");
@@ -54,8 +53,7 @@ TEST_CASE("an atomic write creates and replaces a file and leaves nothing else b
   CHECK(count_files(folder.path) == 1);
 }
 
-TEST_CASE("an atomic write takes pieces, and replaces nothing when their source fails",
-          "[unit][base]") {
+TEST_CASE("atomic write: source of the pieces fails → file unchanged", "[unit][base]") {
   const Folder folder;
   const fs::path file = folder.path / "table.csv";
   adore::write_file_atomically(file, [](const adore::TextSink& write) {
@@ -95,7 +93,7 @@ std::string refusal(const std::function<void()>& action) {
 
 }  // namespace
 
-TEST_CASE("WriteFolder: the named folder may be a link, nothing below it is followed",
+TEST_CASE("WriteFolder: the named folder may be a link; links below it are not followed",
           "[unit][base]") {
   const Folder folder;
   const fs::path real = folder.path / "real", victim = folder.path / "victim";
@@ -207,8 +205,7 @@ TEST_CASE("terminal_text(): control characters → visible, letters and line end
     CHECK(terminal_text(kept) == kept);
 }
 
-TEST_CASE("an atomic write that cannot succeed says which path, why and what to do",
-          "[unit][base]") {
+TEST_CASE("atomic write: failure → message with path, reason and remedy", "[unit][base]") {
   const Folder folder;
   const auto message = [](const fs::path& path) -> std::string {
     try {
@@ -233,7 +230,7 @@ TEST_CASE("an atomic write that cannot succeed says which path, why and what to 
   CHECK(content_of(kept) == "master");
 }
 
-TEST_CASE("a kept copy replaces no earlier copy, and the same text is kept once", "[unit][base]") {
+TEST_CASE("kept copy: earlier copies are never replaced, equal text is kept once", "[unit][base]") {
   const Folder folder;
   const fs::path file = folder.path / "DATA.txt";
   CHECK(adore::keep_copy(file, "first") == folder.path / "DATA.txt.bak");

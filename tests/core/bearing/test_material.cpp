@@ -8,7 +8,7 @@
 
 using namespace adore::bearing;
 
-TEST_CASE("code 0 is 52100 for races and elements and mild steel for the rest",
+TEST_CASE("material code 0: 52100 for races and elements, mild steel for other parts",
           "[unit][material]") {
   for (const Part part : {Part::RollingElement, Part::OuterRace, Part::InnerRace}) {
     const Material steel = material_from_table(0, part);
@@ -27,7 +27,8 @@ TEST_CASE("code 0 is 52100 for races and elements and mild steel for the rest",
   }
 }
 
-TEST_CASE("every material of the table is physically sensible", "[unit][material]") {
+TEST_CASE("materials: every material of the table → physically possible values",
+          "[unit][material]") {
   const std::vector<int> codes = material_codes();
   CHECK(codes.size() == 32);
   CHECK(std::is_sorted(codes.begin(), codes.end()));
@@ -49,7 +50,7 @@ TEST_CASE("every material of the table is physically sensible", "[unit][material
   }
 }
 
-TEST_CASE("an unknown material code is refused with the valid ones", "[unit][material]") {
+TEST_CASE("material code: unknown → error with the valid ones", "[unit][material]") {
   for (const int code : {1, 2, 99, 164, -5}) {
     CAPTURE(code);
     try {
@@ -62,7 +63,7 @@ TEST_CASE("an unknown material code is refused with the valid ones", "[unit][mat
   }
 }
 
-TEST_CASE("Rockwell C becomes an indentation pressure by the table", "[unit][material]") {
+TEST_CASE("hardness: Rockwell C → indentation pressure by the table", "[unit][material]") {
   constexpr double kVickers = 9.80665e6;
   CHECK(hardness_from_hrc(60.0) == Approx(697.0 * kVickers).epsilon(1e-14));  // a table point
   CHECK(hardness_from_hrc(20.0) == Approx(238.0 * kVickers).epsilon(1e-14));  // first point
@@ -77,7 +78,7 @@ TEST_CASE("Rockwell C becomes an indentation pressure by the table", "[unit][mat
   CHECK_THROWS_AS(hardness_from_hrc(-60.0), adore::InputError);
 }
 
-TEST_CASE("the contact modulus adds the compliances of both bodies", "[unit][material]") {
+TEST_CASE("contact modulus: compliances of both bodies are added", "[unit][material]") {
   const Material steel = material_from_table(100, Part::InnerRace);
   const Material ceramic = material_from_table(150, Part::RollingElement);
   // Equal bodies: E / (2 (1 - nu^2)).

@@ -9,7 +9,7 @@
 
 using namespace adore::bearing;
 
-TEST_CASE("kPocType survives the way through a cage and back", "[unit][bearing]") {
+TEST_CASE("kPocType: converted to a cage and back → unchanged", "[unit][bearing]") {
   for (int code = 0; code <= 4; ++code) {
     Cage cage;
     cage.pocket = pocket_shape(code, false);
@@ -26,7 +26,7 @@ TEST_CASE("kPocType survives the way through a cage and back", "[unit][bearing]"
   }
 }
 
-TEST_CASE("pocket codes and names that mean nothing are told apart", "[unit][bearing]") {
+TEST_CASE("pocket codes and names: invalid ones are distinguished", "[unit][bearing]") {
   for (const int code : {-2, -1, 5, 100})
     CHECK(pocket_shape(code, false) == PocketShape::Cylindrical);
   std::set<std::string_view> names;

@@ -365,7 +365,7 @@ TEST_CASE("calculator schema: codes of tables are those of the tables", "[unit][
   CHECK(codes(*schema_of("life_iso281"), "code") == classes);
 }
 
-TEST_CASE("cases handed out: texts, quotes and equivalent loads of the calculators",
+TEST_CASE("reference cases: texts, quotes and equivalent loads of the calculators",
           "[unit][calc]") {
   const auto run = [](const char* calculator, const char* text) {
     return calculate(calculator, Json::parse(text));

@@ -53,7 +53,7 @@ std::vector<std::string> without_unit(Json result) {
 
 }  // namespace
 
-TEST_CASE("every number of every calculator takes any value: results with units, or a sentence",
+TEST_CASE("calculators: any value of any number → results with units, or an error message",
           "[unit][calc]") {
   int refused = 0, computed = 0;
   for (const CalculatorInfo& info : calculator_list()) {
@@ -91,7 +91,7 @@ TEST_CASE("every number of every calculator takes any value: results with units,
   CHECK(computed > 200);
 }
 
-TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
+TEST_CASE("calculator adapters: every integer is read with its range", "[unit][calc]") {
   int seen = 0;
   for (const char* folder : {"core/calculators", "core/reference"})
     for (const auto& entry :
@@ -107,7 +107,7 @@ TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
   CHECK(seen > 20);
 }
 
-TEST_CASE("calc iso281 says at which contact angle it takes its equivalent load", "[unit][calc]") {
+TEST_CASE("calc iso281: output names the contact angle of the equivalent load", "[unit][calc]") {
   for (const double degrees : {0.0, 5.0, 10.0, 14.99, 15.0, 25.0}) {
     const Json out = Json::parse(calculate("iso281", {{"bearing", "radial_ball"},
                                                       {"Dw", 12.7},

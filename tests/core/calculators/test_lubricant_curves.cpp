@@ -22,7 +22,7 @@ bool is_slow(int code) {
 
 }  // namespace
 
-TEST_CASE("traction of every lubricant is odd in slip, nothing at none, and falls with temperature",
+TEST_CASE("traction of lubricants: odd in slip, 0 at zero slip, decreasing with temperature",
           "[physics][film]") {
   const std::vector<double> slips{0.0, 0.01, 0.1, 1.0, -0.01, -0.1, -1.0};
   for (const int code : tribology::lubricant_codes()) {
@@ -48,7 +48,7 @@ TEST_CASE("traction of every lubricant is odd in slip, nothing at none, and fall
   }
 }
 
-TEST_CASE("the isothermal film grows with speed; cold, cryogenic and 4 GPa give numbers",
+TEST_CASE("film: increases with speed; cold, cryogenic and 4 GPa → finite numbers",
           "[physics][film]") {
   for (const int code : tribology::lubricant_codes()) {
     CAPTURE(code);
@@ -79,8 +79,7 @@ TEST_CASE("the isothermal film grows with speed; cold, cryogenic and 4 GPa give 
   }
 }
 
-TEST_CASE("calc traction gives film, lambda and traction, and refuses what is no contact",
-          "[unit][film]") {
+TEST_CASE("calc traction: film, lambda and traction; impossible contact → error", "[unit][film]") {
   const nlohmann::json in{{"kTrac", 4}, {"T", 360.0}, {"slip", {0.1, -0.1}}};
   const nlohmann::json out = calculators::calculate("traction", in);
   CHECK(out.at("kappa").size() == 2);
@@ -93,7 +92,7 @@ TEST_CASE("calc traction gives film, lambda and traction, and refuses what is no
     CHECK_THROWS_AS(calculators::calculate("traction", bad), InputError);
 }
 
-TEST_CASE("the charts of a lubricant have a curve each for four pressures and three temperatures",
+TEST_CASE("charts of a lubricant: one curve for each of four pressures and three temperatures",
           "[unit][film]") {
   LubricantContact c;
   c.code = 4;

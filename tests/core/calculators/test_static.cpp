@@ -88,9 +88,8 @@ double worst_ratio(const Json& tolerance, const std::string& key, const Json& ex
 
 }  // namespace
 
-TEST_CASE(
-    "every reference case of Hertz contact, ball statics, kinematics and published values holds",
-    "[validation][statics]") {
+TEST_CASE("reference cases: Hertz contact, ball statics, kinematics and published values",
+          "[validation][statics]") {
   int gated = 0;
   for (const auto& adapter : adore::calculators::static_adapters()) {
     const std::string file = adore::test::source_dir().string() + "/tests/reference/" +
@@ -116,7 +115,7 @@ TEST_CASE(
   CHECK(gated == 61);  // 20 A, 23 C, 7 E and the 11 published ones that were seen
 }
 
-TEST_CASE("inputs that the adapters do not know are not covered", "[validation][statics]") {
+TEST_CASE("adapters: unknown inputs → not covered", "[validation][statics]") {
   for (const auto& adapter : adore::calculators::static_adapters()) {
     CHECK_FALSE(
         adapter.run(Json{{"kind", "something_else"}, {"inputs", Json::object()}}).has_value());

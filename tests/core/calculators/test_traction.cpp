@@ -78,7 +78,7 @@ TEST_CASE("reference: traction curves in their four prescriptions", "[validation
   check_family("tribology_hypotheticalTraction", 13);
 }
 
-TEST_CASE("reference: refused traction curves say why", "[validation]") {
+TEST_CASE("reference: invalid traction curves → error with reason", "[validation]") {
   const Adapter adapter = adapter_of("tribology_hypotheticalTraction");
   const Json result =
       adapter.run({{"inputs", {{"type", 1}, {"tc", {0.0, 0.04, 0.05, 0.1}}, {"slip", {0.1}}}}})
@@ -90,7 +90,7 @@ TEST_CASE("reference: traction over Hertz ellipses and strips", "[validation]") 
   check_family("tribology_hertzTraction", 23);
 }
 
-TEST_CASE("reference: unknown traction laws are not covered", "[validation]") {
+TEST_CASE("reference: unknown traction laws → not covered", "[validation]") {
   Json one = read_family("tribology_hertzTraction").at("cases").at(0);
   one["inputs"]["law"]["kind"] = "yasutomi";
   CHECK_FALSE(adapter_of("tribology_hertzTraction").run(one).has_value());

@@ -23,7 +23,7 @@ const Difference* find(const std::vector<Difference>& list, const std::string& v
 
 }  // namespace
 
-TEST_CASE("equal decks do not differ, whatever their files are called", "[unit][deck]") {
+TEST_CASE("difference: equal decks with different file names → none", "[unit][deck]") {
   for (const TemplateInfo& info : templates()) {
     Deck other = new_deck(info.name);
     other.file = "elsewhere.txt";
@@ -31,7 +31,7 @@ TEST_CASE("equal decks do not differ, whatever their files are called", "[unit][
   }
 }
 
-TEST_CASE("differences are said in words: numbers, codes, texts, array elements", "[unit][deck]") {
+TEST_CASE("difference: numbers, codes, texts, array elements → sentences", "[unit][deck]") {
   const Deck left = new_deck("ball");
   Deck right = left;
   right.set("pitchDia", "0.0606");
@@ -60,7 +60,7 @@ TEST_CASE("differences are said in words: numbers, codes, texts, array elements"
   CHECK(differences(right, left).size() == list.size());
 }
 
-TEST_CASE("a record that only one deck has is one difference", "[unit][deck]") {
+TEST_CASE("difference: record in only one deck → one difference", "[unit][deck]") {
   const Deck left = new_deck("ball");
   Deck right = left;
   right.set("nCseg", "0");
@@ -76,7 +76,7 @@ TEST_CASE("a record that only one deck has is one difference", "[unit][deck]") {
   CHECK(find(list, "nCseg")->sentence == "nCseg: 1 (one-piece cage) here, 0 (no cage) there");
 }
 
-TEST_CASE("decks in different units are compared as quantities", "[unit][deck]") {
+TEST_CASE("difference: decks in different units → compared as quantities", "[unit][deck]") {
   const Deck left = new_deck("ball");
   Deck right = in_units(left, UnitSystem::English);
   CHECK(right.real("pitchDia") != left.real("pitchDia"));
@@ -90,7 +90,8 @@ TEST_CASE("decks in different units are compared as quantities", "[unit][deck]")
         "pitchDia: 0.06 m here, 2.4 in there, which is 0.06096 m (1.6 % more)");
 }
 
-TEST_CASE("converting units keeps the quantities and leads back to an equal deck", "[unit][deck]") {
+TEST_CASE("unit change: quantities are kept, and changing back gives an equal deck",
+          "[unit][deck]") {
   for (const TemplateInfo& info : templates()) {
     INFO(info.name);
     // The English example holds all digits of converted numbers, which nobody types.
@@ -116,7 +117,8 @@ TEST_CASE("converting units keeps the quantities and leads back to an equal deck
   }
 }
 
-TEST_CASE("numbers of up to fifteen digits survive a conversion there and back", "[unit][deck]") {
+TEST_CASE("unit change: numbers of up to fifteen digits → reproduced after changing back",
+          "[unit][deck]") {
   std::mt19937_64 random(7);
   const UnitPair pairs[] = {unit::kLength, unit::kInertia,     unit::kStress,     unit::kDensity,
                             unit::kForce,  unit::kTemperature, unit::kConvection, unit::kViscosity};

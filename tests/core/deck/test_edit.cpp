@@ -28,7 +28,7 @@ std::string failure(Deck deck, std::string_view name, std::string_view value) {
 
 }  // namespace
 
-TEST_CASE("set changes one value, by name, element or instance", "[unit][deck]") {
+TEST_CASE("set(): changes one value by name, element or instance", "[unit][deck]") {
   Deck deck = new_deck("ball");
   deck.set("pitchDia", "0.061");
   CHECK(deck.real("pitchDia") == 0.061);
@@ -50,7 +50,7 @@ TEST_CASE("set changes one value, by name, element or instance", "[unit][deck]")
   CHECK(deck.text("runID") == "it's quoted");
 }
 
-TEST_CASE("set and complete bring in the records that a changed option needs", "[unit][deck]") {
+TEST_CASE("set() and complete(): add the records that a changed option needs", "[unit][deck]") {
   Deck deck = new_deck("ball");
   deck.set("kDCR", "1");
   CHECK_FALSE(deck.has_record("2.2"));
@@ -87,7 +87,7 @@ TEST_CASE("set and complete bring in the records that a changed option needs", "
   CHECK(monitored.integer("kPltElemInd", 2) == 5);
 }
 
-TEST_CASE("completing a complete deck changes nothing", "[unit][deck]") {
+TEST_CASE("complete(): complete deck → unchanged", "[unit][deck]") {
   for (const TemplateInfo& info : templates()) {
     Deck deck = new_deck(info.name);
     deck.complete();
@@ -95,7 +95,7 @@ TEST_CASE("completing a complete deck changes nothing", "[unit][deck]") {
   }
 }
 
-TEST_CASE("set refuses what it cannot do and says what would be possible", "[unit][deck]") {
+TEST_CASE("set(): impossible change → error with the possible ones", "[unit][deck]") {
   const Deck deck = new_deck("ball");
   CHECK_THAT(failure(deck, "pichDia", "0.06"), Catch::Contains("did you mean pitchDia"));
   CHECK_THAT(failure(deck, "xyzzyplugh", "1"), Catch::Contains("adore schema"));
@@ -118,13 +118,13 @@ TEST_CASE("set refuses what it cannot do and says what would be possible", "[uni
   CHECK_THAT(failure(deck, "runID", "two\nlines"), Catch::Contains("one line"));
 }
 
-TEST_CASE("a value that is refused leaves no new record behind", "[unit][deck]") {
+TEST_CASE("set(): rejected value → no new record", "[unit][deck]") {
   Deck deck = new_deck("ball");
   deck.set("kDCR", "1");
   CHECK_THAT(failure(deck, "kFD11", "x"), Catch::Contains("is not an integer"));
 }
 
-TEST_CASE("values come in deck units and in SI", "[unit][deck]") {
+TEST_CASE("set(): values in deck units and in SI", "[unit][deck]") {
   const Deck si = new_deck("ball");
   const Deck english = new_deck("ball-english");
   CHECK(english.units() == UnitSystem::English);
@@ -150,7 +150,7 @@ TEST_CASE("values come in deck units and in SI", "[unit][deck]") {
     }
 }
 
-TEST_CASE("a count in a length field is no length", "[unit][deck]") {
+TEST_CASE("reader: a count in a length field → error", "[unit][deck]") {
   Deck deck = new_deck("ball-english");
   deck.set("kCageGsImp", "1");
   deck.complete();
@@ -160,7 +160,7 @@ TEST_CASE("a count in a length field is no length", "[unit][deck]") {
   CHECK(deck.si("cageGsRadVar2") == 2.0);
 }
 
-TEST_CASE("example decks are clean, complete and named", "[unit][deck]") {
+TEST_CASE("example decks: no errors, complete, with names", "[unit][deck]") {
   CHECK(templates().size() == 14);
   for (const TemplateInfo& info : templates()) {
     INFO(info.name);
@@ -177,7 +177,7 @@ TEST_CASE("example decks are clean, complete and named", "[unit][deck]") {
                     Catch::Contains("cylindrical") && Catch::Contains("'needle'"));
 }
 
-TEST_CASE("an issue points at its variable", "[unit][deck]") {
+TEST_CASE("issue: has record and variable", "[unit][deck]") {
   Deck deck = read_deck_text(template_text("ball"), "DATA.txt").deck;
   const adore::Issue issue =
       deck.issue(adore::Severity::Error, "cageGsCls", "is wrong", "mend it", 2);
@@ -185,7 +185,7 @@ TEST_CASE("an issue points at its variable", "[unit][deck]") {
   CHECK(deck.issue(adore::Severity::Warning, "bReCrn", "is absent").record.empty());
 }
 
-TEST_CASE("numbers are read as Fortran reads them", "[unit][deck]") {
+TEST_CASE("numbers: read as Fortran reads them", "[unit][deck]") {
   const auto real = [](std::string_view text) {
     double value = -1.0;
     const NumberProblem problem = parse_real(text, value);
@@ -242,7 +242,7 @@ TEST_CASE("numbers are read as Fortran reads them", "[unit][deck]") {
   }
 }
 
-TEST_CASE("reals are written short, exact and with a point", "[unit][deck]") {
+TEST_CASE("reals: written short, exact and with a decimal point", "[unit][deck]") {
   CHECK(format_real(0.1) == "0.1");
   CHECK(format_real(1.0) == "1.0");
   CHECK(format_real(-0.0) == "-0.0");
@@ -258,7 +258,7 @@ TEST_CASE("reals are written short, exact and with a point", "[unit][deck]") {
   }
 }
 
-TEST_CASE("defaults that stand in for what the deck leaves out are listed", "[unit][deck]") {
+TEST_CASE("defaults_used(): missing values of the deck → listed", "[unit][deck]") {
   const std::string whole = write_deck(new_deck("ball"));
   const Deck given = read_deck_text(whole, "DATA.txt").deck;
   // Steel and the built-in constants are chosen by a 0; nothing is left out.
@@ -306,7 +306,7 @@ TEST_CASE("defaults that stand in for what the deck leaves out are listed", "[un
   CHECK(tried > 5);
 }
 
-TEST_CASE("a value that is set is no default any more, one that complete() adds is",
+TEST_CASE("defaults: value set by set() → not a default; value added by complete() → default",
           "[unit][deck]") {
   Deck deck = read_deck_text(write_deck(new_deck("ball")), "DATA.txt").deck;
   const auto lists = [&](std::string_view variable) {
@@ -331,7 +331,7 @@ TEST_CASE("a value that is set is no default any more, one that complete() adds 
     CHECK_FALSE((used.record == "7.2.i (3)" && used.variable == "cageGsCls"));
 }
 
-TEST_CASE("records that the options do not ask for are kept aside and come back with them",
+TEST_CASE("shelf: records that options do not need → kept, and restored with the option",
           "[unit][deck]") {
   std::string text = write_deck(new_deck("ball"));
   text.insert(text.find("'Rec 7.0'"), "'Rec 5G.1A', 2.0e-6\n");
@@ -365,7 +365,7 @@ TEST_CASE("records that the options do not ask for are kept aside and come back 
   CHECK(lands.real("cageGsWidth", 2) == 0.0031);
 }
 
-TEST_CASE("what nobody gave is named when changed options bring it in", "[unit][deck]") {
+TEST_CASE("completed values: options changed → added values are listed", "[unit][deck]") {
   const Deck before = new_deck("cylindrical");
   Deck deck = before;
   deck.set("kReGeoImp", "1");
@@ -447,7 +447,7 @@ std::ptrdiff_t count_of(const Deck& deck, double number) {
 
 }  // namespace
 
-TEST_CASE("several sets act as one change, whatever their order", "[unit][deck]") {
+TEST_CASE("set_all(): several sets → one change, in any order", "[unit][deck]") {
   // The hypothetical traction of record 8.1.1 has another record for each form of the curve.
   Sets sets{{"kTracType", "-1"},
             {"reRaceTC1", "-0.04"},
@@ -472,7 +472,7 @@ TEST_CASE("several sets act as one change, whatever their order", "[unit][deck]"
   CHECK(deck.real("reRaceTC1") == -0.04);
 }
 
-TEST_CASE("every option and the values of the records that it brings can be set in any order",
+TEST_CASE("set_all(): every option with its records → any order gives the same deck",
           "[unit][deck]") {
   std::ptrdiff_t checked = 0;
   for (const char* type : {"ball", "cylindrical"}) {
@@ -502,8 +502,7 @@ TEST_CASE("every option and the values of the records that it brings can be set 
   CHECK(checked > 300);
 }
 
-TEST_CASE("sets that find no home, or contradict each other, are refused together",
-          "[unit][deck]") {
+TEST_CASE("set_all(): unknown or contradicting sets → rejected together", "[unit][deck]") {
   const Deck deck = new_deck("ball");
   const std::string all = refusal(deck, {{"pichDia", "0.06"}, {"rpm1", "1"}, {"rpm1", "2"}});
   CHECK_THAT(all, Catch::Contains("did you mean pitchDia"));

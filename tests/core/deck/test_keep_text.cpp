@@ -26,7 +26,7 @@ std::vector<std::string> lines(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a changed value leaves everything else of a deck's text as it stands", "[unit][deck]") {
+TEST_CASE("keep_text(): changed value → rest of the text unchanged", "[unit][deck]") {
   const std::string before = example();
   const deck::KeptText after = deck::with_values(before, Sets{{"tol", "1e-4"}, {"intMet", "3"}});
   REQUIRE(after.kept);
@@ -39,8 +39,7 @@ TEST_CASE("a changed value leaves everything else of a deck's text as it stands"
   CHECK(deck::read_deck_text(after.text, "after").deck.real("tol") == 1e-4);
 }
 
-TEST_CASE("marks, ends of lines and foreign letters of a deck's file stay with its remarks",
-          "[unit][deck]") {
+TEST_CASE("keep_text(): byte-order mark, line ends and foreign letters → kept", "[unit][deck]") {
   const std::string plain = example();
   std::string old;
   for (const char c : plain) old += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -67,7 +66,7 @@ TEST_CASE("marks, ends of lines and foreign letters of a deck's file stay with i
       }
 }
 
-TEST_CASE("every number of a deck can be changed in place", "[unit][deck]") {
+TEST_CASE("keep_text(): every number of a deck can be changed in place", "[unit][deck]") {
   const std::string before = example();
   const deck::Deck deck = deck::read_deck_text(before, "before").deck;
   for (const char* name : {"stpMax", "appLoadX", "pocClsII", "rpm2", "qFac", "temp[2]"}) {
@@ -81,7 +80,7 @@ TEST_CASE("every number of a deck can be changed in place", "[unit][deck]") {
   }
 }
 
-TEST_CASE("a value that shares its word with others makes the writer's own text", "[unit][deck]") {
+TEST_CASE("keep_text(): value that shares a word with others → text written anew", "[unit][deck]") {
   std::string text = example();
   const std::size_t at = text.find("1.0e-7, 1.0e-7");
   REQUIRE(at != std::string::npos);
@@ -96,7 +95,7 @@ TEST_CASE("a value that shares its word with others makes the writer's own text"
   CHECK(deck::read_deck_text(other.text, "after").deck == expected);
 }
 
-TEST_CASE("remarks stay when records come, go and grow", "[unit][deck]") {
+TEST_CASE("keep_text(): records added, removed or enlarged → remarks kept", "[unit][deck]") {
   const std::string before = example();
   const deck::Deck deck = deck::read_deck_text(before, "before").deck;
   const auto with = [&](const Sets& sets) {
@@ -117,7 +116,7 @@ TEST_CASE("remarks stay when records come, go and grow", "[unit][deck]") {
   CHECK(still.find("D, dm, contact angle") != std::string::npos);
 }
 
-TEST_CASE("a record that is written anew keeps the remark behind it", "[unit][deck]") {
+TEST_CASE("keep_text(): record written anew → remark after it kept", "[unit][deck]") {
   std::string text = example();
   const std::size_t at = text.find("1.0e-7, 1.0e-7");
   REQUIRE(at != std::string::npos);
@@ -136,7 +135,7 @@ TEST_CASE("a record that is written anew keeps the remark behind it", "[unit][de
   }
 }
 
-TEST_CASE("lines of user routines and line ends survive too", "[unit][deck]") {
+TEST_CASE("keep_text(): lines of user routines and line ends → kept", "[unit][deck]") {
   std::string text = example();
   text += "\n1.5 2.5 my routine\n\n3 4\n";
   std::string dos;
@@ -188,7 +187,7 @@ std::string remark_words(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("units in the remarks of every example follow a change of units, and back",
+TEST_CASE("keep_text(): change of units in every example → units in remarks follow, and back",
           "[unit][deck]") {
   const std::map<std::string, std::string> english = {
       {"m", "in"},     {"N", "lbf"},        {"N.m", "lbf.in"}, {"K", "R"},
@@ -230,8 +229,7 @@ TEST_CASE("units in the remarks of every example follow a change of units, and b
   }
 }
 
-TEST_CASE("remarks of other people stay as they are when units change, and are named",
-          "[unit][deck]") {
+TEST_CASE("keep_text(): change of units → foreign remarks kept and listed", "[unit][deck]") {
   const std::string text = example();
   const auto with_remark = [&](const std::string& id, const std::string& remark) {
     std::string out;

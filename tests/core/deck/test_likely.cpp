@@ -38,7 +38,7 @@ std::string all(const std::vector<Issue>& issues) {
 
 }  // namespace
 
-TEST_CASE("likely slips are named with what was probably meant", "[unit]") {
+TEST_CASE("check_likely: probable slips → warning with the probable meaning", "[unit]") {
   const Severity warning = Severity::Warning;
   const std::vector<Slip> slips = {
       {"ball", {{"roomTemp", "20"}}, warning, "roomTemp", "for 20 deg C write 293.15 K"},
@@ -79,7 +79,7 @@ TEST_CASE("likely slips are named with what was probably meant", "[unit]") {
   }
 }
 
-TEST_CASE("no example deck is suspected, in neither system of units", "[unit]") {
+TEST_CASE("check_likely: example decks in both unit systems → no warning", "[unit]") {
   for (const deck::TemplateInfo& info : deck::templates()) {
     deck::Deck deck = deck::new_deck(info.name);
     INFO(info.name << "\n" << all(deck::check_deck(deck)));
@@ -90,7 +90,7 @@ TEST_CASE("no example deck is suspected, in neither system of units", "[unit]") 
   }
 }
 
-TEST_CASE("a bearing that is loaded in another way than by a load is not suspected", "[unit]") {
+TEST_CASE("check_likely: bearing loaded by displacement → no warning", "[unit]") {
   const std::vector<std::vector<std::pair<const char*, const char*>>> loaded = {
       {{"kFS1", "1"}, {"appDispX", "1e-5"}},
       {{"kFS4", "0"}, {"appMomY", "2"}},
@@ -109,7 +109,7 @@ TEST_CASE("a bearing that is loaded in another way than by a load is not suspect
   }
 }
 
-TEST_CASE("a number that begins a comment is not taken for a value in silence", "[unit]") {
+TEST_CASE("reader: number at the start of a comment → warning", "[unit]") {
   const std::string text(deck::template_text("ball"));
   const std::string line = "0.040, 0.080, 0.0, 0.110, 0.018, 0.018 ";
   REQUIRE(text.find(line) != std::string::npos);
@@ -132,7 +132,7 @@ TEST_CASE("a number that begins a comment is not taken for a value in silence", 
   }
 }
 
-TEST_CASE("files that are no decks are named for what they are", "[unit]") {
+TEST_CASE("reader: other files of the suite → error with their type", "[unit]") {
   const auto refusal = [](const std::string& text) {
     const auto path = std::filesystem::temp_directory_path() / "adore-no-deck";
     std::ofstream(path, std::ios::binary) << text;

@@ -43,7 +43,7 @@ bool said(const std::vector<Issue>& notes, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("counts that are set leave the monitored bodies the same, and a note names them",
+TEST_CASE("set_all_and_follow(): changed counts → same monitored bodies, with a note",
           "[unit][deck]") {
   int decks = 0;
   for (const TemplateInfo& info : templates()) {
@@ -75,7 +75,8 @@ TEST_CASE("counts that are set leave the monitored bodies the same, and a note n
   CHECK(decks >= 5);
 }
 
-TEST_CASE("monitored bodies that are set with the count are those that were set", "[unit][deck]") {
+TEST_CASE("set_all_and_follow(): monitored bodies set with the counts → those that were set",
+          "[unit][deck]") {
   Deck deck = watched("ball");
   const long long count = deck.integer("nRe") + 2;
   CHECK(set_all_and_follow(
@@ -87,8 +88,7 @@ TEST_CASE("monitored bodies that are set with the count are those that were set"
   CHECK(set_all_and_follow(deck, Sets{{"appLoadZ", "1200"}}).empty());
 }
 
-TEST_CASE("a number that stands for no body does not keep the others from following",
-          "[unit][deck]") {
+TEST_CASE("set_all_and_follow(): invalid number → all others still follow", "[unit][deck]") {
   Deck deck = new_deck("ball");
   const long long elements = deck.integer("nRe"), bodies = elements + deck.integer("nCseg") + 2;
   monitor(deck, {1, bodies - 1, bodies + 1});
@@ -97,7 +97,8 @@ TEST_CASE("a number that stands for no body does not keep the others from follow
   deck.complete();
   const std::vector<Issue> notes = follow_bodies(deck, before);
   CHECK(body_name(deck, monitored_bodies(deck)[1]) == "outer race");
-  CHECK(said(notes, fmt::format("{} was not the number of a body and is now the inner race", bodies + 1)));
+  CHECK(said(notes,
+             fmt::format("{} was not the number of a body and is now the inner race", bodies + 1)));
   // A count that is none says nothing of bodies.
   Deck none = before;
   none.set("nRe", "0");

@@ -25,7 +25,7 @@ bool refused(const char* text, const deck::UnitPair& unit) {
 
 }  // namespace
 
-TEST_CASE("quantities are taken as people write them", "[unit][deck]") {
+TEST_CASE("parse quantity: usual notations → read", "[unit][deck]") {
   namespace unit = deck::unit;
   CHECK(taken("12.7 mm", unit::kLength) == 0.0127);
   CHECK(taken("12.7mm", unit::kLength) == 0.0127);
@@ -55,7 +55,7 @@ TEST_CASE("quantities are taken as people write them", "[unit][deck]") {
   CHECK(taken("3*2", unit::kPure) == 6.0);
 }
 
-TEST_CASE("what cannot be meant is refused with a way out", "[unit][deck]") {
+TEST_CASE("parse quantity: meaningless text → error with remedy", "[unit][deck]") {
   namespace unit = deck::unit;
   for (const char* wrong : {"12.7 furlong", "3 N", "1 in + 2", "80 °C", "2 mm mm", "1/0", "(1",
                             "mm", "", "1 +", "2 mm 3", "1 m/s", "12.7 m m", "1e400 mm", "x"}) {
@@ -70,7 +70,7 @@ TEST_CASE("what cannot be meant is refused with a way out", "[unit][deck]") {
   CHECK(refused(std::string(500, '(').c_str(), unit::kLength));
 }
 
-TEST_CASE("a value shown in another unit comes back as it was", "[unit][deck]") {
+TEST_CASE("parse quantity: value displayed in another unit → reproduced", "[unit][deck]") {
   namespace unit = deck::unit;
   const deck::UnitPair pairs[] = {unit::kLength,  unit::kAngle,      unit::kRotation,
                                   unit::kForce,   unit::kStress,     unit::kTemperature,

@@ -56,7 +56,8 @@ const BadDeck kBadDecks[] = {
     {"short_record", Severity::Error, "4", "raceWidth2", "the record is short"},
     {"short_names", Severity::Error, "2.3", "pltNames8", "the record is short"},
     {"no_value", Severity::Error, "9.0", "raceFit1", "the value is missing and has no default"},
-    {"slash_too_early", Severity::Error, "4", "raceWidth1", "the value is missing and has no default"},
+    {"slash_too_early", Severity::Error, "4", "raceWidth1",
+     "the value is missing and has no default"},
     {"zero_repeat", Severity::Error, "9.1.3", "hsngTemp", "repeat count of 0"},
     {"too_many_values", Severity::Warning, "4", "", "takes 7 values"},
     {"repeat_too_long", Severity::Warning, "9.1.3", "", "more values than the record has"},
@@ -248,7 +249,8 @@ class CommaDecimal : public std::numpunct<char> {
 
 }  // namespace
 
-TEST_CASE("every mistake has its message with record, variable and remedy", "[unit][deck]") {
+TEST_CASE("reader and checks: every error → message with record, variable and remedy",
+          "[unit][deck]") {
   for (const BadDeck& bad : kBadDecks) {
     INFO(bad.file);
     const std::string text = content_of(kFolder / (std::string(bad.file) + ".txt"));
@@ -266,7 +268,7 @@ TEST_CASE("every mistake has its message with record, variable and remedy", "[un
   }
 }
 
-TEST_CASE("every bad deck of the folder is in the table", "[unit][deck]") {
+TEST_CASE("bad decks: every deck of the folder is in the table", "[unit][deck]") {
   std::set<std::string> files;
   for (const auto& entry : fs::directory_iterator(kFolder))
     files.insert(entry.path().stem().string());
@@ -275,7 +277,7 @@ TEST_CASE("every bad deck of the folder is in the table", "[unit][deck]") {
   CHECK(files == listed);
 }
 
-TEST_CASE("all mistakes of a deck are reported at once", "[unit][deck]") {
+TEST_CASE("reader: several errors → reported together", "[unit][deck]") {
   std::vector<std::string> lines = ball_lines();
   lines[0] = replaced(lines[0], "5000", "many");
   lines[3] = replaced(lines[3], "12", "0");
@@ -292,7 +294,7 @@ TEST_CASE("all mistakes of a deck are reported at once", "[unit][deck]") {
     CHECK(places.count(place) == 1);
 }
 
-TEST_CASE("list-directed input is read as Fortran reads it", "[unit][deck]") {
+TEST_CASE("reader: list-directed input as in Fortran", "[unit][deck]") {
   Deck ball = new_deck("ball");
   ball.set("runID", "7208");  // no comma, so that the changes below meet only separators
   const std::string text = write_deck(ball);
@@ -394,7 +396,7 @@ TEST_CASE("list-directed input is read as Fortran reads it", "[unit][deck]") {
   }
 }
 
-TEST_CASE("unusual but legal bearings check clean", "[unit][deck]") {
+TEST_CASE("checks: unusual but valid bearings → no warning", "[unit][deck]") {
   const auto issues_after = [](std::vector<std::pair<std::string_view, std::string>> changes) {
     Deck deck = new_deck("ball");
     deck_variants::set_all(deck, changes);
@@ -420,7 +422,7 @@ TEST_CASE("unusual but legal bearings check clean", "[unit][deck]") {
       issues_after({{"kPrtFreq", "0"}, {"nStps", "0"}, {"kIcOpt", "1"}, {"stpInit", "0"}}).empty());
 }
 
-TEST_CASE("options that a quasi-static solution does not use say so", "[unit][deck]") {
+TEST_CASE("checks: quasi-static deck → unused options are reported", "[unit][deck]") {
   Deck deck = new_deck("ball");
   deck_variants::set_all(deck, {{"mode", "-1"}, {"kIcOpt", "1"}, {"kFnOpt", "1"}});
   const std::string text = adore::to_text(check_deck(deck));
@@ -429,8 +431,7 @@ TEST_CASE("options that a quasi-static solution does not use say so", "[unit][de
   CHECK(text.find("kFnOpt = 1: has no effect: mode is negative") != std::string::npos);
 }
 
-TEST_CASE("the remedy for cones that do not belong together works, in either unit system",
-          "[unit][deck]") {
+TEST_CASE("checks: incompatible cones → the remedy works, in both unit systems", "[unit][deck]") {
   for (const double angle : {14.0, 4.0}) {
     Deck deck = new_deck("tapered");
     deck.set("raceTaper2", std::to_string(angle));
@@ -455,7 +456,7 @@ TEST_CASE("the remedy for cones that do not belong together works, in either uni
   }
 }
 
-TEST_CASE("what is written reads back equal, for every record", "[unit][deck][schema]") {
+TEST_CASE("write_deck(): every record → reads back equal", "[unit][deck][schema]") {
   std::set<std::string> records;
   unsigned seed = 1;
   for (Deck deck : deck_variants::all()) {
@@ -470,7 +471,7 @@ TEST_CASE("what is written reads back equal, for every record", "[unit][deck][sc
   CHECK(records.size() == schema().size() - 1);  // all but 12, which the user routines own
 }
 
-TEST_CASE("lines for user routines survive a round trip", "[unit][deck]") {
+TEST_CASE("write_deck(): lines of user routines → read back equal", "[unit][deck]") {
   const std::string text = write_deck(new_deck("ball")) + "1.0, 'raw' / line\n\n  0.001 0.002\n";
   const ReadResult result = read_deck_text(text, "x");
   CHECK(result.ok());
@@ -478,7 +479,7 @@ TEST_CASE("lines for user routines survive a round trip", "[unit][deck]") {
   CHECK(read_deck_text(write_deck(result.deck), "x").deck == result.deck);
 }
 
-TEST_CASE("decks with holes write so that they read back equal", "[unit][deck]") {
+TEST_CASE("write_deck(): decks with missing values → read back equal", "[unit][deck]") {
   Deck deck = new_deck("ball");
   RecordData& envelope = deck.records[6];
   REQUIRE(envelope.id == "4");
@@ -491,7 +492,7 @@ TEST_CASE("decks with holes write so that they read back equal", "[unit][deck]")
   CHECK(read_deck_text(write_deck(deck), "x").deck == deck);
 }
 
-TEST_CASE("a deck cut anywhere is noticed", "[unit][deck][slow]") {
+TEST_CASE("reader: deck cut at any place → error", "[unit][deck][slow]") {
   const std::string text(template_text("ball"));
   const Deck whole = read_deck_text(text, "x").deck;
   std::vector<std::size_t> unnoticed;
@@ -507,8 +508,7 @@ TEST_CASE("a deck cut anywhere is noticed", "[unit][deck][slow]") {
   CHECK(noticed > text.size() * 9 / 10);  // not all are the whole deck
 }
 
-TEST_CASE("a deck that lost any one byte still reads, and what reads well writes back",
-          "[unit][deck]") {
+TEST_CASE("reader: any byte missing → no crash, and valid decks write back equal", "[unit][deck]") {
   const std::string text = write_deck(new_deck("ball-thrust"));
   std::vector<std::size_t> changed;
   std::size_t read_well = 0;
@@ -524,7 +524,7 @@ TEST_CASE("a deck that lost any one byte still reads, and what reads well writes
   CHECK(read_well > text.size() / 4);  // digits and blanks that a deck can do without
 }
 
-TEST_CASE("a locale with decimal comma changes nothing", "[unit][deck]") {
+TEST_CASE("reader: locale with decimal comma → no effect", "[unit][deck]") {
   const Deck ball = new_deck("ball");
   const std::string text = write_deck(ball);
   const std::locale before =
@@ -573,7 +573,7 @@ TEST_CASE("files: missing, folder, binary, too large, and a good one", "[unit][d
   fs::remove_all(folder);
 }
 
-TEST_CASE("a repeat count that is too long is told as it was written", "[unit][deck]") {
+TEST_CASE("reader: repeat count too long → message quotes the text", "[unit][deck]") {
   const std::string text = content_of(kFolder / "repeat_too_long.txt");
   for (const auto& [written, said] : {std::pair{"7*293.15", "1 is ignored"},
                                       {"9*293.15", "3 are ignored"},

@@ -138,7 +138,7 @@ class Outermost {
 
 }  // namespace
 
-TEST_CASE("the schema covers the reference list line for line", "[unit][schema]") {
+TEST_CASE("schema: equal to the reference list, line by line", "[unit][schema]") {
   const std::vector<Row> expected = reference_rows();
   const std::vector<Row> actual = parse_tsv(schema_tsv());
   REQUIRE(expected.size() == 756);
@@ -159,7 +159,7 @@ TEST_CASE("the schema covers the reference list line for line", "[unit][schema]"
   }
 }
 
-TEST_CASE("conditions decide on the same records as an independent evaluation", "[unit][schema]") {
+TEST_CASE("conditions: same records as an independent evaluation", "[unit][schema]") {
   const std::vector<Row> reference = reference_rows();
   std::set<std::string> seen;
   for (const Deck& deck : deck_variants::all()) {
@@ -181,7 +181,7 @@ TEST_CASE("conditions decide on the same records as an independent evaluation", 
     }
 }
 
-TEST_CASE("a condition that does not parse is a bug and says so", "[unit][schema]") {
+TEST_CASE("conditions: syntax error → InternalError", "[unit][schema]") {
   const ConditionScope scope{[](std::string_view name) { return name == "kBrg" ? 3LL : 0LL; },
                              [](std::string_view) {
                                return std::vector<long long>{1, 5, 2};
@@ -199,7 +199,7 @@ TEST_CASE("a condition that does not parse is a bug and says so", "[unit][schema
         std::vector<std::string_view>{"kBrg", "iCageGuide"});
 }
 
-TEST_CASE("unit factors follow the exact definitions", "[unit][schema]") {
+TEST_CASE("units: factors of the exact definitions", "[unit][schema]") {
   const auto factor = [](std::string_view name) {
     return find_variable(name).front().spec().unit.en_factor;
   };
@@ -226,7 +226,7 @@ TEST_CASE("unit factors follow the exact definitions", "[unit][schema]") {
   CHECK_THAT(find_variable("rpm1").front().spec().unit.si_factor, is(0.10471975511965977));
 }
 
-TEST_CASE("every variable can be explained and every default is valid", "[unit][schema]") {
+TEST_CASE("schema: every variable has a help text, every default is valid", "[unit][schema]") {
   std::set<std::string_view> ids;
   for (const RecordSpec& record : schema()) {
     CHECK(ids.insert(record.id).second);
@@ -249,7 +249,7 @@ TEST_CASE("every variable can be explained and every default is valid", "[unit][
   }
 }
 
-TEST_CASE("the material codes of the schema are those of the material table", "[unit][schema]") {
+TEST_CASE("schema: material codes are those of the material table", "[unit][schema]") {
   std::vector<int> codes;
   for (const OptionSpec& option : option_table("@materials"))
     codes.push_back(std::stoi(std::string(option.code)));
@@ -257,7 +257,7 @@ TEST_CASE("the material codes of the schema are those of the material table", "[
   CHECK_THROWS_AS(option_table("@nothing"), adore::InternalError);
 }
 
-TEST_CASE("the schema exports as JSON and Markdown", "[unit][schema]") {
+TEST_CASE("schema: export as JSON and Markdown", "[unit][schema]") {
   const nlohmann::json json = nlohmann::json::parse(schema_json());
   REQUIRE(json.at("records").size() == schema().size());
   const nlohmann::json& mode = json.at("records").at(0).at("variables").at(1);
@@ -269,7 +269,7 @@ TEST_CASE("the schema exports as JSON and Markdown", "[unit][schema]") {
   CHECK_THAT(markdown, Catch::Contains("`cageGcPos(3)`"));
 }
 
-TEST_CASE("names are found, and mistyped names bring suggestions", "[unit][schema]") {
+TEST_CASE("lookup: mistyped name → suggestions", "[unit][schema]") {
   CHECK(find_variable("bReDia").size() == 5);
   CHECK(find_variable("nothing").empty());
   CHECK(find_variable("recID").empty());

@@ -13,7 +13,7 @@
 
 using namespace adore::deck;
 
-TEST_CASE("a message speaks in the units of its deck", "[unit][deck]") {
+TEST_CASE("in_deck_units(): numbers of a message → units of its deck", "[unit][deck]") {
   const auto english = [](std::string_view text) {
     return message_in_units(text, UnitSystem::English);
   };
@@ -32,8 +32,7 @@ TEST_CASE("a message speaks in the units of its deck", "[unit][deck]") {
   CHECK(english("0 m") == "0 in");
 }
 
-TEST_CASE("heat, viscosity and slopes of traction are in the units of the deck too",
-          "[unit][deck]") {
+TEST_CASE("in_deck_units(): heat, viscosity and slopes of traction", "[unit][deck]") {
   const auto english = [](std::string_view text) {
     return message_in_units(text, UnitSystem::English);
   };
@@ -45,8 +44,7 @@ TEST_CASE("heat, viscosity and slopes of traction are in the units of the deck t
   CHECK(english("3 N mean, 4 Pa seem") == "0.674 lbf mean, 0.00058 lbf/in^2 seem");
 }
 
-TEST_CASE("every SI unit that a message writes behind a number is known in English units",
-          "[unit][deck]") {
+TEST_CASE("in_deck_units(): every SI unit in messages has an English unit", "[unit][deck]") {
   // What stands behind a placeholder and is made of SI units; s, rad and Hz are the same in both.
   const std::string base = "(?:m|mm|um|N|kN|K|Pa|kPa|MPa|GPa|W|kW|J|kg|s)(?:\\^[0-9])?";
   const std::regex written("\\{[^{}\"]*\\} ((?:N m|Pa s|kg m\\^2|1|" + base + ")(?:[/.]" + base +

@@ -95,7 +95,7 @@ bool all_finite(const Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("every view of every example deck is drawn", "[unit][outline]") {
+TEST_CASE("outline: every view of every example deck is drawn", "[unit][outline]") {
   for (const deck::TemplateInfo& info : deck::templates()) {
     const deck::Deck deck = deck::new_deck(info.name);
     const std::vector<View> views = views_of(deck);
@@ -112,7 +112,7 @@ TEST_CASE("every view of every example deck is drawn", "[unit][outline]") {
   }
 }
 
-TEST_CASE("a ball deck's section has the deck's sizes", "[unit][outline]") {
+TEST_CASE("outline: section of a ball deck → sizes of the deck", "[unit][outline]") {
   const deck::Deck deck = deck::new_deck("ball");
   const Drawing section = draw(View::CrossSection, deck);
   const Circle& ball = shape_of(section, "ball").circles.at(0);
@@ -152,7 +152,7 @@ TEST_CASE("a ball deck's section has the deck's sizes", "[unit][outline]") {
   }
 }
 
-TEST_CASE("the side view has all elements on the pitch circle", "[unit][outline]") {
+TEST_CASE("outline: side view → all elements on the pitch circle", "[unit][outline]") {
   for (const char* name : {"ball", "tapered"}) {
     const deck::Deck deck = deck::new_deck(name);
     const Drawing side = draw(View::SideView, deck);
@@ -174,7 +174,7 @@ TEST_CASE("the side view has all elements on the pitch circle", "[unit][outline]
   }
 }
 
-TEST_CASE("a roller's outline has the deck's profile", "[unit][outline]") {
+TEST_CASE("outline: roller → profile of the deck", "[unit][outline]") {
   const deck::Deck deck = deck::new_deck("cylindrical");
   const Drawing element = draw(View::Element, deck);
   const Path& roller = shape_of(element, "roller").paths.at(0);
@@ -193,7 +193,8 @@ TEST_CASE("a roller's outline has the deck's profile", "[unit][outline]") {
   CHECK(-drop.back().y == Approx(e * e / (2.0 * deck.si("bReCrn"))).epsilon(1e-6));
 }
 
-TEST_CASE("tapered rollers lie between their cones, which meet in the apex", "[unit][outline]") {
+TEST_CASE("outline: tapered rollers → between their cones, which meet in the apex",
+          "[unit][outline]") {
   const deck::Deck deck = deck::new_deck("tapered");
   const Drawing section = draw(View::CrossSection, deck);
   CHECK(angle_of(measure_of(section, "raceTaper1")) ==
@@ -207,7 +208,7 @@ TEST_CASE("tapered rollers lie between their cones, which meet in the apex", "[u
   CHECK(angle_of(measure_of(flange, "flngAng12")) == Approx(deck.si("flngAng12")).epsilon(1e-9));
 }
 
-TEST_CASE("the English deck is drawn like the same deck in SI", "[unit][outline]") {
+TEST_CASE("outline: English deck → same drawing as in SI", "[unit][outline]") {
   const deck::Deck si = deck::new_deck("ball"), english = deck::new_deck("ball-english");
   for (const View view : {View::CrossSection, View::SideView, View::Element, View::Pocket,
                           View::Lands, View::Traction}) {
@@ -219,7 +220,7 @@ TEST_CASE("the English deck is drawn like the same deck in SI", "[unit][outline]
   CHECK(draw(View::Traction, english).panes[0].axes[0].unit == "in/s");
 }
 
-TEST_CASE("pocket and lands show their clearances", "[unit][outline]") {
+TEST_CASE("outline: pocket and lands → their clearances", "[unit][outline]") {
   const deck::Deck deck = deck::new_deck("ball");
   const Drawing pocket = draw(View::Pocket, deck);
   CHECK(length_of(measure_of(pocket, "bPocCls1")) == Approx(deck.si("bPocCls1")).epsilon(1e-9));
@@ -236,8 +237,7 @@ TEST_CASE("pocket and lands show their clearances", "[unit][outline]") {
   }
 }
 
-TEST_CASE("the cage that is drawn is the cage that is computed, in every example deck",
-          "[unit][outline]") {
+TEST_CASE("outline: drawn cage = computed cage in every example deck", "[unit][outline]") {
   int cages = 0;
   for (const deck::TemplateInfo& example : deck::templates()) {
     CAPTURE(example.name);
@@ -266,7 +266,7 @@ TEST_CASE("the cage that is drawn is the cage that is computed, in every example
   CHECK(cages > 3);
 }
 
-TEST_CASE("every ball pocket shape is drawn with its own clearances", "[unit][outline]") {
+TEST_CASE("outline: every ball pocket shape → its clearances", "[unit][outline]") {
   deck::Deck deck = deck::new_deck("ball");
   for (const char* code : {"0", "1", "2", "3", "4"}) {
     deck.set("kPocType", code);
@@ -286,7 +286,7 @@ TEST_CASE("every ball pocket shape is drawn with its own clearances", "[unit][ou
   }
 }
 
-TEST_CASE("traction curves are those of the law", "[unit][outline]") {
+TEST_CASE("outline: traction curves → those of the law", "[unit][outline]") {
   const deck::Deck deck = deck::new_deck("ball");
   const Drawing traction = draw(View::Traction, deck);
   const auto law = tribology::traction_curve(
@@ -299,7 +299,7 @@ TEST_CASE("traction curves are those of the law", "[unit][outline]") {
   CHECK(measure_of(traction, "reRaceTC4").to.x == deck.si("reRaceTC4"));
 }
 
-TEST_CASE("arrows point where the loads act", "[unit][outline]") {
+TEST_CASE("outline: arrows → directions of the loads", "[unit][outline]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("appLoadY", "-300");
   const Drawing side = draw(View::SideView, deck);
@@ -326,7 +326,7 @@ TEST_CASE("arrows point where the loads act", "[unit][outline]") {
                     [](const Arrow& a) { return a.variable == "appDispZ"; }));
 }
 
-TEST_CASE("a deck that cannot be drawn says why, whatever is wrong", "[unit][outline]") {
+TEST_CASE("outline: deck that cannot be drawn → reason", "[unit][outline]") {
   const auto reason = [](const char* name, const char* variable, const char* value,
                          View view = View::CrossSection) {
     deck::Deck deck = deck::new_deck(name);
@@ -352,7 +352,7 @@ TEST_CASE("a deck that cannot be drawn says why, whatever is wrong", "[unit][out
   CHECK(draw(View::CrossSection, hollow).reason.find("kBrg") != std::string::npos);
 }
 
-TEST_CASE("whatever one number of a deck is, it is drawn or refused", "[unit][outline][slow]") {
+TEST_CASE("outline: any value of any number → drawing or reason", "[unit][outline][slow]") {
   // Whatever one number is, something is drawn or refused; nothing else is thrown.
   int drawn = 0, refused = 0;
   for (const char* name : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
@@ -383,7 +383,8 @@ TEST_CASE("whatever one number of a deck is, it is drawn or refused", "[unit][ou
   CHECK(refused > 200);
 }
 
-TEST_CASE("every variable of the schema belongs to a view or to the default", "[unit][outline]") {
+TEST_CASE("outline: every variable of the schema belongs to a view or to the default",
+          "[unit][outline]") {
   CHECK(view_for("5A", "pitchDia") == View::CrossSection);
   CHECK(view_for("5D.1", "bReCrn") == View::Element);
   CHECK(view_for("7.1", "bPocCls1") == View::Pocket);
@@ -422,8 +423,7 @@ TEST_CASE("every variable of the schema belongs to a view or to the default", "[
   }
 }
 
-TEST_CASE("a deck that ends anywhere is drawn, or refused by the value that is missing",
-          "[unit][drawing]") {
+TEST_CASE("outline: deck cut at any place → drawing, or the missing value", "[unit][drawing]") {
   int drawn = 0, refused = 0;
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     const std::string text = deck::write_deck(deck::new_deck(type));

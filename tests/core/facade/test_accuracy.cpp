@@ -48,7 +48,7 @@ AccuracyRequest short_study() {
 
 }  // namespace
 
-TEST_CASE("errors are those of speeds, loads, heat and life", "[unit][accuracy]") {
+TEST_CASE("accuracy errors: speeds, loads, heat and life", "[unit][accuracy]") {
   const auto reference = made_up(0.4, 0.4, 0.1, 100.0, 8.0, 1e4);
   const AccuracyErrors none = compare_results(reference, reference);
   CHECK(none.largest() == 0.0);
@@ -64,7 +64,7 @@ TEST_CASE("errors are those of speeds, loads, heat and life", "[unit][accuracy]"
   CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.0, 0.9e4)).largest() == Approx(0.1));
 }
 
-TEST_CASE("what a run has not computed makes no error", "[unit][accuracy]") {
+TEST_CASE("accuracy errors: values that a run has not computed → no error", "[unit][accuracy]") {
   const double infinite = std::numeric_limits<double>::infinity();
   const auto reference = made_up(0.4, 0.4, 0.1, 100.0, 0.0, infinite);
   const AccuracyErrors errors = compare_results(made_up(0.4, 0.4, 0.1, 100.0, 0.0, 1e4), reference);
@@ -74,7 +74,7 @@ TEST_CASE("what a run has not computed makes no error", "[unit][accuracy]") {
   CHECK(errors_text({0.0, 0.01, -1.0, -1.0, 0.2, -1.0}) == "speeds 0 %, whirl 20 %, loads 1 %");
 }
 
-TEST_CASE("an accuracy study compares the deck's own run and recommends the cheapest row",
+TEST_CASE("accuracy study: includes the deck's own run and recommends the fastest row",
           "[unit][accuracy]") {
   const AccuracyRequest request = short_study();
   const double begin = scene::processor_seconds();
@@ -174,7 +174,7 @@ TEST_CASE("an accuracy study compares the deck's own run and recommends the chea
   }
 }
 
-TEST_CASE("a recommendation says when its run will be warned of, and that figures are irregular",
+TEST_CASE("accuracy study: recommendation mentions warnings of its run and irregular results",
           "[unit][accuracy]") {
   AccuracyStudy study;
   study.long_turns = 50.0;
@@ -228,7 +228,7 @@ TEST_CASE("a recommendation says when its run will be warned of, and that figure
   CHECK(recommendation(study).find("No setting stays within 1 %") == 0);
 }
 
-TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
+TEST_CASE("accuracy study: runs under nearby loads → noise, which hides errors of a method",
           "[unit][accuracy]") {
   const auto run = [](double whirl, double heat) {
     return made_up(0.4, 0.4, whirl, 100.0, heat, 1e4);
@@ -266,7 +266,8 @@ TEST_CASE("runs under nearby loads tell noise, and errors of a method are none",
   }
 }
 
-TEST_CASE("a quantity that is irregular does not excuse errors of another", "[unit][accuracy]") {
+TEST_CASE("accuracy study: irregular quantity → does not excuse errors of another",
+          "[unit][accuracy]") {
   AccuracyStudy study;
   study.target = 0.01;
   std::array<double AccuracyErrors::*, 6> all{};
@@ -298,7 +299,7 @@ TEST_CASE("a quantity that is irregular does not excuse errors of another", "[un
   CHECK(read.irregular.heat == study.irregular.heat);
 }
 
-TEST_CASE("one irregular quantity pushes no candidate off the second round, whichever it is",
+TEST_CASE("accuracy study: one irregular quantity → no candidate leaves the second round",
           "[unit][accuracy]") {
   std::array<double AccuracyErrors::*, 6> all{};
   for (std::size_t q = 0; q < all.size(); ++q) all[q] = kAccuracyQuantities[q].member;
@@ -336,7 +337,7 @@ TEST_CASE("one irregular quantity pushes no candidate off the second round, whic
     }
 }
 
-TEST_CASE("a study whose budget ends early tells the growth between its spans",
+TEST_CASE("accuracy study: budget ends early → growth between its spans is reported",
           "[unit][accuracy][slow]") {
   AccuracyRequest request = short_study();
   request.methods = {"rkf5", "rk4"};
@@ -364,7 +365,7 @@ TEST_CASE("a study whose budget ends early tells the growth between its spans",
   CHECK(accuracy_table(read) == accuracy_table(study));
 }
 
-TEST_CASE("growth is told of a row that came to its end in both rounds", "[unit][accuracy]") {
+TEST_CASE("accuracy study: growth → of a row that completed both rounds", "[unit][accuracy]") {
   AccuracyStudy study;
   study.asked = 50.0;
   study.short_turns = 1.0;
@@ -396,7 +397,7 @@ TEST_CASE("growth is told of a row that came to its end in both rounds", "[unit]
   }
 }
 
-TEST_CASE("a study that is stopped comes back as far as it got", "[unit][accuracy]") {
+TEST_CASE("accuracy study: stopped → results so far", "[unit][accuracy]") {
   std::stop_source stop;
   int rows = 0;
   const AccuracyStudy study = study_accuracy(
@@ -412,7 +413,7 @@ TEST_CASE("a study that is stopped comes back as far as it got", "[unit][accurac
   CHECK(read_accuracy(accuracy_json(study), "ACCURACY.json").screening.size() == 2);
 }
 
-TEST_CASE("no study of a quasi-static deck, and none from a broken file", "[unit][accuracy]") {
+TEST_CASE("accuracy study: quasi-static deck or broken file → error", "[unit][accuracy]") {
   AccuracyRequest request = short_study();
   request.sets = {{"mode", "-1"}};
   CHECK_THROWS_AS(study_accuracy(request), InputError);
@@ -423,7 +424,7 @@ TEST_CASE("no study of a quasi-static deck, and none from a broken file", "[unit
   CHECK_THROWS_AS(read_accuracy("no json", "ACCURACY.json"), InputError);
 }
 
-TEST_CASE("verifying repeats a run with tighter settings to the same end", "[unit][accuracy]") {
+TEST_CASE("verify: repeats a run with tighter settings to the same end", "[unit][accuracy]") {
   RunRequest request;
   request.text = std::string(deck::template_text("ball"));
   request.until = "0.05rev";

@@ -84,7 +84,7 @@ bool has_errors(const deck::Deck& deck) {
 
 }  // namespace
 
-TEST_CASE("any deck has its statics: whatever only moves is left out, and named",
+TEST_CASE("statics of any deck: values of the motion only → left out and listed",
           "[physics][statics]") {
   for (const char* type : kTypes) {
     const auto base = solution(at_rest(type));
@@ -128,7 +128,8 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
   }
 }
 
-TEST_CASE("a cut or conical cage and given inertia leave the statics alone", "[physics][statics]") {
+TEST_CASE("statics of any deck: cut or conical cage and given inertia → no influence",
+          "[physics][statics]") {
   for (const char* type : kTypes) {
     INFO(type);
     const deck::Deck plain = at_rest(type);
@@ -147,7 +148,8 @@ TEST_CASE("a cut or conical cage and given inertia leave the statics alone", "[p
   }
 }
 
-TEST_CASE("deviations of pocket clearances change the play of the cage", "[physics][cage]") {
+TEST_CASE("statics of any deck: deviations of pocket clearances → clearance of the cage",
+          "[physics][cage]") {
   std::string said;
   const auto plays = [&](const char* code, const char* deviation) {
     deck::Deck deck = at_rest("ball");
@@ -181,7 +183,7 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
   CHECK(least > nominal - 1e-4);
 }
 
-TEST_CASE("balls that leave the place where springs hold the race are solved all the same",
+TEST_CASE("statics of any deck: balls that lose the position held by springs → still solved",
           "[physics][statics]") {
   using Sets = std::vector<std::pair<std::string, std::string>>;
   const auto converges = [](const Sets& sets) {

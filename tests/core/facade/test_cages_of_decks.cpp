@@ -61,8 +61,7 @@ Sets segments(bool through) {
 
 }  // namespace
 
-TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
-          "[validation][cage]") {
+TEST_CASE("segmented cage: deck runs, and its files have every segment", "[validation][cage]") {
   for (const bool through : {false, true}) {
     const testing::TemporaryFolder folder;
     const fs::path here = folder / "run";
@@ -96,7 +95,7 @@ TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
   }
 }
 
-TEST_CASE("a run with a segmented cage goes on from where it was", "[validation][cage]") {
+TEST_CASE("segmented cage: run continues from its last state", "[validation][cage]") {
   const testing::TemporaryFolder folder;
   const Sets sets = segments(true);
   const Ran whole = run_deck(deck_of("ball", with(sets, {{"maxStps", "40"}})), folder / "whole");
@@ -107,7 +106,7 @@ TEST_CASE("a run with a segmented cage goes on from where it was", "[validation]
   CHECK(parts.outcome.time == Approx(whole.outcome.time).epsilon(1e-6));
 }
 
-TEST_CASE("roller decks with segments or without cage run and close the energy ledger",
+TEST_CASE("rollers with segments or without cage: run, and energy ledger closes",
           "[validation][cage][rollers]") {
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     const testing::TemporaryFolder folder;
@@ -127,7 +126,7 @@ TEST_CASE("roller decks with segments or without cage run and close the energy l
   }
 }
 
-TEST_CASE("elements in balance run in cut pockets and without cage", "[validation][cage][held]") {
+TEST_CASE("elements in balance: cut pockets and no cage → run", "[validation][cage][held]") {
   for (const char* type : {"ball", "cylindrical", "tapered"})
     for (const bool cage : {true, false})
       for (const auto& [name, value] :
@@ -146,7 +145,8 @@ TEST_CASE("elements in balance run in cut pockets and without cage", "[validatio
       }
 }
 
-TEST_CASE("unequal, unbalanced and single odd elements run from decks", "[validation][rigid]") {
+TEST_CASE("unequal, unbalanced and single deviating elements: run from decks",
+          "[validation][rigid]") {
   const Sets ball{{"bReMass", "8.4e-3"}, {"bReMIx", "1.3e-7"},   {"bReMIy", "1.35e-7"},
                   {"bReMIz", "1.4e-7"},  {"bReGeoCenX", "1e-6"}, {"bReGeoCenZ", "2e-6"},
                   {"bReFrameY", "5"}};
@@ -171,7 +171,7 @@ TEST_CASE("unequal, unbalanced and single odd elements run from decks", "[valida
       }
 }
 
-TEST_CASE("balls of unequal diameter run from decks", "[validation][imperfections]") {
+TEST_CASE("balls of unequal diameter: run from decks", "[validation][imperfections]") {
   const Sets random{{"kReGeoImp", "1"}, {"reDiaVar", "1e-6"}};
   const Sets listed{{"kReGeoImp", "2"}, {"reDiaVar1", "2e-6"}, {"reDiaVar4", "-1e-6"}};
   const std::pair<const char*, Sets> motions[] = {
@@ -205,14 +205,14 @@ TEST_CASE("balls of unequal diameter run from decks", "[validation][imperfection
   }
 }
 
-TEST_CASE("what segments cannot do is refused by what it is", "[unit][cage]") {
+TEST_CASE("segments: unsupported features → rejected with the reason", "[unit][cage]") {
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
              Catch::Contains("removes more than the bars") && Catch::Contains("give at most"));
   CHECK_THAT(refusal_of(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
              Catch::Contains("touches the rolling element on both sides"));
 }
 
-TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][cage]") {
+TEST_CASE("cage: strain limit exceeded → reported as yielding", "[validation][cage]") {
   const testing::TemporaryFolder folder;
   const Sets wild{{"avRatio", "2.5"},  {"maxStps", "60"},  {"kCageMat", "1"},
                   {"cageDen", "7800"}, {"cageEM", "2e11"}, {"cagePR", "0.3"},
@@ -227,7 +227,7 @@ TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][
   CHECK_THAT(warnings("0.5"), !Catch::Contains("yields, the worst"));
 }
 
-TEST_CASE("a roller presses on its pocket with the length of the guide faces", "[unit][cage]") {
+TEST_CASE("roller pocket: contact length is that of the guide faces", "[unit][cage]") {
   facade::DeckRequest request;
   request.text = deck::write_deck(deck_of("cylindrical", {}));
   bearing::Bearing bearing = facade::prepare(request).bearing;
@@ -258,8 +258,7 @@ TEST_CASE("a roller presses on its pocket with the length of the guide faces", "
   CHECK(pressure({2.0 * L}) == Approx(whole).epsilon(1e-3));
 }
 
-TEST_CASE("cage without a guide land: reported where it passes through a race",
-          "[physics][cage][watch]") {
+TEST_CASE("cage without a guide land: passes through a race → reported", "[physics][cage][watch]") {
   facade::DeckRequest request;
   request.text = deck::write_deck(deck_of("spherical", {}));
   bearing::Bearing bearing = facade::prepare(request).bearing;
@@ -285,7 +284,7 @@ TEST_CASE("cage without a guide land: reported where it passes through a race",
   CHECK(reported(1.51e-3).empty());
 }
 
-TEST_CASE("a cage in the middle that elements overlap is refused for the clearance",
+TEST_CASE("centered cage overlapped by elements → rejected with the clearance",
           "[validation][cage]") {
   const auto refused = [](const Deck& deck) -> std::string {
     const testing::TemporaryFolder folder;

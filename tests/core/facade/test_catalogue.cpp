@@ -18,7 +18,8 @@ deck::Deck deck_of(std::string_view designation) {
 
 }  // namespace
 
-TEST_CASE("a designation gives the standard outside and an estimated inside", "[unit][catalogue]") {
+TEST_CASE("catalogue: designation → standard outside and estimated internal geometry",
+          "[unit][catalogue]") {
   const deck::Deck ball = deck_of("6205");
   CHECK(ball.real("brgBore") == 0.025);
   CHECK(ball.real("brgOD") == 0.052);
@@ -46,7 +47,8 @@ TEST_CASE("a designation gives the standard outside and an estimated inside", "[
   CHECK(deck_of("6205-2RS") == deck_of("6205"));
 }
 
-TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][catalogue]") {
+TEST_CASE("catalogue: clearance group in a designation → used, or reported as unused",
+          "[unit][catalogue]") {
   CHECK(deck_of("6205 C3").real("freeIntCls") == 20.5e-6);  // 13 to 28 um
   CHECK(deck_of("6205-2RSC2").real("freeIntCls") == 6e-6);  // 1 to 11 um
   CHECK(deck_of("6205/C5").real("freeIntCls") == 41.5e-6);
@@ -94,7 +96,8 @@ TEST_CASE("a clearance group in a designation acts, or is said not to", "[unit][
   }
 }
 
-TEST_CASE("a tapered bore is told, with the groups that its clearance is of", "[unit][catalogue]") {
+TEST_CASE("catalogue: tapered bore → reported, with the type of its clearance groups",
+          "[unit][catalogue]") {
   const auto told = [](std::string_view name) {
     for (const std::string& sentence : deck::catalogue_story(deck::find_bearing(name)))
       if (sentence.starts_with("A tapered bore (K)")) return true;
@@ -128,7 +131,7 @@ TEST_CASE("a tapered bore is told, with the groups that its clearance is of", "[
   }
 }
 
-TEST_CASE("an outside may be typed with blanks and the sign of multiplication",
+TEST_CASE("catalogue: size with blanks or the multiplication sign → accepted",
           "[unit][catalogue]") {
   for (const char* typed : {"deep-groove 25 x 52 x 15", "deep-groove 25\u00d752\u00d715",
                             "deep-groove 25 \u00d7 52 \u00d7 15", "Deep-Groove 25X52X15"}) {
@@ -137,7 +140,8 @@ TEST_CASE("an outside may be typed with blanks and the sign of multiplication",
   }
 }
 
-TEST_CASE("the inside that is proposed for a deck with a cage has the cage", "[unit][catalogue]") {
+TEST_CASE("catalogue: internal geometry for a deck with a cage → includes the cage",
+          "[unit][catalogue]") {
   for (const char* designation : {"6205", "7310 B", "NU209", "NU320", "30208", "30216", "22210"}) {
     INFO(designation);
     deck::Deck moving = deck_of(designation);
@@ -164,8 +168,7 @@ TEST_CASE("the inside that is proposed for a deck with a cage has the cage", "[u
   CHECK(english.si("cageWidth") == Approx(deck::new_deck("ball").real("cageWidth")).epsilon(0.2));
 }
 
-TEST_CASE("a spherical bearing of the catalogue says that it is one row of two",
-          "[unit][catalogue]") {
+TEST_CASE("catalogue: spherical bearing → reported as one row of two", "[unit][catalogue]") {
   std::string story;
   for (const std::string& line : deck::catalogue_story(deck::find_bearing("22210"))) story += line;
   CHECK(story.find("ONE of the two rows") != std::string::npos);
@@ -173,7 +176,8 @@ TEST_CASE("a spherical bearing of the catalogue says that it is one row of two",
         std::string::npos);
 }
 
-TEST_CASE("the estimates agree with the example decks of the same sizes", "[unit][catalogue]") {
+TEST_CASE("catalogue: estimates agree with the example decks of the same sizes",
+          "[unit][catalogue]") {
   // The examples were made from textbooks and catalogues: 6 % of a size, one element in fifteen.
   for (const auto& [designation, example] : {std::pair{"6205", "deep-groove-6205"},
                                              {"NU209", "cylindrical-nu209"},
@@ -191,7 +195,7 @@ TEST_CASE("the estimates agree with the example decks of the same sizes", "[unit
   }
 }
 
-TEST_CASE("every bearing of the catalogue makes a deck without an error", "[unit][catalogue]") {
+TEST_CASE("catalogue: every bearing → deck without errors", "[unit][catalogue]") {
   const std::vector<std::string> all = deck::catalogue_designations();
   CHECK(all.size() > 250);
   for (const std::string& designation : all) {
@@ -210,7 +214,7 @@ TEST_CASE("every bearing of the catalogue makes a deck without an error", "[unit
   }
 }
 
-TEST_CASE("decks of the catalogue find their equilibrium", "[physics][catalogue]") {
+TEST_CASE("catalogue: every deck → finds its equilibrium", "[physics][catalogue]") {
   for (const char* designation :
        {"6205", "6316", "7208 B", "7020 C", "NU209", "NU320", "30208", "30216", "22210", "22220",
         "deep-groove 25x52x15", "cylindrical 100x180x34"}) {
@@ -222,7 +226,7 @@ TEST_CASE("decks of the catalogue find their equilibrium", "[physics][catalogue]
   }
 }
 
-TEST_CASE("remarks say what is standard and what is an estimate", "[unit][catalogue]") {
+TEST_CASE("catalogue: remarks mark standard values and estimates", "[unit][catalogue]") {
   const std::string text = deck::catalogue_deck(deck::find_bearing("6308"));
   CHECK(text.find("boundary dimensions of 6308: ISO 15") != std::string::npos);
   CHECK(text.find("ESTIMATE of the inside") != std::string::npos);
@@ -232,7 +236,7 @@ TEST_CASE("remarks say what is standard and what is an estimate", "[unit][catalo
   CHECK(story[0].find("bore 40 mm, outside diameter 90 mm, width 23 mm") != std::string::npos);
 }
 
-TEST_CASE("what the catalogue does not have is refused with what it has", "[unit][catalogue]") {
+TEST_CASE("catalogue: unknown designation → error with the known ones", "[unit][catalogue]") {
   for (const char* unknown : {"", "6299", "1205", "7208 X", "NU", "NU200", "deep-groove 25x52",
                               "deep-groove 52x25x15", "deep-groove axbxc", "62O5", "620512"}) {
     INFO(unknown);

@@ -93,7 +93,7 @@ double proposed(const deck::InnerGeometry& inner, const std::string& variable) {
 
 }  // namespace
 
-TEST_CASE("boundary dimensions are those that makers publish", "[unit][catalogue]") {
+TEST_CASE("catalogue: boundary dimensions are those of manufacturers", "[unit][catalogue]") {
   for (const Published& p : kPublished) {
     INFO(p.designation);
     const deck::CatalogueBearing bearing = deck::find_bearing(p.designation);
@@ -105,7 +105,7 @@ TEST_CASE("boundary dimensions are those that makers publish", "[unit][catalogue
   }
 }
 
-TEST_CASE("load ratings of the proposed inside are near those that makers publish",
+TEST_CASE("catalogue: load ratings of the estimated geometry are near those of manufacturers",
           "[unit][catalogue]") {
   for (const Published& p : kPublished) {
     if (p.C == 0.0) continue;

@@ -46,7 +46,8 @@ constexpr const char* kTypes[] = {"ball", "cylindrical", "tapered", "spherical",
 
 }  // namespace
 
-TEST_CASE("verification of a run whose every variable is set repeats it", "[unit][accuracy]") {
+TEST_CASE("verify: every variable set on the command line → same run repeated",
+          "[unit][accuracy]") {
   for (const char* example : kTypes) {
     CAPTURE(example);
     RunRequest request;
@@ -63,7 +64,7 @@ TEST_CASE("verification of a run whose every variable is set repeats it", "[unit
   }
 }
 
-TEST_CASE("what-if of a deck whose every variable is set leaves each effect out",
+TEST_CASE("what-if: every variable set on the command line → each effect left out",
           "[physics][facade][slow]") {
   for (const char* example : {"ball", "cylindrical"})
     for (const char* mode : {"0", "1"}) {
@@ -83,7 +84,7 @@ TEST_CASE("what-if of a deck whose every variable is set leaves each effect out"
     }
 }
 
-TEST_CASE("a study of a deck whose every variable is set is that of the deck", "[unit][accuracy]") {
+TEST_CASE("study: every variable set on the command line → same as the deck", "[unit][accuracy]") {
   AccuracyRequest request;
   request.text = all_set("ball").text;
   request.methods = {"rkf5", "rk4", "rkf5"};
@@ -114,7 +115,7 @@ TEST_CASE("a study of a deck whose every variable is set is that of the deck", "
   CHECK(compared >= 5);
 }
 
-TEST_CASE("settings are chosen for a deck whose every variable is set",
+TEST_CASE("chosen settings: every variable set on the command line → settings chosen",
           "[physics][accuracy][slow]") {
   const DeckRequest request = all_set("ball");
   const ChosenSettings chosen = choose_settings(request, 0.05, {});

@@ -83,7 +83,7 @@ facade::CheckReport checked(std::string_view name, const Sets& sets) {
 
 }  // namespace
 
-TEST_CASE("check and run agree on every example deck in every lubricant, cold and warm",
+TEST_CASE("check and run: agree on every example deck in every lubricant, cold and warm",
           "[validation][film][check][slow]") {
   int good = 0, refused = 0;
   for (const deck::TemplateInfo& info : deck::templates())
@@ -110,8 +110,7 @@ TEST_CASE("check and run agree on every example deck in every lubricant, cold an
   CHECK(good > 300);
 }
 
-TEST_CASE("oil too thick for a film is an error of the deck that names its lubricant",
-          "[physics][film][check]") {
+TEST_CASE("check: oil too thick for a film → error with the lubricant", "[physics][film][check]") {
   for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"})
     for (const char* mode : {"-1", "0"}) {
       CAPTURE(type, mode);
@@ -126,8 +125,7 @@ TEST_CASE("oil too thick for a film is an error of the deck that names its lubri
     }
 }
 
-TEST_CASE("a film that is only too thick for its formula is warned of by check",
-          "[physics][film][check]") {
+TEST_CASE("check: film too thick for its formula → warning", "[physics][film][check]") {
   // Between the range of the fits and the end: some temperature of these has it.
   bool warned = false;
   for (double kelvin = 200.0; kelvin < 280.0 && !warned; kelvin += 4.0) {
@@ -138,7 +136,7 @@ TEST_CASE("a film that is only too thick for its formula is warned of by check",
   CHECK(warned);
 }
 
-TEST_CASE("cold oil that makes no film refuses nothing", "[physics][film][check]") {
+TEST_CASE("check: cold oil without a film → no error", "[physics][film][check]") {
   const Sets cold = with(in_oil(4), at(95.0));
   // No oil before the contacts: whatever it is, it acts on nothing.
   for (const char* mode : {"-1", "0"}) {
@@ -161,7 +159,7 @@ TEST_CASE("cold oil that makes no film refuses nothing", "[physics][film][check]
   CHECK_FALSE(checked("ball", with({{"mode", "0"}}, with(cold, rest))).ok());
 }
 
-TEST_CASE("thermal steps may begin in oil too thick for a film, but not in a glass",
+TEST_CASE("check: thermal steps from oil too thick for a film → allowed, from a glass → error",
           "[physics][film][check][thermal]") {
   const Sets thermal{{"mode", "0"},        {"kTherm", "1"},         {"kCoolant", "14"},
                      {"kBaseTemp", "3"},   {"kHTC", "0"},           {"kGeoMod", "0"},
@@ -188,7 +186,7 @@ TEST_CASE("thermal steps may begin in oil too thick for a film, but not in a gla
   }
 }
 
-TEST_CASE("thermal steps that cool the oil into a glass end the run with that",
+TEST_CASE("run: thermal steps that cool the oil into a glass → run ends with that message",
           "[physics][film][thermal]") {
   const Sets cooled{{"mode", "0"},        {"kTherm", "1"},         {"kCoolant", "4"},
                     {"kBaseTemp", "3"},   {"kHTC", "0"},           {"kGeoMod", "0"},
@@ -205,7 +203,7 @@ TEST_CASE("thermal steps that cool the oil into a glass end the run with that",
              Catch::Contains("after thermal step") && Catch::Contains("is a glass"));
 }
 
-TEST_CASE("cold oil at the cage and in the cavity is asked for, too", "[physics][film][check]") {
+TEST_CASE("check: cold oil at the cage and in the cavity → checked too", "[physics][film][check]") {
   const Sets oil = with({{"mode", "0"}}, in_oil(4));
   const auto found = [&](const Sets& more) { return checked("ball", with(oil, more)); };
   const Sets films{{"kPocHydro", "1"}, {"pocLubFilm", "1.0e-4"}};
@@ -225,7 +223,7 @@ TEST_CASE("cold oil at the cage and in the cavity is asked for, too", "[physics]
   CHECK(says(churned, Severity::Error, "kChrn = 1: "));
 }
 
-TEST_CASE("a churning medium outside its range is warned of by check", "[physics][check]") {
+TEST_CASE("check: churning medium outside its range → warning", "[physics][check]") {
   const Sets churning{{"mode", "-1"}, {"kChrn", "14"}, {"denRatio", "0.1"}, {"visRatio", "0.1"}};
   CHECK(says(checked("ball", with(churning, at(450.0))), Severity::Warning,
              "the churning medium, are known from"));
@@ -233,8 +231,7 @@ TEST_CASE("a churning medium outside its range is warned of by check", "[physics
                    "the churning medium, are known from"));
 }
 
-TEST_CASE("a coolant that takes no heat is an error of the deck before a run begins",
-          "[unit][check][thermal]") {
+TEST_CASE("check: coolant without heat capacity → error before the run", "[unit][check][thermal]") {
   for (const char* mode : {"-1", "0"})
     for (const char* name : {"reHTC", "cageHTC"}) {
       CAPTURE(mode, name);
@@ -253,7 +250,7 @@ TEST_CASE("a coolant that takes no heat is an error of the deck before a run beg
     }
 }
 
-TEST_CASE("every lubricant, medium and coolant has a word for what is known of it, and runs say it",
+TEST_CASE("check: every lubricant, medium and coolant → provenance reported",
           "[validation][film][check][thermal]") {
   // A motion, whose listing has no page of friction and no network before its first thermal step.
   const auto said = [](const Sets& sets, const std::string& name, const std::string& what,
@@ -294,7 +291,7 @@ TEST_CASE("every lubricant, medium and coolant has a word for what is known of i
   }
 }
 
-TEST_CASE("a motion with a thermal analysis has a plan", "[unit][thermal]") {
+TEST_CASE("plan: motion with a thermal analysis → has a plan", "[unit][thermal]") {
   for (const char* type : {"ball", "cylindrical"}) {
     CAPTURE(type);
     const Sets sets{{"mode", "0"},           {"kTherm", "1"},       {"kCoolant", "14"},

@@ -21,7 +21,7 @@ const Issue* find(const std::vector<Issue>& issues, Severity severity, const std
 
 }  // namespace
 
-TEST_CASE("a motion that cannot be run has its geometry checked all the same", "[unit][check]") {
+TEST_CASE("check: motion that cannot run → geometry still checked", "[unit][check]") {
   deck::Deck deck = deck::new_deck("tapered");
   deck.set("mode", "0");
   deck.complete();
@@ -39,7 +39,7 @@ TEST_CASE("a motion that cannot be run has its geometry checked all the same", "
   CHECK(find(facade::check_model(cylindrical), Severity::Error, "crown radius") != nullptr);
 }
 
-TEST_CASE("a motion without a step is remarked", "[unit][check]") {
+TEST_CASE("check: motion without steps → remark", "[unit][check]") {
   deck::Deck deck = deck::new_deck("ball");
   CHECK(find(facade::check_model(deck), Severity::Note, "maxStps") == nullptr);
   deck.set("maxStps", "0");
@@ -52,7 +52,7 @@ TEST_CASE("a motion without a step is remarked", "[unit][check]") {
   CHECK(find(facade::check_model(deck), Severity::Note, "no step is made") == nullptr);
 }
 
-TEST_CASE("impossible shapes are refused by record and variable, with a limit that works",
+TEST_CASE("check: impossible shapes → error with record, variable and a valid limit",
           "[unit][check]") {
   struct Bad {
     const char* deck;
@@ -94,7 +94,7 @@ TEST_CASE("impossible shapes are refused by record and variable, with a limit th
   CHECK(find(facade::check_model(english), Severity::Error, " in long cannot have") != nullptr);
 }
 
-TEST_CASE("a negative traction coefficient is refused by its own name", "[unit][check]") {
+TEST_CASE("check: negative traction coefficient → error with its name", "[unit][check]") {
   const std::pair<const char*, const char*> curves[] = {{"kTracType", "reRaceTC"},
                                                         {"kRFTracType", "reFlngTC"},
                                                         {"kCPTracType", "reCageTC"},
@@ -116,7 +116,7 @@ TEST_CASE("a negative traction coefficient is refused by its own name", "[unit][
       }
 }
 
-TEST_CASE("a clearance that puts the races into each other is refused by its record",
+TEST_CASE("check: clearance that makes the races overlap → error with its record",
           "[unit][check]") {
   for (const char* name : {"cylindrical-nu209", "spherical-22210", "deep-groove-6205"}) {
     deck::Deck deck = deck::new_deck(name);
@@ -130,7 +130,7 @@ TEST_CASE("a clearance that puts the races into each other is refused by its rec
   }
 }
 
-TEST_CASE("imperfections that leave no bearing are refused by record and variable",
+TEST_CASE("check: imperfections that leave no bearing → error with record and variable",
           "[unit][check]") {
   const auto refusal = [](const char* name,
                           const std::vector<std::pair<const char*, const char*>>& sets) {
@@ -154,7 +154,7 @@ TEST_CASE("imperfections that leave no bearing are refused by record and variabl
         "5G.1B reLenVar");
 }
 
-TEST_CASE("waves that cancel and laws that end are remarked", "[unit][check]") {
+TEST_CASE("check: waves that cancel and laws that end → remark", "[unit][check]") {
   deck::Deck deck = deck::new_deck("cylindrical-nu209");
   deck.set("kRaceGeoImp2", "2");
   deck.set("rlTaper12", "1e-4");

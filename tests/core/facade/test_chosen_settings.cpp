@@ -40,7 +40,8 @@ void check_rows(const ChosenSettings& chosen, double target) {
 
 }  // namespace
 
-TEST_CASE("nodes of the contact ellipses are chosen with the steps", "[accuracy][slow]") {
+TEST_CASE("chosen settings: nodes of the contact ellipses chosen with the steps",
+          "[accuracy][slow]") {
   const DeckRequest request = example("ball-18");
   const ChosenSettings rough = choose_settings(request, 0.2, {});
   check_rows(rough, 0.2);
@@ -78,14 +79,14 @@ TEST_CASE("nodes of the contact ellipses are chosen with the steps", "[accuracy]
   }
 }
 
-TEST_CASE("slices of rollers are chosen with the steps", "[accuracy][slow]") {
+TEST_CASE("chosen settings: slices of rollers chosen with the steps", "[accuracy][slow]") {
   const ChosenSettings chosen = choose_settings(example("cylindrical"), 0.05, {});
   INFO(chosen.text);
   check_rows(chosen, 0.05);
   CHECK(chosen.options.front().first == "rollerSlices");
 }
 
-TEST_CASE("a resolution that the request gives stays", "[accuracy][slow]") {
+TEST_CASE("chosen settings: resolution given in the request → kept", "[accuracy][slow]") {
   DeckRequest request = example("ball-18");
   request.options = {{"ellipseMajor", "20"}};
   const ChosenSettings chosen = choose_settings(request, 0.2, {});

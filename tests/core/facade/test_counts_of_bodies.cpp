@@ -10,7 +10,7 @@
 
 using namespace adore;
 
-TEST_CASE("an option of the command line that changes a count monitors the same bodies and says so",
+TEST_CASE("monitored bodies: count changed on the command line → same bodies, with a note",
           "[unit][facade]") {
   int decks = 0;
   for (const deck::TemplateInfo& info : deck::templates()) {

@@ -445,29 +445,28 @@ void check_walk(const std::string& title, const Deck& first,
 
 }  // namespace
 
-TEST_CASE("every variable of a quasi-static ball deck acts, is refused, or is said to play no part",
+TEST_CASE("every variable: quasi-static ball deck → acts, is rejected, or is listed as unused",
           "[validation][variables][slow]") {
   check_walk("ball, mode -1", lively("ball", false));
 }
 
-TEST_CASE("every variable of a ball deck in motion acts, is refused, or is said to play no part",
+TEST_CASE("every variable: ball deck in motion → acts, is rejected, or is listed as unused",
           "[validation][variables][slow]") {
   check_walk("ball, mode 0", lively("ball", true));
 }
 
-TEST_CASE("every number of the contacts of moving rollers acts, or is said to play no part",
+TEST_CASE("every variable: contacts of moving rollers → acts, or is listed as unused",
           "[validation][variables][slow]") {
   check_walk("cylindrical, mode 0", lively_rollers(), {"2", "5", "7", "9.6", "10"}, 12);
 }
 
-TEST_CASE("every number of the contacts of a moving cage in segments acts, or is said to play none",
+TEST_CASE("every variable: contacts of a moving segmented cage → acts, or is listed as unused",
           "[validation][variables][slow]") {
   check_walk("segments, mode 0", lively_segments(), {"5", "7", "9.6", "10"}, 8);
 }
 
-TEST_CASE(
-    "every variable of a quasi-static roller deck acts, is refused, or is said to play no part",
-    "[validation][variables][slow]") {
+TEST_CASE("every variable: quasi-static roller deck → acts, is rejected, or is listed as unused",
+          "[validation][variables][slow]") {
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
     check_walk(fmt::format("{}, mode -1", type), lively(type, false));
 }
@@ -526,7 +525,7 @@ Deck with_given_life_constants(const std::string& type) {
 
 }  // namespace
 
-TEST_CASE("every number beside another one of its record that is 0 acts, is refused or is named",
+TEST_CASE("every variable: next to a 0 in its record → acts, is rejected or is listed",
           "[validation][variables][slow]") {
   int pairs = 0;
   for (const char* type : {"ball", "cylindrical", "tapered"})
@@ -535,7 +534,7 @@ TEST_CASE("every number beside another one of its record that is 0 acts, is refu
   CHECK(pairs > 400);
 }
 
-TEST_CASE("every value of an example that plays no part has a reason, in both kinds of run",
+TEST_CASE("every variable: unused value of an example → has a reason, in both kinds of run",
           "[unit][variables]") {
   int decks = 0;
   const fs::path folder = test::source_dir() / "resources/decks";

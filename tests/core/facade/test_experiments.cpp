@@ -40,7 +40,7 @@ void check_rows(const Experiment& one) {
 
 }  // namespace
 
-TEST_CASE("every experiment has a figure in every row, its kind and its certainty",
+TEST_CASE("experiments: every row has a value, its kind and its certainty",
           "[validation][experiments]") {
   // Runs in time have their own test cases, or belong to the whole page below.
   const std::set<std::string> slow{"TRB-32216", "SPIN-DOWN", "MFPT-SLIP", "CWRU-DE", "SKF-TORQUE"};
@@ -51,14 +51,14 @@ TEST_CASE("every experiment has a figure in every row, its kind and its certaint
 }
 
 // Hidden: `test_facade [page]`, part of the nightly run.
-TEST_CASE("the whole page of experiments takes at most a minute of the processor",
+TEST_CASE("experiments: the whole page takes at most a minute of processor time",
           "[.][page][experiments]") {
   const std::clock_t start = std::clock();
   for (const Experiment& one : facade::run_experiments()) check_rows(one);
   CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 60.0);
 }
 
-TEST_CASE("the large bearing is predicted with the parameters of the small one, untouched",
+TEST_CASE("experiments: the large bearing is predicted with the parameters of the small one",
           "[validation][experiments]") {
   const Experiment small = facade::run_experiments("NASA-35").front();
   const Experiment large = facade::run_experiments("NASA-120").front();
@@ -86,8 +86,9 @@ TEST_CASE("the large bearing is predicted with the parameters of the small one, 
   CHECK_THROWS_AS(facade::run_experiments("NASA-1"), InputError);
 }
 
-TEST_CASE("the disc of SPIN-DOWN runs down in time, its larger balls with a skid at speed",
-          "[validation][experiments]") {
+TEST_CASE(
+    "experiments: the disc of SPIN-DOWN stops in time, with a skid of its larger balls at speed",
+    "[validation][experiments]") {
   const Experiment one = facade::run_experiments("SPIN-DOWN").front();
   std::vector<double> still, in_time;
   for (const ExperimentRow& row : one.rows) {
@@ -111,8 +112,9 @@ TEST_CASE("the disc of SPIN-DOWN runs down in time, its larger balls with a skid
   CHECK(std::abs(in_time[1] - still[1]) < 0.01);
 }
 
-TEST_CASE("the tapered bearing has the measured torque, with rib and cage named apart",
-          "[validation][experiments][slow]") {
+TEST_CASE(
+    "experiments: the tapered bearing has the measured torque, with separate rib and cage parts",
+    "[validation][experiments][slow]") {
   const Experiment one = facade::run_experiments("TRB-32216").front();
   int still = 0, in_motion = 0, cages = 0;
   double whole = 0.0, parts = 0.0;
@@ -152,7 +154,7 @@ TEST_CASE("the tapered bearing has the measured torque, with rib and cage named 
   CHECK(parts == Approx(whole).epsilon(1e-9));
 }
 
-TEST_CASE("a deviation counts from the nearer end of a range", "[unit][experiments]") {
+TEST_CASE("experiments: deviation from a range → from its nearer end", "[unit][experiments]") {
   ExperimentRow row;
   row.ours = 0.7;
   CHECK_FALSE(row.deviation());
@@ -165,7 +167,8 @@ TEST_CASE("a deviation counts from the nearer end of a range", "[unit][experimen
   CHECK_FALSE(row.agrees());
 }
 
-TEST_CASE("bounds and signs agree or not and have no deviation", "[unit][experiments]") {
+TEST_CASE("experiments: bounds and signs → agree or not, without a deviation",
+          "[unit][experiments]") {
   ExperimentRow row;
   row.type = facade::RowType::Bound;
   row.theirs = 6.0;

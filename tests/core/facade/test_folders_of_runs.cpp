@@ -17,8 +17,7 @@ using namespace adore;
 using namespace adore::facade;
 namespace fs = std::filesystem;
 
-TEST_CASE("a folder that was made for results and stayed empty is gone, and no other",
-          "[unit][folders]") {
+TEST_CASE("results folder: created here and empty → removed, others kept", "[unit][folders]") {
   const testing::TemporaryFolder place;
   const fs::path there = place / "there";
   fs::create_directory(there);
@@ -43,7 +42,7 @@ TEST_CASE("a folder that was made for results and stayed empty is gone, and no o
   CHECK_THROWS_AS(ResultsFolder(place / "file"), InputError);
 }
 
-TEST_CASE("runs that are refused leave no folder", "[unit][folders]") {
+TEST_CASE("run: rejected → leaves no folder", "[unit][folders]") {
   const testing::TemporaryFolder place;
   RunRequest request;
   request.text = std::string(deck::template_text("ball"));
@@ -56,7 +55,7 @@ TEST_CASE("runs that are refused leave no folder", "[unit][folders]") {
   CHECK_FALSE(fs::exists(place / "a"));
 }
 
-TEST_CASE("passing folders of killed processes go, those of living ones and of others stay",
+TEST_CASE("temporary folders: of killed processes → removed, of running ones and others → kept",
           "[unit][folders]") {
   const testing::TemporaryFolder place;
   // In a process of its own: the first folder of a process looks for those that were left.

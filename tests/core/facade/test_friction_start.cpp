@@ -80,7 +80,7 @@ std::vector<double> moved(dynamics::System& system, std::vector<double> y, doubl
 
 }  // namespace
 
-TEST_CASE("tapered rollers start in the skew that their rib's friction would bring them to",
+TEST_CASE("friction start: tapered rollers start in the skew of their rib's friction",
           "[physics][facade][rollers]") {
   const facade::Prepared ready = prepared("tapered", {});
   dynamics::System system = facade::make_system(ready);
@@ -98,10 +98,8 @@ TEST_CASE("tapered rollers start in the skew that their rib's friction would bri
   CHECK(unbalanced < 0.9 * at_start);
 }
 
-TEST_CASE(
-    "a bearing that turns the other way starts with the opposite skew, one without friction "
-    "with none",
-    "[physics][facade][rollers]") {
+TEST_CASE("friction start: reversed speed → opposite skew; no friction → none",
+          "[physics][facade][rollers]") {
   const auto skew_of = [](const char* type, const Sets& sets) {
     const facade::Prepared ready = prepared(type, sets);
     dynamics::System system = facade::make_system(ready);
@@ -117,7 +115,7 @@ TEST_CASE(
   for (const double skew : skew_of("cylindrical", {})) CHECK(std::abs(skew) < 1e-12);
 }
 
-TEST_CASE("balance of friction is the same in modes 0 and 1, and stays out where elements are held",
+TEST_CASE("friction start: same balance in modes 0 and 1; not where elements are held",
           "[physics][facade][rollers][constrained]") {
   const auto start_of = [](const Sets& sets) {
     // Elements in balance have no damping at the races, free ones do.
@@ -156,7 +154,7 @@ TEST_CASE("start: an element pressed into its races → excess energy is judged"
   }
 }
 
-TEST_CASE("change_remark(): shocks that the deck specifies end no run", "[unit][facade]") {
+TEST_CASE("change_remark(): jumps that the deck specifies → run continues", "[unit][facade]") {
   dynamics::NewEquilibrium change;
   change.moved = true;
   change.elastic = 1.0;
@@ -170,7 +168,7 @@ TEST_CASE("change_remark(): shocks that the deck specifies end no run", "[unit][
       Catch::Contains("200 %") && Catch::Contains("ADRX1") && Catch::Contains("the run continues"));
 }
 
-TEST_CASE("balance_race(): a step that raises the residual is undone", "[physics][facade]") {
+TEST_CASE("balance_race(): step that increases the residual → undone", "[physics][facade]") {
   const facade::Prepared ready = prepared("ball", {{"mode", "2"}});
   dynamics::System system = facade::make_system(ready);
   std::vector<double> start = system.initial_state();
@@ -187,7 +185,7 @@ TEST_CASE("balance_race(): a step that raises the residual is undone", "[physics
   CHECK(left > 10.0 * better);
 }
 
-TEST_CASE("rollers without a balance of friction start as they are, and a remark says so",
+TEST_CASE("friction start: rollers without a balance of friction → start unchanged, with a remark",
           "[physics][facade][rollers]") {
   const facade::Prepared ready = prepared("spherical", {});
   dynamics::System system = facade::make_system(ready);

@@ -50,7 +50,7 @@ Sets with(Sets sets, const Sets& more) {
 
 }  // namespace
 
-TEST_CASE("a race turns on from where it was when its run goes on at another speed",
+TEST_CASE("continued run: other speed → race turns on from its angle",
           "[validation][continuation]") {
   const testing::TemporaryFolder folder;
   const fs::path run = folder / "run";
@@ -85,7 +85,7 @@ TEST_CASE("a race turns on from where it was when its run goes on at another spe
   CHECK(anew.revolutions == Approx(10000.0 / 60.0 * anew.time).epsilon(1e-9));
 }
 
-TEST_CASE("turns of a run that goes on at another speed count from its start",
+TEST_CASE("continued run: other speed → revolutions count from its start",
           "[validation][continuation]") {
   const testing::TemporaryFolder folder;
   facade::RunRequest request;
@@ -104,7 +104,7 @@ TEST_CASE("turns of a run that goes on at another speed count from its start",
                     Catch::Contains("(0.03 turns)") && Catch::Contains("(0.02 turns)"));
 }
 
-TEST_CASE("what holds a free race follows the deck of the run that goes on",
+TEST_CASE("continued run: constraints of a free race follow its deck",
           "[validation][continuation][races]") {
   const testing::TemporaryFolder folder;
   const fs::path run = folder / "run", fresh = folder / "fresh";
@@ -126,7 +126,7 @@ TEST_CASE("what holds a free race follows the deck of the run that goes on",
   CHECK(std::abs(state_of(run, "inner race.velocity[3]")) < 1e-12);
 }
 
-TEST_CASE("a free race goes on to the same bytes under the same deck",
+TEST_CASE("continued run: free race under the same deck → same bytes",
           "[validation][continuation]") {
   const testing::TemporaryFolder folder;
   const Sets sine{{"kVarSpeed", "2"}, {"raceSpeedAmp2", "500"}, {"raceSpeedFreq2", "300"}};
@@ -141,7 +141,7 @@ TEST_CASE("a free race goes on to the same bytes under the same deck",
   }
 }
 
-TEST_CASE("flanges wear their race and the ends of the rollers", "[physics][wear][rollers]") {
+TEST_CASE("flanges: wear of their race and of the roller ends", "[physics][wear][rollers]") {
   const testing::TemporaryFolder folder;
   deck::Deck deck = deck::new_deck("tapered");
   const Sets every{{"nStps", "1"},     {"kPltFreq", "1"},    {"kAGraf", "0"},
@@ -183,7 +183,7 @@ TEST_CASE("flanges wear their race and the ends of the rollers", "[physics][wear
   CHECK_THAT(ran.print, Catch::Contains("of it: flanges"));
 }
 
-TEST_CASE("a run that goes on says where another frequency puts its race elsewhere at once",
+TEST_CASE("continued run: other frequency → jump of its race is reported",
           "[validation][continuation]") {
   const testing::TemporaryFolder folder;
   const fs::path run = folder / "run";
@@ -205,7 +205,7 @@ TEST_CASE("a run that goes on says where another frequency puts its race elsewhe
                              Catch::Contains("a changed frequency changes the phase"));
 }
 
-TEST_CASE("a cage that starts beyond its elements is refused by the record that puts it there",
+TEST_CASE("cage start: outside its elements → rejected with the record that puts it there",
           "[unit][cage]") {
   const testing::TemporaryFolder folder;
   for (const char* place : {"cageGcPos[1]", "cageGcPos[2]"}) {

@@ -30,7 +30,7 @@ deck::Deck hammering() {
 
 }  // namespace
 
-TEST_CASE("rollers that hammer a free race keep their energy books", "[validation][integrators]") {
+TEST_CASE("rollers that hammer a free race: energy ledger closes", "[validation][integrators]") {
   const testing::TemporaryFolder folder;
   const testing::Ran run = testing::run_deck(hammering(), folder / "run");
   const double share = std::abs(run.outcome.energy_residual) / run.outcome.energy_scale;

@@ -26,8 +26,8 @@ deck::Deck conformal(const char* load) {
 }  // namespace
 
 TEST_CASE(
-    "A groove that fits its balls too closely is refused by its ellipse, warned of before "
-    "the motion, or ends it with the contact that left Hertz's theory",
+    "Groove too conformal to its balls → rejected by its ellipse, warned of before the motion, or "
+    "run ends with the contact beyond Hertz's theory",
     "[physics][facade]") {
   const testing::TemporaryFolder folder;
   // 20 kN: the ellipse of the equilibrium would be longer than the ball.
@@ -59,8 +59,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A ball that the races squeeze beyond Hertz's theory ends the run with its contact, whose "
-    "limit is that of its own angle",
+    "Ball squeezed beyond Hertz's theory → run ends with its contact, whose limit is that of its "
+    "angle",
     "[physics][facade]") {
   // One ball between races that stay where it needs them at the start. With constants of the mean
   // angle its limit lay higher, and past its own radius the surface of the contact is none.
@@ -75,7 +75,7 @@ TEST_CASE(
                              "length reaches the radius of the element"));
 }
 
-TEST_CASE("A run whose steps all miss the tolerance at stpMin ends with that",
+TEST_CASE("Run whose steps all miss the tolerance at stpMin → ends with that message",
           "[physics][facade][slow]") {
   const testing::TemporaryFolder folder;
   // Steps of 0.3 are stable, with errors far above a tolerance of 1e-13.

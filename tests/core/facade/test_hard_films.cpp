@@ -123,8 +123,8 @@ std::string end_of(const deck::Deck& deck, const std::filesystem::path& folder,
 }  // namespace
 
 TEST_CASE(
-    "films of all types at 4 GPa, cold against each other, and as the bearing stops: solved, "
-    "or the energy that has no account is named",
+    "films of all types at 4 GPa, cold, and as the bearing stops → solved, or energy residual "
+    "reported",
     "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   int solved = 0, runs = 0;
@@ -158,7 +158,7 @@ TEST_CASE(
 }
 
 // The ladder has no air around it (decision 810).
-TEST_CASE("without coolant and insulated temperatures of all types run away, and the end says so",
+TEST_CASE("thermal analysis: no coolant, insulated → temperatures run away, with a message",
           "[validation][film][thermal][slow]") {
   const testing::TemporaryFolder folder;
   int runs = 0;
@@ -175,7 +175,7 @@ TEST_CASE("without coolant and insulated temperatures of all types run away, and
       }
 }
 
-TEST_CASE("without coolant the air around housing and shaft takes the heat of all types",
+TEST_CASE("thermal analysis: no coolant → air around housing and shaft takes the heat, all types",
           "[validation][film][thermal][slow]") {
   const testing::TemporaryFolder folder;
   for (const char* type : kTypes) {
@@ -199,8 +199,8 @@ TEST_CASE("without coolant the air around housing and shaft takes the heat of al
 // 1e-4 0.013 of the 0.04 J that moved energy residual of, at 1e-5 3.6e-3, at the deck's
 // 1e-6 2.1e-4, at 1e-7 6e-6. The sentence names the tolerance.
 TEST_CASE(
-    "cylindrical rollers between cold races that turn against each other: the remedy of the "
-    "sentence is one",
+    "cylindrical rollers between cold races with relative rotation: the remedy of the message "
+    "works",
     "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   Sets sets = cold_against();

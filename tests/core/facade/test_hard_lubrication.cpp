@@ -51,8 +51,7 @@ facade::Prepared equilibrium(const char* name, Sets sets) {
 }  // namespace
 
 // Contact vibration carries next to no heat: elements in balance dissipate what free ones do.
-TEST_CASE("held balls run in oil: modes 1 and 2 and qFac make the heat of mode 0",
-          "[physics][film][slow]") {
+TEST_CASE("held balls in oil: modes 1 and 2 and qFac → heat of mode 0", "[physics][film][slow]") {
   const testing::TemporaryFolder folder;
   const auto heat = [&](const char* name, Sets sets) {
     sets.emplace_back("maxStps", "300");
@@ -70,7 +69,7 @@ TEST_CASE("held balls run in oil: modes 1 and 2 and qFac make the heat of mode 0
   CHECK(heat("qfac", {{"qFac", "0.5"}}) == Approx(free).epsilon(0.03));
 }
 
-TEST_CASE("a film that collapses while the bearing stops is no end of the run",
+TEST_CASE("film that collapses while the bearing stops → run continues",
           "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   // 10000 rpm to nothing within 5 ms, then 1 ms at rest.
@@ -87,8 +86,7 @@ TEST_CASE("a film that collapses while the bearing stops is no end of the run",
   CHECK(ran.print.find("nan") == std::string::npos);
 }
 
-TEST_CASE("a starved bearing makes more sliding heat, and its films are thinner",
-          "[physics][film]") {
+TEST_CASE("starved bearing → more sliding heat, thinner films", "[physics][film]") {
   const auto solve = [](const char* meniscus) {
     return equilibrium("angular-218", {{"strParam", meniscus},
                                        {"reRaceTC2", "0.1"},
@@ -109,8 +107,7 @@ TEST_CASE("a starved bearing makes more sliding heat, and its films are thinner"
   CHECK(sliding(starved) > 1.2 * sliding(flooded));
 }
 
-TEST_CASE("a starved bearing heats: the thermal steady state of mode -1 finds it warmer",
-          "[physics][film][thermal]") {
+TEST_CASE("starved bearing: thermal steady state of mode -1 → warmer", "[physics][film][thermal]") {
   const auto settled = [](const char* meniscus) {
     return equilibrium("angular-218", {{"kTherm", "1"},
                                        {"kCoolant", "14"},
@@ -141,7 +138,7 @@ TEST_CASE("a starved bearing heats: the thermal steady state of mode -1 finds it
 
 // Steel balls that liquid oxygen brakes, on a solid film: 50 N of thrust let them lag, 1500 N drive
 // them.
-TEST_CASE("a skidding bearing recovers when its load rises", "[physics][film]") {
+TEST_CASE("skidding bearing: load increases → recovers", "[physics][film]") {
   const testing::TemporaryFolder folder;
   const auto skid = [&](const char* name, const char* first, const char* then) {
     Deck deck = deck::new_deck("lox-turbopump");
@@ -180,7 +177,7 @@ TEST_CASE("a skidding bearing recovers when its load rises", "[physics][film]") 
 }
 
 // The law of kTrac 1 has no limit: at 2.7 GPa its film would carry many times its load.
-TEST_CASE("the friction of an equilibrium is bounded at the highest pressures", "[physics][film]") {
+TEST_CASE("friction of an equilibrium: bounded at the highest pressures", "[physics][film]") {
   for (const char* load : {"1400.0", "2800.0", "8000.0"}) {
     CAPTURE(load);
     const facade::Prepared p = equilibrium("deep-groove-6205", {{"kTrac", "1"},

@@ -31,7 +31,7 @@ deck::Deck with(const char* name, std::initializer_list<std::pair<const char*, c
 
 }  // namespace
 
-TEST_CASE("random ball diameters follow the seed and the rms of the deck",
+TEST_CASE("imperfections: random ball diameters → seed and rms of the deck",
           "[unit][imperfections]") {
   const deck::Deck deck = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "2e-6"}});
   const auto b = setup::build_bearing(deck);
@@ -63,7 +63,8 @@ TEST_CASE("random ball diameters follow the seed and the rms of the deck",
         b.imperfections.ball_diameter[3]);
 }
 
-TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfections]") {
+TEST_CASE("imperfections: listed diameters and race errors → in the bearing",
+          "[unit][imperfections]") {
   const deck::Deck deck =
       with("ball", {{"kReGeoImp", "2"}, {"kRaceGeoImp1", "1"}, {"kRaceGeoImp2", "2"}},
            {{"reDiaVar2", "3e-6"},
@@ -98,7 +99,7 @@ TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfec
         Approx(4e-6 * std::cos(60 * kDegree)).epsilon(1e-3));
 }
 
-TEST_CASE("all deviations of random rollers, and their lands, are solved",
+TEST_CASE("imperfections: all deviations of random rollers and their lands → solved",
           "[unit][imperfections]") {
   const deck::Deck deck = with("cylindrical", {{"kReGeoImp", "1"}, {"kRaceGeoImp1", "2"}},
                                {{"reDiaVar", "1e-6"},
@@ -128,7 +129,7 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
   CHECK(report.take().find("land offs") != std::string::npos);
 }
 
-TEST_CASE("imperfections that cannot be simulated are refused by name", "[unit][imperfections]") {
+TEST_CASE("imperfections: not supported → rejected by name", "[unit][imperfections]") {
   deck::Deck moving = with("ball", {{"kReGeoImp", "3"}}, {});
   moving.set("mode", "0");
   moving.complete();

@@ -263,7 +263,7 @@ void over_random_decks(const std::string& type, unsigned seed, const Check& chec
 
 }  // namespace
 
-TEST_CASE("random bearings turned by a pitch, their elements renamed, move likewise",
+TEST_CASE("invariance: random bearings rotated by a pitch, elements renumbered → same motion",
           "[physics][invariance][slow]") {
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
     over_random_decks(type, 11, [](const RandomDeck& deck, const Followed& plain, Dice& dice) {
@@ -277,7 +277,7 @@ TEST_CASE("random bearings turned by a pitch, their elements renamed, move likew
     });
 }
 
-TEST_CASE("random bearings mirrored in a plane through their axis move mirrored",
+TEST_CASE("invariance: random bearings mirrored in a plane through their axis → mirrored motion",
           "[physics][invariance][slow]") {
   const Mat3 mirror = Vec3(1.0, -1.0, 1.0).asDiagonal();
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
@@ -290,7 +290,8 @@ TEST_CASE("random bearings mirrored in a plane through their axis move mirrored"
     });
 }
 
-TEST_CASE("random decks in the other units move likewise", "[physics][invariance][slow]") {
+TEST_CASE("invariance: random decks in the other units → same motion",
+          "[physics][invariance][slow]") {
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
     over_random_decks(type, 13, [](const RandomDeck& deck, const Followed& plain, Dice&) {
       const Followed english =
@@ -303,7 +304,7 @@ TEST_CASE("random decks in the other units move likewise", "[physics][invariance
     });
 }
 
-TEST_CASE("random bearings: steps that are halved come to one motion",
+TEST_CASE("convergence: random bearings, halved steps → one motion",
           "[physics][invariance][slow]") {
   // Fourth order between impacts; where a step meets one (an element into a pocket, on to a
   // raceway), its error hangs on where in the step it lies, and may grow when the step is halved: 6

@@ -97,7 +97,7 @@ bool holds_nan(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("every lubricant in every hard scene: a result without NaN, or a sentence",
+TEST_CASE("every lubricant in every hard scene → result without NaN, or a message",
           "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   int solved = 0, said = 0;

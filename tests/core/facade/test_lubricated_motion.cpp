@@ -43,7 +43,7 @@ Deck oiled(const char* code, const Sets& sets = {}, const char* type = "ball") {
 
 }  // namespace
 
-TEST_CASE("balls run in oil: the energy ledger closes, films are printed", "[validation][film]") {
+TEST_CASE("balls in oil: energy ledger closes, films are printed", "[validation][film]") {
   const testing::TemporaryFolder folder;
   for (const char* code : {"1", "3", "6"}) {
     CAPTURE(code);
@@ -62,7 +62,7 @@ TEST_CASE("balls run in oil: the energy ledger closes, films are printed", "[val
   }
 }
 
-TEST_CASE("where no oil reaches the contacts every output says no film, as the equilibrium does",
+TEST_CASE("no oil at the contacts → every output has no film, as the equilibrium",
           "[validation][film]") {
   const testing::TemporaryFolder folder;
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
@@ -100,7 +100,7 @@ TEST_CASE("where no oil reaches the contacts every output says no film, as the e
     }
 }
 
-TEST_CASE("a user routine for traction is refused by name", "[unit][film]") {
+TEST_CASE("user routine for traction without plug-in → rejected by name", "[unit][film]") {
   CHECK_THAT(refusal_of(oiled("3")), Catch::Contains("was accepted"));
   Deck routine = deck::new_deck("ball");
   routine.set("kTrac", "-1");
@@ -108,7 +108,7 @@ TEST_CASE("a user routine for traction is refused by name", "[unit][film]") {
   CHECK_THAT(refusal_of(routine), Catch::Contains("ADRX7"));
 }
 
-TEST_CASE("rollers of all types run in oil: the energy ledger closes", "[validation][film]") {
+TEST_CASE("rollers of all types in oil: energy ledger closes", "[validation][film]") {
   const testing::TemporaryFolder folder;
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
     for (const char* code : {"3", "6", "11"}) {
@@ -148,7 +148,7 @@ std::string fault_of(const Deck& deck, const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("every lubricant moves every type of bearing", "[validation][film][slow]") {
+TEST_CASE("every lubricant with every type of bearing → runs", "[validation][film][slow]") {
   const testing::TemporaryFolder folder;
   for (const char* type : kTypes)
     for (int code = 1; code <= 20; ++code) {
@@ -162,8 +162,7 @@ TEST_CASE("every lubricant moves every type of bearing", "[validation][film][slo
     }
 }
 
-TEST_CASE("hard states of lubricated bearings run without a number that is none",
-          "[validation][film][slow]") {
+TEST_CASE("hard states of lubricated bearings → no NaN", "[validation][film][slow]") {
   struct Case {
     const char* name;
     Sets sets;
@@ -203,7 +202,7 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
   CHECK(ran >= 5 * 4 * 5);  // whatever is not cold, of every type
 }
 
-TEST_CASE("a run in oil reports film, lambda and flash of every contact, and its life uses them",
+TEST_CASE("run in oil: film, lambda and flash of every contact, used by its life",
           "[validation][film]") {
   const testing::TemporaryFolder folder;
   for (const char* type : kTypes) {

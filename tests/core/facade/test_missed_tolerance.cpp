@@ -42,7 +42,7 @@ bool warned(const facade::RunOutcome& outcome, const std::string& of) {
 
 }  // namespace
 
-TEST_CASE("steps that miss the tolerance are judged by their mean error", "[unit][facade]") {
+TEST_CASE("missed tolerance: judged by the mean error of the steps", "[unit][facade]") {
   CHECK(judged(1e-6, 1e3, 0).text.empty());
   CHECK(judged(1e-6, 0.1).trusted);
   CHECK_THAT(judged(1e-6, 0.1).text, Catch::Contains("50 of 100 steps (50 %)"));
@@ -60,7 +60,7 @@ TEST_CASE("steps that miss the tolerance are judged by their mean error", "[unit
   CHECK_FALSE(judged(1e-4, 11.0).trusted);
 }
 
-TEST_CASE("a run far above its tolerance does not end as done, one near it does",
+TEST_CASE("missed tolerance: far above → run not done, slightly above → done",
           "[physics][facade]") {
   // Steps of 5 time scales: cvode-bdf misses with all of them, and its energy closes to 1e-3.
   const facade::RunOutcome far = run_ball("cvode-bdf", 1e-6, {{"stpMin", "5"}, {"stpMax", "50"}});
@@ -72,12 +72,12 @@ TEST_CASE("a run far above its tolerance does not end as done, one near it does"
   CHECK(warned(near, "missed the tolerance of 1e-09"));
 }
 
-TEST_CASE("a loose tolerance is warned of", "[unit][facade]") {
+TEST_CASE("loose tolerance → warning", "[unit][facade]") {
   CHECK(warned(run_ball("rkf5", 1e-3, {}), "is loose"));
   CHECK_FALSE(warned(run_ball("rkf5", 1e-4, {}), "is loose"));
 }
 
-TEST_CASE("a method of many orders whose steps must be shorter than stpMin has room to vary them",
+TEST_CASE("variable-order method whose steps must be shorter than stpMin → room to vary them",
           "[physics][facade]") {
   for (const char* method : {"cvode-adams", "cvode-bdf"}) {
     const facade::RunOutcome out = run_ball(method, 1e-6, {{"stpMin", "0.9"}, {"stpMax", "50"}});

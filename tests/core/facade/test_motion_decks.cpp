@@ -69,7 +69,7 @@ std::string warnings(const Sets& sets) {
 
 }  // namespace
 
-TEST_CASE("every excitation and constraint of a ball deck runs and closes the energy ledger",
+TEST_CASE("ball deck: every excitation and constraint → runs, energy ledger closes",
           "[validation][motions]") {
   const testing::TemporaryFolder folder;
   const std::pair<const char*, Sets> cases[] = {
@@ -138,7 +138,7 @@ TEST_CASE("every excitation and constraint of a ball deck runs and closes the en
   }
 }
 
-TEST_CASE("constraints, turning frame and given inertia of rollers close the energy ledger",
+TEST_CASE("roller deck: constraints, turning frame and given inertia → energy ledger closes",
           "[validation][motions][rollers]") {
   const testing::TemporaryFolder folder;
   const auto cylindrical = [](const Sets& sets) {
@@ -178,7 +178,7 @@ TEST_CASE("constraints, turning frame and given inertia of rollers close the ene
   }
 }
 
-TEST_CASE("the share of a free race's radial load turns at its speed", "[unit][motions]") {
+TEST_CASE("free race: rotating fraction of its radial load turns at its speed", "[unit][motions]") {
   constexpr double kShare = 0.4, kSpeed = 9000.0 * std::numbers::pi / 30.0, kMass = 0.8;
   const facade::Prepared p = prepared(with(kShaft, {{"kRaceIP2", "1"},
                                                     {"raceMass2", "0.8"},
@@ -213,7 +213,7 @@ TEST_CASE("the share of a free race's radial load turns at its speed", "[unit][m
   }
 }
 
-TEST_CASE("what cannot act together is refused by variable, and what stays open is said",
+TEST_CASE("incompatible values → rejected with the variable; open conditions → reported",
           "[unit][motions]") {
   CHECK_THAT(refusal({{"kDOF", "6"}}), Catch::Contains("kDOF") && Catch::Contains("ADRX1"));
   const Sets vibrating = with(kShaft, {{"kVarLoad", "2"}, {"raceVibAmp32", "1e-6"}});
@@ -250,7 +250,7 @@ TEST_CASE("what cannot act together is refused by variable, and what stays open 
              Catch::Contains("in force balance along x, y and z"));
 }
 
-TEST_CASE("the turning frame loads the bearing by the shares of the races", "[physics][motions]") {
+TEST_CASE("turning frame: loads the bearing by the fractions of the races", "[physics][motions]") {
   const Sets frame{
       {"kRotFrame", "1"}, {"brgOrbitRad", "0.1"}, {"brgAngVel", "1500"}, {"brgAngPos", "90"}};
   const auto load = [&](const char* outer, const char* inner) {
@@ -269,7 +269,7 @@ TEST_CASE("the turning frame loads the bearing by the shares of the races", "[ph
   CHECK(load("0.25", "0").first[2] == Approx(500.0));
 }
 
-TEST_CASE("runs with moving races go on where they stopped", "[validation][motions]") {
+TEST_CASE("moving races: run continues where it stopped", "[validation][motions]") {
   const testing::TemporaryFolder folder;
   const Sets moving = with(kShaft, {{"kVarSpeed", "1"},
                                     {"raceAngAcc2", "1e6"},
@@ -299,7 +299,7 @@ TEST_CASE("runs with moving races go on where they stopped", "[validation][motio
   }
 }
 
-TEST_CASE("a law of the races that moves nothing is off, and costs nothing", "[deck][motion]") {
+TEST_CASE("law of the races with zero amplitude → off, without cost", "[deck][motion]") {
   // Each code, what it would do, and a value with which it does that.
   const std::vector<std::tuple<Sets, std::string, Sets>> laws{
       {{{"kVarLoad", "1"}}, "rotating load", {{"rotLoadFrac2", "0.5"}, {"rotLoadRpm2", "9000"}}},

@@ -101,7 +101,7 @@ Sets beside(const Hard& hard, double share) {
 
 }  // namespace
 
-TEST_CASE("no integrator is wrong without saying so", "[physics][facade][slow]") {
+TEST_CASE("integrators: wrong result → always reported", "[physics][facade][slow]") {
   const auto number = GENERATE(range(std::size_t{0}, kHard.size()));
   const Hard& hard = kHard[number];
   // Runs whose loads hardly differ: how far right runs may differ. One of them alone may lie close

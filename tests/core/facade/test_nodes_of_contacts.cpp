@@ -47,7 +47,8 @@ Told run_with(deck::Deck deck, const Options& options) {
 
 }  // namespace
 
-TEST_CASE("The nodes of the examples keep the heat of the races, oiled or not", "[facade]") {
+TEST_CASE("Nodes of the examples: heat of the races is accurate, with and without oil",
+          "[facade]") {
   for (const deck::TemplateInfo& example : deck::templates()) {
     deck::Deck deck = deck::new_deck(example.name);
     if (deck.integer("mode") < 0 || deck.integer("kBrg") != 1) continue;
@@ -58,7 +59,7 @@ TEST_CASE("The nodes of the examples keep the heat of the races, oiled or not", 
   }
 }
 
-TEST_CASE("Nodes that cannot see a film follow the pressure are warned of", "[facade]") {
+TEST_CASE("Nodes that do not resolve a film of variable pressure → warning", "[facade]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("kTrac", "1");
   deck.complete();

@@ -135,7 +135,7 @@ std::pair<std::string, std::size_t> channel_of(const Printed& p, std::size_t sur
 
 }  // namespace
 
-TEST_CASE("PRINT.txt, the plot files and RESULTS.h5 tell one value of every angle",
+TEST_CASE("angles: PRINT.txt, the plot files and RESULTS.h5 have the same values",
           "[validation][outputs]") {
   for (const char* type : kTypes) {
     const testing::TemporaryFolder folder;

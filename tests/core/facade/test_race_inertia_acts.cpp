@@ -64,8 +64,7 @@ std::set<std::string> named(const facade::RunRequest& request) {
 
 }  // namespace
 
-TEST_CASE("inertia of a race acts, or is named as without part, in every direction that is free",
-          "[facade]") {
+TEST_CASE("race inertia: acts, or is listed as unused, in every free direction", "[facade]") {
   for (const Freedom& freedom : kFreedoms) {
     CAPTURE(freedom.name);
     const std::vector<double> usual = results_of(request_of(freedom));

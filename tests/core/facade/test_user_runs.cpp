@@ -11,8 +11,7 @@
 using namespace adore;
 using namespace adore::user_runs;
 
-TEST_CASE("a routine that restates the built-in traction gives the same motion",
-          "[user][physics]") {
+TEST_CASE("user routine equal to the built-in traction → same motion", "[user][physics]") {
   const std::string until = "2e-4s";
   // Elastic: with damped contacts the last bit grows to 1e-15 m and 1.3e-10 m/s of single balls.
   const auto elastic = [&](const char* name, const std::string& deck) {
@@ -43,7 +42,7 @@ TEST_CASE("a routine that restates the built-in traction gives the same motion",
   CHECK(difference(here, ran_with(alone)) == 0.0);
 }
 
-TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the closed form",
+TEST_CASE("ADRX1: accelerated inner race → speed and rotation of the closed form",
           "[user][physics]") {
   const std::string lines = "1e-4 4e-4 10000 10300\n0 0\n";
   auto request = request_of("accelerate", deck_with({}, lines), "5e-4s");
@@ -85,7 +84,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
                  Catch::Contains("a jump of its loads at t = 0.0001 s"));
 }
 
-TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
+TEST_CASE("ADRX1: shaken housing → moves as A sin wt", "[user][physics]") {
   const double A = 2e-6, f = 2000.0, end = 6e-4;
   auto request = request_of("shake", deck_with({}, fmt::format("0 0 0 0\n{} {}\n", A, f)),
                             fmt::format("{}s", end));
@@ -100,8 +99,7 @@ TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
   CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
 }
 
-TEST_CASE("a base frame that ADRX1 accelerates is a field of gravity the other way",
-          "[user][physics]") {
+TEST_CASE("ADRX1: accelerated base frame → opposite gravity field", "[user][physics]") {
   const std::string until = "2e-4s";
   for (const char* type : {"ball", "cylindrical"}) {
     CAPTURE(type);
@@ -131,8 +129,7 @@ TEST_CASE("a base frame that ADRX1 accelerates is a field of gravity the other w
   }
 }
 
-TEST_CASE("a base frame that ADRX1 accelerates is record 9.5 on an orbit without end",
-          "[user][physics]") {
+TEST_CASE("ADRX1: accelerated base frame → record 9.5 on an infinite orbit", "[user][physics]") {
   // a = R w^2 towards the axis of the orbit. What is left of the turning is Coriolis: 2 w v on a
   // body whose v = a t makes it a w t^2, which is w t of a t.
   const double a = 1000.0, angle = 0.5;
@@ -171,7 +168,7 @@ TEST_CASE("a base frame that ADRX1 accelerates is record 9.5 on an orbit without
   }
 }
 
-TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][physics]") {
+TEST_CASE("ADRX9: heat map adds up to the heat of the ledger", "[user][physics]") {
   auto request = request_of("heat", deck_with({}, ""), "2e-4s");
   double worst = 0.0, before = 0.0, at = 0.0, sum = 0.0;
   int steps = 0;
@@ -211,8 +208,7 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
   CHECK(first.substr(first.find('\n')) == second.substr(second.find('\n')));
 }
 
-TEST_CASE("decks that ask for a routine are refused without a plug-in, and told how to give one",
-          "[user][unit]") {
+TEST_CASE("user routines: deck without plug-in → rejected, with instructions", "[user][unit]") {
   for (const auto& [variable, code, routine] : {std::tuple{"kTrac", "-1", "ADRX7"},
                                                 {"kCPTrac", "-1", "ADRX7"},
                                                 {"kCRTrac", "-1", "ADRX7"},
@@ -227,8 +223,7 @@ TEST_CASE("decks that ask for a routine are refused without a plug-in, and told 
   }
 }
 
-TEST_CASE("a routine that answers not-a-number ends the run with its name, and files stay valid",
-          "[user][unit]") {
+TEST_CASE("user routines: NaN → run ends with its name, files stay valid", "[user][unit]") {
   auto bad = std::make_shared<user::PlugIn>();
   bad->source = "the test";
   bad->hooks[7] = [](adore_call& call) {
@@ -248,7 +243,7 @@ TEST_CASE("a routine that answers not-a-number ends the run with its name, and f
   CHECK_THAT(text_of(ran.folder / "RUN.json"), Catch::Contains("\"failed\""));
 }
 
-TEST_CASE("a routine that fails before the first step is named", "[user][unit]") {
+TEST_CASE("user routines: failure before the first step → named", "[user][unit]") {
   for (long after : {3L, 5L, 9L}) {
     auto bad = std::make_shared<user::PlugIn>();
     bad->source = "the test";
@@ -274,7 +269,7 @@ TEST_CASE("a routine that fails before the first step is named", "[user][unit]")
   }
 }
 
-TEST_CASE("a routine that refuses every state from some call on ends the run with its name",
+TEST_CASE("user routines: every state rejected from some call on → run ends with its name",
           "[user][unit]") {
   auto bad = std::make_shared<user::PlugIn>();
   bad->source = "the test";
@@ -295,7 +290,7 @@ TEST_CASE("a routine that refuses every state from some call on ends the run wit
   CHECK_THAT(text_of(ran.folder / "RUN.json"), Catch::Contains("\"failed\""));
 }
 
-TEST_CASE("materials, imperfections and pockets of the user take their place", "[user][physics]") {
+TEST_CASE("user routines: materials, imperfections and pockets are used", "[user][physics]") {
   facade::DeckRequest request;
   request.text = deck_with({{"kReMat", "2"}, {"kReGeoImp", "3"}}, "");
   request.user = json_file("adrx08", R"~({"adrx0": {"element": {"density": 3200,
@@ -322,8 +317,10 @@ TEST_CASE("materials, imperfections and pockets of the user take their place", "
   CHECK(std::abs(other.outcome.energy_residual) < 1e-3 * other.outcome.energy_scale);
 }
 
-TEST_CASE("force laws of flanges, pockets and lands: restated they change nothing, others act",
-          "[user][physics]") {
+TEST_CASE(
+    "user routines: force laws of flanges, pockets and lands; equal laws change nothing, others "
+    "act",
+    "[user][physics]") {
   struct Case {
     const char* name;
     int hook;
@@ -384,7 +381,7 @@ TEST_CASE("force laws of flanges, pockets and lands: restated they change nothin
   }
 }
 
-TEST_CASE("routine of a normal force: damping acts in addition to it, and the energy closes",
+TEST_CASE("user routines: normal force → damping acts in addition, and the energy closes",
           "[user][physics][damping]") {
   struct Case {
     const char* name;
@@ -427,7 +424,7 @@ TEST_CASE("routine of a normal force: damping acts in addition to it, and the en
   }
 }
 
-TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[user][unit]") {
+TEST_CASE("user routines: force laws without a contact → reported", "[user][unit]") {
   const auto says = [](int hook, const std::string& type, const Sets& sets) {
     facade::DeckRequest request;
     request.text = deck_of(type, sets, "");
@@ -457,7 +454,7 @@ TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[
   }
 }
 
-TEST_CASE("races that ADRX6 gives are those that decks give", "[user][physics]") {
+TEST_CASE("ADRX6: races of the routine equal those of decks", "[user][physics]") {
   struct Case {
     const char *name, *type, *until;
     Sets deck;
@@ -536,7 +533,7 @@ TEST_CASE("races that ADRX6 gives are those that decks give", "[user][physics]")
   }
 }
 
-TEST_CASE("a crown that ADRX5 gives is the crown of the deck", "[user][physics]") {
+TEST_CASE("ADRX5: crown of the routine equals the crown of the deck", "[user][physics]") {
   // Record 5B.1: a straight land of 8 mm, then circles of 2 m. The crown that the routine gives
   // takes nothing off the mass, so both have that of record 6.1.
   const std::string until = "1e-4s";
@@ -571,7 +568,7 @@ TEST_CASE("a crown that ADRX5 gives is the crown of the deck", "[user][physics]"
   CHECK(difference(in_deck, ran_with(balls)) == 0.0);
 }
 
-TEST_CASE("surfaces that cannot be simulated are refused with their reason", "[user][unit]") {
+TEST_CASE("user surfaces: not supported → rejected with the reason", "[user][unit]") {
   const auto says = [](const std::string& type, const Sets& sets, const std::string& json) {
     facade::DeckRequest request;
     request.text = deck_of(type, sets, "");

@@ -43,7 +43,7 @@ std::shared_ptr<user::PlugIn> restating(const bearing::TractionCurve& c, int kin
 
 }  // namespace
 
-TEST_CASE("traction of every kind is asked for all contacts at once, and restated changes nothing",
+TEST_CASE("user traction: one call for all contacts of each type, and equal laws change nothing",
           "[user][physics]") {
   struct Case {
     const char *name, *type, *variable;

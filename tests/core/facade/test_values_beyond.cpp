@@ -68,12 +68,11 @@ void compare(const std::string& type) {
 
 }  // namespace
 
-TEST_CASE("a number that no bearing has is refused by its line, record and name",
-          "[unit][beyond]") {
+TEST_CASE("impossible number → rejected with line, record and name", "[unit][beyond]") {
   compare("ball");
 }
 
-TEST_CASE("numbers that no roller bearing has are refused by their lines, records and names",
+TEST_CASE("impossible numbers of roller bearings → rejected with lines, records and names",
           "[unit][beyond][slow]") {
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
     compare(type);

@@ -38,7 +38,7 @@ const scene::EffectEntry& entry(const facade::Prepared& prepared, const std::str
 
 }  // namespace
 
-TEST_CASE("effects are left out by the names of the plan, and are not built", "[unit][facade]") {
+TEST_CASE("effectsOff: names of the plan → effects are not built", "[unit][facade]") {
   const facade::Prepared whole = facade::prepare(ball());
   const facade::Prepared less = facade::prepare(
       ball({{"effectsOff", "gravity, momentum ledger,wear and power integrals,ball orientation"}}));
@@ -56,7 +56,8 @@ TEST_CASE("effects are left out by the names of the plan, and are not built", "[
         5 * static_cast<int>(whole.plan.oriented_elements.size()) + 6);
 }
 
-TEST_CASE("who asks for few roller slices is not told that few of them touch", "[unit][facade]") {
+TEST_CASE("rollerSlices: few slices specified → no remark on few slices in contact",
+          "[unit][facade]") {
   const auto said_of = [](const char* name, const char* slices) {
     DeckRequest request;
     request.text = deck::write_deck(deck::new_deck(name));
@@ -70,20 +71,20 @@ TEST_CASE("who asks for few roller slices is not told that few of them touch", "
   CHECK(said_of("spherical", "31").find("fewer than 8 of 31 slices touch") != std::string::npos);
 }
 
-TEST_CASE("guide lands take their traction with them", "[unit][facade]") {
+TEST_CASE("effectsOff: guide lands → their traction is off too", "[unit][facade]") {
   const facade::Prepared less = facade::prepare(ball({{"effectsOff", "cage / race guide lands"}}));
   CHECK_FALSE(less.plan.has(Effect::LandContact));
   CHECK_FALSE(less.plan.has(Effect::LandTraction));
 }
 
-TEST_CASE("what cannot be left out is refused with what decides it, and what can be",
+TEST_CASE("effectsOff: effect that cannot be left out → error with its cause and the possible ones",
           "[unit][facade]") {
   CHECK(refusal("cage motion").find("nCseg = 1") != std::string::npos);
   CHECK(refusal("gravitation").find("momentum ledger") != std::string::npos);
   CHECK(refusal("gravitation").find("\"gravitation\"") != std::string::npos);
 }
 
-TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]") {
+TEST_CASE("what-if: change and cost of each effect", "[physics][facade]") {
   facade::WhatIfRequest request;
   static_cast<DeckRequest&>(request) = ball();
   request.turns = 0.1;
@@ -122,7 +123,7 @@ TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]
   CHECK_THROWS_AS(facade::what_if(request, {}, {}), InputError);
 }
 
-TEST_CASE("contactDamping: default, a number, 0 and modes in balance -> plan and notes say which",
+TEST_CASE("contactDamping: default, a number, 0 and modes in balance → reported in plan and notes",
           "[unit][facade][damping]") {
   const auto prepared = [](const std::string& value, const std::string& variable = "",
                            const std::string& set = "") {

@@ -114,7 +114,7 @@ class Carrier final : public OdeSystem {
 
 }  // namespace
 
-TEST_CASE("The arrow solves as a dense matrix does", "[unit][integrators]") {
+TEST_CASE("Arrow matrix: solution equals that of a dense matrix", "[unit][integrators]") {
   std::vector<int> no_border{0, 1, 2, 0, 1, 2, 2};
   std::vector<int> bearing;
   for (int part = 0; part < 9; ++part)
@@ -138,7 +138,8 @@ TEST_CASE("The arrow solves as a dense matrix does", "[unit][integrators]") {
   }
 }
 
-TEST_CASE("A ring of blocks with a border solves as a dense matrix does", "[unit][integrators]") {
+TEST_CASE("Arrow matrix: ring of blocks with a border → solution equals that of a dense matrix",
+          "[unit][integrators]") {
   for (const int blocks : {1, 2, 3, 4, 5, 6, 7, 8, 11, 18})
     for (const int border : {0, 1, 5}) {
       std::vector<int> block_of;
@@ -186,7 +187,7 @@ TEST_CASE("A ring of blocks with a border solves as a dense matrix does", "[unit
   }
 }
 
-TEST_CASE("A singular part and a wrong structure are reported", "[unit][integrators]") {
+TEST_CASE("Arrow matrix: singular part or wrong structure → reported", "[unit][integrators]") {
   auto [arrow, dense] = random_pair(kScattered, 13, 1);
   for (const int j : {1, 4, 8}) arrow.at(4, j) = 0.0;
   CHECK_FALSE(arrow.factor());
@@ -196,8 +197,7 @@ TEST_CASE("A singular part and a wrong structure are reported", "[unit][integrat
   CHECK_THROWS_AS(ArrowShape(std::vector<int>{0, 7}, 2), std::invalid_argument);
 }
 
-TEST_CASE("The Jacobian of an arrow equals the dense one at a price that does not grow",
-          "[unit][integrators]") {
+TEST_CASE("Arrow Jacobian: equals the dense one at constant cost", "[unit][integrators]") {
   for (const auto& [n, ring] : {std::pair{3, false},
                                 {12, false},
                                 {40, false},
@@ -238,8 +238,7 @@ TEST_CASE("The Jacobian of an arrow equals the dense one at a price that does no
   }
 }
 
-TEST_CASE("Implicit methods follow the same path with and without the arrow",
-          "[physics][integrators]") {
+TEST_CASE("Implicit methods: same path with and without the arrow", "[physics][integrators]") {
   for (const auto& [name, ring] : {std::pair{"cvode-bdf", false},
                                    {"arkode-dirk", false},
                                    {"arkode-imex", false},
@@ -262,7 +261,7 @@ TEST_CASE("Implicit methods follow the same path with and without the arrow",
   }
 }
 
-TEST_CASE("A split whose positions move explicitly gains no stability", "[physics][integrators]") {
+TEST_CASE("Split with explicit positions → no gain of stability", "[physics][integrators]") {
   // Why the stiff part of a vibration holds its velocities as well: with the accelerations alone
   // every stage knows its positions before it solves for anything. A spring of 20 rad/s, steps of
   // 0.5 s: ten radians each.
@@ -292,7 +291,7 @@ TEST_CASE("A split whose positions move explicitly gains no stability", "[physic
   CHECK(largest(false) > 1e3);
 }
 
-TEST_CASE("The implicit-explicit method has order four on both parts of a split",
+TEST_CASE("Implicit-explicit method: order four on both parts of a split",
           "[physics][integrators]") {
   // x'' = -k x (stiff) - 2 c x' (rest), k = 25: x = exp(-c t) cos(w t) with w² = k - c².
   const double k = 25.0, c = 0.3, w = std::sqrt(k - c * c);

@@ -48,7 +48,7 @@ Problem all_methods(int size, int controlled, const Problem::Function& f) {
 
 }  // namespace
 
-TEST_CASE("Integrators are found by name and by intMet code", "[unit][integrators]") {
+TEST_CASE("Integrators: found by name and by intMet code", "[unit][integrators]") {
   REQUIRE(stepper_names().size() == 21);
   for (const auto name : stepper_names()) CHECK(make_stepper(name)->name() == name);
   CHECK(name_of_int_met(1) == "rkf1");
@@ -68,7 +68,7 @@ TEST_CASE("Integrators are found by name and by intMet code", "[unit][integrator
                                               Catch::Contains("arkode-imex"));
 }
 
-TEST_CASE("Contradictory step control is refused with a sentence", "[unit][integrators]") {
+TEST_CASE("Step control: contradictory settings → error message", "[unit][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
   const StepControl bad[] = {{.maximum = 0.0},
@@ -89,7 +89,7 @@ TEST_CASE("Contradictory step control is refused with a sentence", "[unit][integ
   }
 }
 
-TEST_CASE("A narrow pulse and a fast prescribed motion are not stepped over",
+TEST_CASE("Step control: narrow pulse and fast prescribed motion → not stepped over",
           "[physics][integrators]") {
   // y' = pulse of unit area and width 0.01 at t = 5, plus cos(40 t).
   const double begin = 5.0, width = 0.01, rate = 40.0;
@@ -128,7 +128,7 @@ TEST_CASE("A narrow pulse and a fast prescribed motion are not stepped over",
   CHECK(blind->state()[0] == 0.0);
 }
 
-TEST_CASE("The pairs that are blind to quadratures notice a contact late in the step",
+TEST_CASE("Step control: pairs blind to quadratures notice a contact late in the step",
           "[physics][integrators]") {
   // Free flight, then a stiff wall: only stages at the end of the step touch it, and the classical
   // estimate is exactly 0.
@@ -146,7 +146,8 @@ TEST_CASE("The pairs that are blind to quadratures notice a contact late in the 
   }
 }
 
-TEST_CASE("Pure quadratures are resolved by the blind pairs too", "[physics][integrators]") {
+TEST_CASE("Step control: pure quadratures → resolved by the blind pairs too",
+          "[physics][integrators]") {
   Problem problem(1, 1, [](double t, const double*, double* f) {
     f[0] = std::cos(40.0 * t);
     return EvalStatus::Ok;
@@ -161,7 +162,7 @@ TEST_CASE("Pure quadratures are resolved by the blind pairs too", "[physics][int
   }
 }
 
-TEST_CASE("Steps of the minimum size are accepted whatever their error, and counted",
+TEST_CASE("Step control: steps of the minimum size → accepted with any error, and counted",
           "[unit][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
@@ -189,7 +190,7 @@ TEST_CASE("Steps of the minimum size are accepted whatever their error, and coun
   }
 }
 
-TEST_CASE("Stop times are hit exactly, never passed, and do not spoil the next step",
+TEST_CASE("Stop times: hit exactly, never passed, no effect on the next step",
           "[unit][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
@@ -216,7 +217,7 @@ TEST_CASE("Stop times are hit exactly, never passed, and do not spoil the next s
   }
 }
 
-TEST_CASE("A constant step is held to the last bit, or refused by name", "[unit][integrators]") {
+TEST_CASE("Constant step: kept to the last bit, or rejected by name", "[unit][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
   const StepControl control{.initial = 0.0, .minimum = 0.1, .maximum = 0.1, .tolerance = 1e-3};
@@ -241,7 +242,7 @@ TEST_CASE("A constant step is held to the last bit, or refused by name", "[unit]
   }
 }
 
-TEST_CASE("A state that is not finite ends the run, named by time, step and component",
+TEST_CASE("State that is not finite → run ends with time, step and component",
           "[unit][integrators]") {
   Problem problem = all_methods(3, 3, [](double t, const double* y, double* f) {
     f[0] = -y[0];
@@ -265,7 +266,7 @@ TEST_CASE("A state that is not finite ends the run, named by time, step and comp
   }
 }
 
-TEST_CASE("Retry leads to a smaller step, and to a diagnosis when no step is small enough",
+TEST_CASE("Retry: smaller step, and a diagnosis when no step is small enough",
           "[unit][integrators]") {
   // The solution decays and stays positive; a step that is too long asks beyond zero.
   int retries = 0;
@@ -306,7 +307,7 @@ TEST_CASE("Retry leads to a smaller step, and to a diagnosis when no step is sma
   }
 }
 
-TEST_CASE("Our own methods allocate nothing after the start", "[unit][integrators]") {
+TEST_CASE("Methods of this program: no allocation after the start", "[unit][integrators]") {
   Problem problem = bouncing_mass();
   const std::vector<double> y0{1.0, 0.0, 0.0};
   for (const auto name : stepper_names()) {
@@ -319,7 +320,7 @@ TEST_CASE("Our own methods allocate nothing after the start", "[unit][integrator
   }
 }
 
-TEST_CASE("Quadratures do not influence the steps", "[unit][integrators]") {
+TEST_CASE("Quadratures: no influence on the steps", "[unit][integrators]") {
   // The same mass with and without quadratures that no step could resolve.
   Problem plain = bouncing_mass();
   const auto wild = [&plain](double t, const double* y, double* f) {
@@ -354,7 +355,7 @@ TEST_CASE("Quadratures do not influence the steps", "[unit][integrators]") {
   }
 }
 
-TEST_CASE("States handed out are projected and the derivative belongs to them",
+TEST_CASE("Projection: returned states are projected, with the matching derivative",
           "[unit][integrators]") {
   Problem problem = rotation();
   const auto y0 = rotation_exact(0.0);
@@ -385,7 +386,7 @@ TEST_CASE("States handed out are projected and the derivative belongs to them",
   }
 }
 
-TEST_CASE("A projection that matters reaches the state that the method goes on with",
+TEST_CASE("Projection: reaches the state with which the method continues",
           "[physics][integrators]") {
   // A point on the unit circle whose radius would grow without the projection, and whose speed
   // follows the radius.
@@ -414,7 +415,7 @@ TEST_CASE("A projection that matters reaches the state that the method goes on w
   }
 }
 
-TEST_CASE("The implicit-explicit method says what it needs", "[unit][integrators]") {
+TEST_CASE("Implicit-explicit method: missing stiff part → error message", "[unit][integrators]") {
   Problem problem = kepler();
   problem.stiff = nullptr;
   const auto stepper = make_stepper("arkode-imex");
@@ -423,7 +424,7 @@ TEST_CASE("The implicit-explicit method says what it needs", "[unit][integrators
                     Catch::Contains("stiff part") && Catch::Contains("arkode-dirk"));
 }
 
-TEST_CASE("Implicit methods take long steps over a stiff decay", "[physics][integrators]") {
+TEST_CASE("Implicit methods: long steps over a stiff decay", "[physics][integrators]") {
   // y' = -1e5 (y - cos t): explicit methods need some 1e5 steps for t = 2, stiff ones some
   // hundreds.
   Problem problem = all_methods(2, 1, [](double t, const double* y, double* f) {
@@ -446,7 +447,7 @@ TEST_CASE("Implicit methods take long steps over a stiff decay", "[physics][inte
   }
 }
 
-TEST_CASE("Newton's error stays below that of the step where a cap makes that small",
+TEST_CASE("Newton's error: below that of the step when a step cap makes that small",
           "[physics][integrators]") {
   // Ten orbits in steps whose own error is far below the tolerance: no tolerance decides any more.
   for (const char* name : {"arkode-dirk", "arkode-imex"})
@@ -465,7 +466,7 @@ TEST_CASE("Newton's error stays below that of the step where a cap makes that sm
     }
 }
 
-TEST_CASE("A stepper starts again from any state as if it were new", "[unit][integrators]") {
+TEST_CASE("Stepper: restart from any state → like a new one", "[unit][integrators]") {
   Problem first = kepler();
   Problem second = bouncing_mass();
   for (const auto name : stepper_names()) {
@@ -485,7 +486,7 @@ TEST_CASE("A stepper starts again from any state as if it were new", "[unit][int
   }
 }
 
-TEST_CASE("A step cap costs no more steps than the span holds, and none exceeds it",
+TEST_CASE("Step cap: no more steps than the span needs, and none exceeds it",
           "[unit][integrators]") {
   // A slow motion that every method would take in longer steps.
   Problem problem(1, 1, [](double t, const double*, double* d) {
@@ -506,8 +507,7 @@ TEST_CASE("A step cap costs no more steps than the span holds, and none exceeds 
   }
 }
 
-TEST_CASE("The order of a method that changes its order is held where it is asked",
-          "[unit][integrators]") {
+TEST_CASE("Variable-order method: order limited as specified", "[unit][integrators]") {
   Problem problem(2, 2, [](double, const double* y, double* d) {
     d[0] = y[1];
     d[1] = -y[0];
@@ -527,7 +527,7 @@ TEST_CASE("The order of a method that changes its order is held where it is aske
   }
 }
 
-TEST_CASE("Error scales are magnitudes: their sign changes nothing", "[unit][integrators]") {
+TEST_CASE("Error scales: their sign has no effect", "[unit][integrators]") {
   class Signed final : public OdeSystem {
    public:
     explicit Signed(double sign) : scales_{sign, sign * 2.0} {}
@@ -560,8 +560,7 @@ TEST_CASE("Error scales are magnitudes: their sign changes nothing", "[unit][int
   }
 }
 
-TEST_CASE("A stepper that is resumed goes on bit for bit, or says what it lost",
-          "[unit][integrators]") {
+TEST_CASE("Resumed stepper: continues bit for bit, or reports its losses", "[unit][integrators]") {
   Problem orbit = kepler(), spin = rotation(), bounce = bouncing_mass();
   struct Case {
     Problem* problem;

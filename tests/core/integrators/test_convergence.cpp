@@ -52,8 +52,7 @@ int steps_for(const Stepper& stepper) {
 
 }  // namespace
 
-TEST_CASE("Every method that holds a constant step shows its design order on a Kepler orbit",
-          "[physics][integrators]") {
+TEST_CASE("Constant-step methods: design order on a Kepler orbit", "[physics][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
   for (const auto name : stepper_names()) {
@@ -67,7 +66,7 @@ TEST_CASE("Every method that holds a constant step shows its design order on a K
   }
 }
 
-TEST_CASE("Projection of quaternions costs no order", "[physics][integrators]") {
+TEST_CASE("Projection of quaternions: no loss of order", "[physics][integrators]") {
   Problem problem = rotation();
   const auto y0 = rotation_exact(0.0);
   for (const auto name :
@@ -81,7 +80,7 @@ TEST_CASE("Projection of quaternions costs no order", "[physics][integrators]") 
   }
 }
 
-TEST_CASE("The start of a predictor-corrector method keeps its order", "[physics][integrators]") {
+TEST_CASE("Predictor-corrector start: order of the method", "[physics][integrators]") {
   // Over a handful of steps the error is that of the start: were it made of plain order-4 steps,
   // order 8 would show as 5 (the local order of the start), not as about 8.
   Problem problem = kepler();
@@ -92,8 +91,7 @@ TEST_CASE("The start of a predictor-corrector method keeps its order", "[physics
   CHECK(stepper->counters().restarts == 0);
 }
 
-TEST_CASE("Predictor-corrector methods keep their order on a grid that changes all the time",
-          "[physics][integrators]") {
+TEST_CASE("Predictor-corrector methods: order kept on a variable grid", "[physics][integrators]") {
   // Stop times force an uneven grid; all its steps shrink together.
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
@@ -116,7 +114,7 @@ TEST_CASE("Predictor-corrector methods keep their order on a grid that changes a
   }
 }
 
-TEST_CASE("Quadratures converge with the order of the method", "[physics][integrators]") {
+TEST_CASE("Quadratures: converge with the order of the method", "[physics][integrators]") {
   // q' = y with y' = -y: q(2) = 1 - e^-2. A quadrature of lower order would hide in no other test.
   Problem problem(2, 1, [](double, const double* y, double* f) {
     f[0] = -y[0];
@@ -147,8 +145,7 @@ TEST_CASE("Quadratures converge with the order of the method", "[physics][integr
   }
 }
 
-TEST_CASE("A quadrature that is a linear function of the state stays so to rounding",
-          "[physics][integrators]") {
+TEST_CASE("Quadrature that is linear in the state: linear to rounding", "[physics][integrators]") {
   // Every method keeps linear invariants when it treats quadratures with the formula of the state,
   // in the implicit methods through the coupling rows of Newton's matrix: the energy ledger rests
   // on this.
@@ -167,7 +164,7 @@ TEST_CASE("A quadrature that is a linear function of the state stays so to round
   }
 }
 
-TEST_CASE("The error of every method falls with the tolerance over five decades",
+TEST_CASE("Every method: error falls with the tolerance over five decades",
           "[physics][integrators]") {
   Problem problem = kepler();
   const auto y0 = kepler_exact(0.0);
@@ -189,7 +186,8 @@ TEST_CASE("The error of every method falls with the tolerance over five decades"
   }
 }
 
-TEST_CASE("All methods agree on a mass that bounces on a Hertz contact", "[physics][integrators]") {
+TEST_CASE("All methods: agree on a mass that bounces on a Hertz contact",
+          "[physics][integrators]") {
   Problem problem = bouncing_mass();
   const std::vector<double> y0{1.0, 0.0, 0.0};
   const double t_end = 9.0;  // three impacts

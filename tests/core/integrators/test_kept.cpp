@@ -60,7 +60,7 @@ Run fall(std::string_view method, double scale) {
 
 }  // namespace
 
-TEST_CASE("a step loses no more of what the solution keeps than the tolerance allows",
+TEST_CASE("conserved quantities: loss per step at most that of the tolerance",
           "[physics][integrators]") {
   for (const auto name : stepper_names()) {
     if (!name.starts_with("rk") && !name.starts_with("pece")) continue;
@@ -75,7 +75,8 @@ TEST_CASE("a step loses no more of what the solution keeps than the tolerance al
   }
 }
 
-TEST_CASE("what is lost at any length of the step holds no run up", "[unit][integrators]") {
+TEST_CASE("conserved quantities: loss independent of the step length → run continues",
+          "[unit][integrators]") {
   Problem problem = kepler();
   for (const auto name : stepper_names()) {
     if (!name.starts_with("rk") && !name.starts_with("pece")) continue;
@@ -92,7 +93,8 @@ TEST_CASE("what is lost at any length of the step holds no run up", "[unit][inte
   }
 }
 
-TEST_CASE("steps at their limit stay as they are when they lose little", "[unit][integrators]") {
+TEST_CASE("conserved quantities: steps at their limit with small loss → unchanged",
+          "[unit][integrators]") {
   Problem problem = kepler();
   const auto binding = [](double, const double* y) {
     return 0.5 * (y[2] * y[2] + y[3] * y[3]) - 1.0 / std::hypot(y[0], y[1]);
@@ -111,7 +113,7 @@ TEST_CASE("steps at their limit stay as they are when they lose little", "[unit]
   }
 }
 
-TEST_CASE("a run that is watched goes on to the same bits", "[unit][integrators]") {
+TEST_CASE("conserved quantities: checked run → continues to the same bits", "[unit][integrators]") {
   for (const auto name : stepper_names()) {
     if (!name.starts_with("rk") && !name.starts_with("pece")) continue;
     Problem problem = bouncing_mass();
@@ -129,7 +131,7 @@ TEST_CASE("a run that is watched goes on to the same bits", "[unit][integrators]
   }
 }
 
-TEST_CASE("a run of before there was such an account opens it where it goes on",
+TEST_CASE("conserved quantities: run of an older version → account opened at the continuation",
           "[unit][integrators]") {
   Problem problem = bouncing_mass();
   Watched unwatched(problem, 0.0, energy), watched(problem, 0.05, energy);

@@ -80,7 +80,7 @@ double defect(const std::array<double, kMaxStages>& b, int order, const Tableau&
 
 }  // namespace
 
-TEST_CASE("Rooted trees are counted as in the literature", "[unit][integrators]") {
+TEST_CASE("Rooted trees: numbers of the literature", "[unit][integrators]") {
   const auto trees = trees_up_to(8);
   const long expected[] = {1, 1, 2, 4, 9, 20, 48, 115};
   for (int n = 1; n <= 8; ++n) {
@@ -89,7 +89,7 @@ TEST_CASE("Rooted trees are counted as in the literature", "[unit][integrators]"
   }
 }
 
-TEST_CASE("Both weights of every Fehlberg pair meet all conditions of their order and no more",
+TEST_CASE("Fehlberg pairs: both weights meet all conditions of their order and no more",
           "[unit][integrators]") {
   const auto trees = trees_up_to(8);
   for (int p = 1; p <= 7; ++p) {
@@ -107,8 +107,7 @@ TEST_CASE("Both weights of every Fehlberg pair meet all conditions of their orde
   }
 }
 
-TEST_CASE("The classical method is of order 4 exactly and its estimate of order 3",
-          "[unit][integrators]") {
+TEST_CASE("Classical method: order 4 exactly, estimate of order 3", "[unit][integrators]") {
   const auto trees = trees_up_to(5);
   const Tableau& tableau = classical();
   const auto phi = stage_weights(tableau, trees);
@@ -126,7 +125,7 @@ TEST_CASE("The classical method is of order 4 exactly and its estimate of order 
   }
 }
 
-TEST_CASE("Rows of every Fehlberg pair sum to its nodes and its last row is as declared",
+TEST_CASE("Fehlberg pairs: rows sum to the nodes, and the last row is as declared",
           "[unit][integrators]") {
   for (int p = 1; p <= 7; ++p) {
     const Tableau& tableau = fehlberg(p);
@@ -142,7 +141,7 @@ TEST_CASE("Rows of every Fehlberg pair sum to its nodes and its last row is as d
   CHECK_THROWS_WITH(fehlberg(8), Catch::Contains("orders 1 to 7"));
 }
 
-TEST_CASE("The pairs of order 5 to 7 see no error in a pure quadrature", "[unit][integrators]") {
+TEST_CASE("Fehlberg pairs of order 5 to 7: no error in a pure quadrature", "[unit][integrators]") {
   // Why OdeSystem::step_guard exists. The difference of the weights, gathered by node, vanishes.
   for (int p = 1; p <= 7; ++p) {
     const Tableau& tableau = fehlberg(p);
@@ -168,7 +167,7 @@ TEST_CASE("The pairs of order 5 to 7 see no error in a pure quadrature", "[unit]
   }
 }
 
-TEST_CASE("Adams weights reproduce the classical formulas on an even grid", "[unit][integrators]") {
+TEST_CASE("Adams weights: classical formulas on an even grid", "[unit][integrators]") {
   const double times[] = {3.0, 2.5, 2.0, 1.5, 1.0, 0.5, 0.0, -0.5};
   // Bashforth 4 and Moulton 4: (55, -59, 37, -9)/24 and 9/24 on the newest value.
   const AdamsWeights four = adams_weights(times, 4, 0.5);
@@ -179,7 +178,8 @@ TEST_CASE("Adams weights reproduce the classical formulas on an even grid", "[un
   CHECK(adams_weights(times, 8, 0.5).correct_higher == Approx(1070017.0 / 3628800).epsilon(1e-12));
 }
 
-TEST_CASE("Adams weights integrate polynomials exactly on an uneven grid", "[unit][integrators]") {
+TEST_CASE("Adams weights: polynomials integrated exactly on an uneven grid",
+          "[unit][integrators]") {
   const double times[] = {1.0, 0.93, 0.7, 0.55, 0.2, 0.15, -0.4, -0.6};
   const double h = 0.37;
   for (int k = 1; k <= 8; ++k) {

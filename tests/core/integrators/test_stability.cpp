@@ -34,7 +34,7 @@ struct Vibration {
 
 }  // namespace
 
-TEST_CASE("The amplification per step is what the steppers do to a vibration",
+TEST_CASE("Amplification per step: equal to that of the steppers for a vibration",
           "[physics][integrators]") {
   for (const std::string_view name : stepper_names()) {
     if (name.starts_with("cvode") || name == "arkode-imex") continue;
@@ -54,8 +54,7 @@ TEST_CASE("The amplification per step is what the steppers do to a vibration",
   }
 }
 
-TEST_CASE("Amplification at small steps has the leading term of the method",
-          "[physics][integrators]") {
+TEST_CASE("Amplification at small steps: leading term of the method", "[physics][integrators]") {
   // |R|² - 1 of rkf1: (255/512)² φ⁴ + (1 - 255/256) φ², of rkf4: (2/104 - 1/72) φ⁶.
   const double y = 0.05;
   CHECK(std::pow(amplification("rkf1", y), 2) - 1.0 ==
@@ -67,7 +66,7 @@ TEST_CASE("Amplification at small steps has the leading term of the method",
   CHECK(amplification("pece1", 0.3) == Approx(std::hypot(1.0 - 0.09, 0.3)).epsilon(1e-12));
 }
 
-TEST_CASE("Methods are stable where the literature says", "[physics][integrators]") {
+TEST_CASE("Stability limits: those of the literature", "[physics][integrators]") {
   // rkf4 damps in a band only.
   CHECK(amplification("rkf4", 1.0) > 1.001);
   CHECK(amplification("rkf4", 2.6) < 1.0);

@@ -69,7 +69,7 @@ std::vector<double> all_lives(const life::BearingLife& life) {
 
 }  // namespace
 
-TEST_CASE("SI and English decks of one bearing have the same lives", "[physics][life]") {
+TEST_CASE("life: SI and English decks of one bearing → equal lives", "[physics][life]") {
   deck::Deck si = with_constants(deck::new_deck("ball"));
   deck::Deck english = with_constants(deck::new_deck("ball-english"));
   constexpr double kPsi = 6894.757293168361;
@@ -86,7 +86,7 @@ TEST_CASE("SI and English decks of one bearing have the same lives", "[physics][
   }
 }
 
-TEST_CASE("every life variable of the records changes what it should", "[physics][life]") {
+TEST_CASE("life: every variable of the records changes its results", "[physics][life]") {
   const deck::Deck base = with_constants(deck::new_deck("ball"));
   bearing::LifeChoices choices;
   choices.elements = bearing::ElementLife::All;  // so that element constants show in the bearing
@@ -111,7 +111,7 @@ TEST_CASE("every life variable of the records changes what it should", "[physics
   }
 }
 
-TEST_CASE("life factors of materials given in the deck are all used", "[physics][life]") {
+TEST_CASE("life: factors of materials given in the deck → all used", "[physics][life]") {
   deck::Deck base = deck::new_deck("ball");
   for (const char* code : {"kReMat", "kRaceMat1", "kRaceMat2"}) base.set(code, "1");
   base.complete();
@@ -143,7 +143,7 @@ TEST_CASE("life factors of materials given in the deck are all used", "[physics]
   }
 }
 
-TEST_CASE("a multiplier of zero is refused by record and variable", "[unit][life]") {
+TEST_CASE("life: multiplier of zero → error with record and variable", "[unit][life]") {
   deck::Deck deck = with_constants(deck::new_deck("ball"));
   deck.set("fcGZ2", "0");
   CHECK_THROWS_WITH(setup::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
@@ -153,8 +153,7 @@ TEST_CASE("a multiplier of zero is refused by record and variable", "[unit][life
                     Catch::Contains("lpu") && Catch::Contains("sol7Life"));
 }
 
-TEST_CASE("the printed page carries origins, infinite lives and the film statement",
-          "[unit][life]") {
+TEST_CASE("life page: origins, infinite lives and the film statement", "[unit][life]") {
   deck::Deck light = deck::new_deck("ball");
   light.set("appLoadX", "60");
   light.set("appLoadZ", "0");
@@ -181,7 +180,7 @@ TEST_CASE("the printed page carries origins, infinite lives and the film stateme
   CHECK(shown == 9.9999999e30);
 }
 
-TEST_CASE("what record 9.0, survival and the factors say acts in its own direction",
+TEST_CASE("life: record 9.0, survival probability and factors → expected directions",
           "[physics][life]") {
   using bearing::LifeModel;
   using bearing::LifeModification;
@@ -225,7 +224,7 @@ TEST_CASE("what record 9.0, survival and the factors say acts in its own directi
         Approx(std::pow(std::log(1.0 / 0.99) / std::log(1.0 / 0.9), 1.0 / 1.2)).epsilon(1e-9));
 }
 
-TEST_CASE("every life in the print and in RUN.json names its origin", "[unit][life]") {
+TEST_CASE("life: every life in PRINT and RUN.json has its origin", "[unit][life]") {
   deck::Deck deck = deck::new_deck("ball");
   load(deck);
   const life::BearingLife life = life_of(deck);
@@ -258,8 +257,9 @@ TEST_CASE("every life in the print and in RUN.json names its origin", "[unit][li
   }
 }
 
-TEST_CASE("with material laws lives follow the modulus of the hot parts, and the page says so",
-          "[physics][life]") {
+TEST_CASE(
+    "life: material laws → lives follow the modulus of the hot parts, and the page reports it",
+    "[physics][life]") {
   deck::Deck deck = deck::new_deck("ball");
   load(deck);
   deck.set("mode", "-1");
@@ -298,7 +298,7 @@ TEST_CASE("with material laws lives follow the modulus of the hot parts, and the
   CHECK_THAT(page(cold), Catch::Contains("The moduli are those of room temperature"));
 }
 
-TEST_CASE("a contact angle past 90 degrees leaves a life, and capacities pass 90 degrees smoothly",
+TEST_CASE("life: contact angle above 90 degrees → a life; capacities are smooth at 90 degrees",
           "[physics][life]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("mode", "-1");
@@ -331,7 +331,7 @@ TEST_CASE("a contact angle past 90 degrees leaves a life, and capacities pass 90
   CHECK(capacity(95.0, true) == Approx(capacity(85.0, false)).epsilon(1e-9));
 }
 
-TEST_CASE("ISO rates the bearing as it is made, whatever grows in operation", "[life]") {
+TEST_CASE("ISO: rating of the nominal bearing, independent of growth in operation", "[life]") {
   for (const double degrees : {5.0, 10.0, 14.99, 15.0, 18.0, 20.0, 25.0, 40.0, 45.0}) {
     deck::Deck deck = deck::new_deck("angular-218");
     deck.set("freeConAng", fmt::format("{}", degrees));
@@ -373,7 +373,8 @@ TEST_CASE("ISO rates the bearing as it is made, whatever grows in operation", "[
   }
 }
 
-TEST_CASE("equivalent loads of angular-contact bearings go on from angle to angle", "[life]") {
+TEST_CASE("ISO: equivalent loads of angular-contact bearings are continuous in the angle",
+          "[life]") {
   life::IsoGeometry g;
   g.element_diameter = 12.7;
   g.pitch_diameter = 60.0;

@@ -112,9 +112,7 @@ const std::vector<double> kUneven{1500.0, 1100.0, 300.0, 0.0, 0.0, -3.0, 0.0, 30
 
 }  // namespace
 
-TEST_CASE(
-    "life of a ball bearing falls with the cube of the load, of a roller with the fourth power",
-    "[physics][life]") {
+TEST_CASE("life: exponents of load 3 (ball) and 4 (roller)", "[physics][life]") {
   const Balls balls;
   std::vector<double> twice = kUneven;
   for (double& Q : twice) Q *= 2.0;
@@ -142,7 +140,7 @@ TEST_CASE(
           Approx(16.0).epsilon(1e-9));
 }
 
-TEST_CASE("updated and original Lundberg-Palmgren lives agree within the stated bounds",
+TEST_CASE("life: updated and original Lundberg-Palmgren → equal within the stated bounds",
           "[physics][life]") {
   for (const double f : {0.51, 0.515, 0.52, 0.525})
     for (const double gamma : {0.1, 0.15, 0.2, 0.28})
@@ -180,8 +178,7 @@ TEST_CASE("updated and original Lundberg-Palmgren lives agree within the stated 
     }
 }
 
-TEST_CASE("slices of a uniform roller multiply to the life of the whole roller",
-          "[physics][life]") {
+TEST_CASE("life: slices of a uniform roller → life of the whole roller", "[physics][life]") {
   LifeGeometry g;
   g.line = true;
   g.count = 14;
@@ -200,7 +197,7 @@ TEST_CASE("slices of a uniform roller multiply to the life of the whole roller",
     }
 }
 
-TEST_CASE("Ioannides-Harris life is infinite below its limit and grows with the limit",
+TEST_CASE("Ioannides-Harris: infinite below its limit, increasing with the limit",
           "[physics][life]") {
   const Balls balls;
   // 684 MPa von Mises is about 1.2 GPa of pressure here; 200 N gives 1.1, 400 N 1.4 GPa.
@@ -235,8 +232,7 @@ TEST_CASE("Ioannides-Harris life is infinite below its limit and grows with the 
     CHECK(bearing_life(idle, model) == kInfinity);
 }
 
-TEST_CASE("lives combine by the product law and scale with the survival probability",
-          "[unit][life]") {
+TEST_CASE("life: product law and scaling with survival probability", "[unit][life]") {
   const std::array<double, 2> equal{10.0, 10.0};
   const double e = 10.0 / 9.0;
   CHECK(combined_life(equal, std::array{e, e}) ==
@@ -268,7 +264,8 @@ TEST_CASE("lives combine by the product law and scale with the survival probabil
         Approx(std::pow(std::log(1.0 / 0.99) / std::log(1.0 / 0.9), 1.0 / 1.5)).epsilon(1e-12));
 }
 
-TEST_CASE("multipliers, exponents and slopes of the records act as they say", "[physics][life]") {
+TEST_CASE("life: multipliers, exponents and slopes of the records → stated effects",
+          "[physics][life]") {
   const Balls balls;
   const LifeState plain = balls.evaluate(kUneven);
   LifeInputs inputs;
@@ -316,7 +313,8 @@ TEST_CASE("multipliers, exponents and slopes of the records act as they say", "[
   CHECK_THROWS_AS(balls.evaluate(kUneven, other), InputError);
 }
 
-TEST_CASE("modification factors multiply each part before the product law", "[physics][life]") {
+TEST_CASE("life: modification factors multiply each part before the product law",
+          "[physics][life]") {
   const Balls balls;
   LifeInputs inputs;
   for (auto& part : inputs.part) {
@@ -360,7 +358,8 @@ TEST_CASE("modification factors multiply each part before the product law", "[ph
   CHECK(s.factors.asperity[2] == 0.5 * (s.factors.asperity[0] + s.factors.asperity[1]));
 }
 
-TEST_CASE("ceramic balls are left out of the bearing's life unless asked for", "[physics][life]") {
+TEST_CASE("life: ceramic balls → left out of the bearing's life unless specified",
+          "[physics][life]") {
   const Balls balls;
   bearing::Material ceramic = steel();
   ceramic.code = 150;
@@ -381,7 +380,7 @@ TEST_CASE("ceramic balls are left out of the bearing's life unless asked for", "
         0.95 * basic(balls.evaluate(kUneven), LifeModel::Zaretsky, 2));
 }
 
-TEST_CASE("an element that spins faster lives shorter in proportion", "[physics][life]") {
+TEST_CASE("life: element that spins faster → proportionally shorter life", "[physics][life]") {
   const Balls balls;
   LifeCalculator calculator(ball_life_geometry(balls.geometry()),
                             life_parameters({}, false, steel(), {steel(), steel()}));
@@ -393,7 +392,7 @@ TEST_CASE("an element that spins faster lives shorter in proportion", "[physics]
         Approx(0.5 * rolling).epsilon(1e-9));
 }
 
-TEST_CASE("damage of a run is restored whole or refused by the value that lacks", "[unit][life]") {
+TEST_CASE("damage: restored completely, or error with the missing value", "[unit][life]") {
   DamageSum sum;
   std::map<std::string, double> state;
   sum.save(state);
@@ -410,8 +409,7 @@ TEST_CASE("damage of a run is restored whole or refused by the value that lacks"
   CHECK_NOTHROW(check_life(std::numeric_limits<double>::infinity()));
 }
 
-TEST_CASE("damage of constant conditions returns the instant life, and standstill none",
-          "[unit][life]") {
+TEST_CASE("damage: constant conditions → life of the instant; standstill → none", "[unit][life]") {
   DamageSum sum;
   const double speed = 2.0 * kPi * 50.0;
   const DamageRate rate = damage_rate(-speed, {70.0, 30.0, kInfinity});
@@ -433,7 +431,8 @@ TEST_CASE("damage of constant conditions returns the instant life, and standstil
   CHECK(rest.life_hours(e) == kInfinity);
 }
 
-TEST_CASE("the recalled table of static factors agrees with 4200 MPa", "[physics][life][iso]") {
+TEST_CASE("ISO 76: recalled table of static factors corresponds to 4200 MPa",
+          "[physics][life][iso]") {
   // life.md: maximum deviation 0.4 %; the derived value is from Hertz contact alone.
   for (const double gamma : {0.02, 0.09, 0.15, 0.2, 0.3, 0.39})
     CHECK(iso_static_factor(gamma) ==

@@ -141,8 +141,7 @@ TEST_CASE("load table: damage over load has the exponent of the model", "[physic
 }
 
 TEST_CASE(
-    "life of a run under a load that vibrates: that of its integral, wherever the full model "
-    "is evaluated",
+    "life of a run: vibrating load → integral of the damage, independent of the evaluation points",
     "[physics][life]") {
   // Mean of (1 + a sin)³ is 1 + 3/2 a²: the mean load alone would give a life 1.54 times as long.
   constexpr double kShare = 0.6;
@@ -185,7 +184,7 @@ TEST_CASE("batches: spread of the life is the standard error of the mean damage 
   CHECK(again.count() == 0);
 }
 
-TEST_CASE("damage of steps: continued from MASTER it is that of an unbroken run", "[unit][life]") {
+TEST_CASE("damage of steps: continued from MASTER → same as without a break", "[unit][life]") {
   Subject subject = subject_of("ball", {});
   const LoadDamage table(subject.calculator, subject.contacts);
   const auto nominal = loads_of(subject.contacts);

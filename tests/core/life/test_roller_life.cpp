@@ -35,8 +35,7 @@ double lp(const life::BearingLife& life) {
 
 }  // namespace
 
-TEST_CASE("roller life falls with the fourth power of the load and does not depend on slicing",
-          "[physics]") {
+TEST_CASE("roller life: exponent 4 of load, independent of slicing", "[physics]") {
   const double light = lp(radial_life(4000.0, 31)), heavy = lp(radial_life(8000.0, 31));
   // Line contact, exponent 4; the load zone widens a little as deflections grow with load^0.9.
   CHECK(light / heavy == Approx(16.0).epsilon(0.02));
@@ -162,7 +161,8 @@ TEST_CASE("a lightly loaded barrel lives by its capacity as a point contact", "[
   CHECK(listing::life_json(life)["races"]["inner race"]["counts as"] == "point");
 }
 
-TEST_CASE("the solution with one ellipse per contact lives as its loads say", "[physics][life]") {
+TEST_CASE("roller life: solution with one ellipse per contact → life of its loads",
+          "[physics][life]") {
   // The option changes the stiffness of the contacts, not how they count.
   bearing::Bearing b = roller_bearings::spherical(1000.0);
   b.constraints.load = {0.0, 0.0, 500.0, 0.0, 0.0};
@@ -179,7 +179,7 @@ TEST_CASE("the solution with one ellipse per contact lives as its loads say", "[
   CHECK(std::isfinite(lp(heavy)));
 }
 
-TEST_CASE("tracks of both races on a roller: separate or one volume", "[physics][life]") {
+TEST_CASE("roller life: tracks of both races separate or shared", "[physics][life]") {
   // Both races with the same contacts: the element sees two equal hazards.
   bearing::Bearing b = roller_bearings::cylindrical(0.0);
   b.speed = {0.0, 1.0};
@@ -203,7 +203,7 @@ TEST_CASE("tracks of both races on a roller: separate or one volume", "[physics]
   CHECK(elements(true, contacts) == Approx(elements(false, contacts)).epsilon(1e-12));
 }
 
-TEST_CASE("thrust roller bearings: C and L10 of ISO 281, and what is not held is said",
+TEST_CASE("thrust roller bearings: C and L10 of ISO 281; unavailable results are reported",
           "[physics][life][iso]") {
   bearing::Bearing b = roller_bearings::tapered(0.0);
   b.speed = {0.0, 1.0};

@@ -20,7 +20,7 @@ std::string cell(double value, std::size_t width) {
 
 }  // namespace
 
-TEST_CASE("a cell of a table is what a general printer writes", "[unit][listing]") {
+TEST_CASE("cell_text: same text as a general printer", "[unit][listing]") {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> exponent(-320.0, 308.0), near_one(-8.0, 8.0),
       mantissa(-10.0, 10.0);

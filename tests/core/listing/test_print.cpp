@@ -70,7 +70,8 @@ std::string read_text(const std::filesystem::path& path) { return read_bytes(pat
 
 }  // namespace
 
-TEST_CASE("the front part echoes every record and every variable of the deck", "[unit][print]") {
+TEST_CASE("PRINT: the front part has every record and every variable of the deck",
+          "[unit][print]") {
   for (const char* example : {"ball.txt", "ball-english.txt"}) {
     const deck::ReadResult read =
         deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + example);
@@ -104,7 +105,7 @@ TEST_CASE("the front part echoes every record and every variable of the deck", "
   }
 }
 
-TEST_CASE("the quasi-static page shows every number with its unit", "[unit][print]") {
+TEST_CASE("PRINT: quasi-static page → every number with its unit", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     Report report(bearing.run_id, units);
@@ -133,7 +134,7 @@ TEST_CASE("the quasi-static page shows every number with its unit", "[unit][prin
   }
 }
 
-TEST_CASE("edges of the contacts are printed for both races with their limits", "[unit][print]") {
+TEST_CASE("PRINT: edges of the contacts for both races with their limits", "[unit][print]") {
   bearing::Bearing bearing = make_bearing();
   bearing.balls().shim = {0.0, 4e-4};
   statics::StaticSolution solution = make_solution();
@@ -151,7 +152,7 @@ TEST_CASE("edges of the contacts are printed for both races with their limits", 
   CHECK_THAT(line_with(text, "0.25"), Contains("           0        0.25"));
 }
 
-TEST_CASE("the tilt of the inner race is told in the base frame and to the outer race",
+TEST_CASE("PRINT: tilt of the inner race in the base frame and relative to the outer race",
           "[unit][print]") {
   bearing::Bearing bearing = make_bearing();
   bearing.constraints.outer_misalignment = {0.001, 0.002};
@@ -170,7 +171,7 @@ TEST_CASE("the tilt of the inner race is told in the base frame and to the outer
   CHECK(tilt[1] == Approx(0.0).margin(1e-15));
 }
 
-TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
+TEST_CASE("PRINT: kPrtOpt → sections of a printed step", "[unit][print]") {
   bearing::Bearing bearing = make_bearing(30);
   const scene::Snapshot snapshot = make_snapshot(bearing, 100);
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
@@ -228,8 +229,7 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
   CHECK(without.find("pocket") != 0);
 }
 
-TEST_CASE("a printed step has no averages at time zero, and no wear where none was integrated",
-          "[unit][print]") {
+TEST_CASE("PRINT: time zero → no averages, and no wear without integrals", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   RunAverages averages;
@@ -260,7 +260,7 @@ TEST_CASE("a printed step has no averages at time zero, and no wear where none w
   for (const std::string& line : wear) CHECK_THAT(line_with(text, line), EndsWith("not computed"));
 }
 
-TEST_CASE("a printed step shows half chords of inner contacts and says what was not computed",
+TEST_CASE("PRINT: printed step → half chords of inner contacts, and results that were not computed",
           "[unit][print]") {
   const bearing::Bearing bearing = make_bearing(3, false);
   scene::Snapshot snapshot = make_snapshot(bearing, 20);
@@ -306,7 +306,7 @@ TEST_CASE("a printed step shows half chords of inner contacts and says what was 
   CHECK(in_oil.find("hypothetical") == std::string::npos);
 }
 
-TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]") {
+TEST_CASE("PRINT: tilted race → misalignment about y and z", "[unit][print]") {
   bearing::Bearing bearing = make_bearing(3, false);
   scene::Snapshot snapshot = make_snapshot(bearing, 0);
   const double tilt = 0.002;  // about y
@@ -319,7 +319,7 @@ TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]")
   CHECK_THAT(line_with(text, "Misalignment of the inner race about z"), Contains(" 0  deg"));
 }
 
-TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
+TEST_CASE("PRINT: the last page has plan, ledgers and cost", "[unit][print]") {
   RunSummary run;
   run.status = "done";
   run.integrator = "rkf5";
@@ -350,13 +350,13 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   CHECK_THAT(text, Contains("and goes on after it"));
 }
 
-TEST_CASE("titles of a printed table stand apart", "[unit][print]") {
+TEST_CASE("PRINT: titles of a table are separated", "[unit][print]") {
   Report report("run", UnitSystem::SI);
   CHECK_NOTHROW(report.table("", {{"eleven long", nullptr}}, {{"1", {2.0}}}));
   CHECK_THROWS_AS(report.table("", {{"twelve  long", nullptr}}, {{"1", {2.0}}}), InternalError);
 }
 
-TEST_CASE("PRINT.txt is continued after MASTER's length of it", "[unit][print]") {
+TEST_CASE("PRINT: continued after the length stored in MASTER", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());

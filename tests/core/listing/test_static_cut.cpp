@@ -51,7 +51,7 @@ double gap(const Line& a, const Line& b) {
 
 }  // namespace
 
-TEST_CASE("margins of the cut are those of the angles around the bearing", "[physics][plot]") {
+TEST_CASE("static_cut: margins equal those of the angles around the bearing", "[physics][plot]") {
   const deck::Deck deck = deck::new_deck("angular-218");
   const results::StaticTables all = tables_of(deck);
   const auto& elements = *all.find("elements");
@@ -74,7 +74,7 @@ TEST_CASE("margins of the cut are those of the angles around the bearing", "[phy
   }
 }
 
-TEST_CASE("the cut of a ball touches both grooves where its contacts are", "[physics][plot]") {
+TEST_CASE("static_cut: ball touches both grooves at its contacts", "[physics][plot]") {
   const results::StaticTables all = tables_of(deck::new_deck("deep-groove-6205"));
   const Line ball = line(all, "cut element");
   for (const std::string race : {"outer", "inner"}) {
@@ -92,7 +92,7 @@ TEST_CASE("the cut of a ball touches both grooves where its contacts are", "[phy
   }
 }
 
-TEST_CASE("a contact over the shoulder has a negative margin; none without a shoulder",
+TEST_CASE("static_cut: contact over the shoulder → negative margin; no shoulder → none",
           "[physics][plot]") {
   deck::Deck deck = deck::new_deck("angular-218");
   deck.set("appLoadX", "120000");
@@ -103,7 +103,7 @@ TEST_CASE("a contact over the shoulder has a negative margin; none without a sho
   CHECK(std::isnan(only(tables_of(deck), "inner -x margin")));
 }
 
-TEST_CASE("rollers of every shape lie on their raceways in the cut", "[physics][plot]") {
+TEST_CASE("static_cut: rollers of every shape are on their raceways", "[physics][plot]") {
   for (const char* name : {"spherical-22210", "cylindrical-nu209", "tapered-30208"}) {
     INFO(name);
     deck::Deck deck = deck::new_deck(name);
@@ -125,7 +125,7 @@ TEST_CASE("rollers of every shape lie on their raceways in the cut", "[physics][
   }
 }
 
-TEST_CASE("a barrel under light load leaves a margin to its corners", "[physics][plot]") {
+TEST_CASE("static_cut: barrel under light load → margin to its corners", "[physics][plot]") {
   deck::Deck deck = deck::new_deck("spherical-22210");
   deck.set("appLoadZ", "300");
   const results::StaticTables all = tables_of(deck);
@@ -134,7 +134,7 @@ TEST_CASE("a barrel under light load leaves a margin to its corners", "[physics]
     CHECK(only(all, column) > 5e-4);
 }
 
-TEST_CASE("without load there is no cut", "[unit][plot]") {
+TEST_CASE("static_cut: no load → none", "[unit][plot]") {
   deck::Deck deck = deck::new_deck("deep-groove-6205");
   for (const char* name : {"appLoadX", "appLoadY", "appLoadZ", "rpm1", "rpm2"}) deck.set(name, "0");
   CHECK(tables_of(deck).find("cut") == nullptr);

@@ -96,7 +96,7 @@ std::string status(const std::string& family, const Json& expected, const Json& 
 
 }  // namespace
 
-TEST_CASE("A number passes within its relative tolerance and fails beyond it", "[validation]") {
+TEST_CASE("Tolerance: relative, passes within and fails beyond", "[validation]") {
   CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", 2.0 + 1.9e-6}}) == "pass");
   CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", 2.0 + 2.1e-6}}) == "fail");
   CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", std::nan("")}}) == "fail");
@@ -105,7 +105,7 @@ TEST_CASE("A number passes within its relative tolerance and fails beyond it", "
   CHECK(status("life_iso281", {{"a", 2.0}}, 1e-3, {{"a", 2.01}}) == "fail");
 }
 
-TEST_CASE("A missing quantity fails by name", "[validation]") {
+TEST_CASE("Tolerance: missing quantity → fails by name", "[validation]") {
   const CaseResult result = compare_case(
       "A_hertz_point", make_case({{"a", 2.0}, {"b", 1.0}}, {{"rel", 1e-6}}), {{"a", 2.0}});
   CHECK(result.status == "fail");
@@ -113,7 +113,7 @@ TEST_CASE("A missing quantity fails by name", "[validation]") {
   CHECK_THAT(result.message, Catch::Contains("missing"));
 }
 
-TEST_CASE("Undefined quantities must be undefined", "[validation]") {
+TEST_CASE("Tolerance: undefined quantities must be undefined", "[validation]") {
   const Json expected = {{"alpha", {1.0, nullptr}}, {"Ki", nullptr}}, rel = {{"rel", 1e-6}};
   CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0, nullptr}}, {"Ki", nullptr}}) ==
         "pass");
@@ -124,7 +124,7 @@ TEST_CASE("Undefined quantities must be undefined", "[validation]") {
   CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0}}}) == "fail");
 }
 
-TEST_CASE("Ball bearing tolerances speak of groups of quantities", "[validation]") {
+TEST_CASE("Tolerance: ball bearings, groups of quantities", "[validation]") {
   const Json tolerance = {{"rel", 1e-8},
                           {"abs_force_N", 1e-6},
                           {"abs_displacement_m", 1e-14},
@@ -142,7 +142,7 @@ TEST_CASE("Ball bearing tolerances speak of groups of quantities", "[validation]
                {{"stiffness_5x5", {{100.0, 2.1e-5}, {0.0, 4.0}}}}) == "fail");
 }
 
-TEST_CASE("Rigid-body rotation is compared by the size of the vector and absolutely",
+TEST_CASE("Tolerance: rigid-body rotation, by the size of the vector and absolutely",
           "[validation]") {
   const Json tolerance = {{"rel_omega_of_magnitude", 1e-9}, {"abs_quaternion", 1e-9}};
   const Json expected = {
@@ -157,7 +157,7 @@ TEST_CASE("Rigid-body rotation is compared by the size of the vector and absolut
   CHECK(with(0.0, 1.1e-9) == "fail");
 }
 
-TEST_CASE("Cage and motion tolerances refer to the whole array, azimuths to a turn",
+TEST_CASE("Tolerance: cage and motion, relative to the whole array, azimuths modulo one revolution",
           "[validation]") {
   const Json tolerance = {{"relative", 1e-6}, {"absolute", 1e-12}, {"absolute_gap", 1e-3}};
   CHECK(status("cage_lands", {{"force", {10.0, 0.0}}}, tolerance, {{"force", {10.0, 9e-6}}}) ==
@@ -171,7 +171,7 @@ TEST_CASE("Cage and motion tolerances refer to the whole array, azimuths to a tu
                {{"slice_azimuth_deg", {0.0}}}) == "fail");
 }
 
-TEST_CASE("Trajectory tolerances name groups of channels", "[validation]") {
+TEST_CASE("Tolerance: trajectories, groups of channels", "[validation]") {
   const Json tolerance = {{"relative_to_channel_max", 1e-6},
                           {"times_relative_to_T", 1e-8},
                           {"peak_force_relative", 1e-3},
@@ -202,7 +202,7 @@ TEST_CASE("Trajectory tolerances name groups of channels", "[validation]") {
   CHECK(with("energy_residual", 99.0) == "pass");
 }
 
-TEST_CASE("Impact scalars and trajectories have different tolerances", "[validation]") {
+TEST_CASE("Tolerance: impact scalars and trajectories differ", "[validation]") {
   const Json tolerance = {{"scalars_relative", 1e-9}, {"trajectory_relative_to_peak", 1e-6}};
   const Json expected = {{"peak_force", 10.0}, {"force", {0.0, 10.0}}};
   CHECK(status("dynamics_impact", expected, tolerance,
@@ -211,7 +211,7 @@ TEST_CASE("Impact scalars and trajectories have different tolerances", "[validat
                {{"peak_force", 10.0 + 9e-8}, {"force", {0.0, 10.0}}}) == "fail");
 }
 
-TEST_CASE("Steady states, eigenvalues and angles follow their own rules", "[validation]") {
+TEST_CASE("Tolerance: steady states, eigenvalues and angles have separate rules", "[validation]") {
   const Json tolerance = {{"relative_to_channel_max", 1e-3},
                           {"steady_state_relative", 1e-6},
                           {"eigenvalues_relative_to_largest", 1e-4}};
@@ -233,7 +233,7 @@ TEST_CASE("Steady states, eigenvalues and angles follow their own rules", "[vali
                {{"angles_eta_xi_lambda", {3.14159265 - 2 * 3.14159265358979}}}) == "pass");
 }
 
-TEST_CASE("Tribology tolerances are numbers, entries per key, or absolute", "[validation]") {
+TEST_CASE("Tolerance: tribology, numbers, entries per key, or absolute", "[validation]") {
   CHECK(status("tribology_film", {{"h", {1.0, 1e-9}}}, 1e-6, {{"h", {1.0, 5e-7}}}) == "pass");
   const Json per_key = {{"Fx", 1e-4}, {"Fy", {{"abs", 1e-5}}}};
   CHECK(status("tribology_hertzTraction", {{"Fx", 1.0}, {"Fy", 0.0}}, per_key,
@@ -246,15 +246,14 @@ TEST_CASE("Tribology tolerances are numbers, entries per key, or absolute", "[va
         "fail");
 }
 
-TEST_CASE("Recalled values never gate", "[validation]") {
+TEST_CASE("Tolerance: recalled values are not decisive", "[validation]") {
   Json the_case = make_case({{"a", 2.0}}, {{"rel", 1e-6}});
   the_case["provenance"] = "recalled";
   CHECK(compare_case("P_published", the_case, {{"a", 3.0}}).status == "not_covered");
   CHECK(compare_case("P_published", the_case, {{"a", 2.0}}).status == "pass");
 }
 
-TEST_CASE("Unknown families and inputs are not covered, and the report counts them",
-          "[validation]") {
+TEST_CASE("Validation: unknown families and inputs → not covered, and counted", "[validation]") {
   const std::filesystem::path path = adore::test::binary_dir() / "validate_unknown.json";
   std::ofstream(path)
       << R"({"family": "no_such_family", "cases": [{"id": "x", "inputs": {}, "expected": {"a": 1}, "tolerance": 1}]})";
@@ -266,7 +265,7 @@ TEST_CASE("Unknown families and inputs are not covered, and the report counts th
   CHECK(json["files"][0]["cases"][0]["status"] == "not_covered");
 }
 
-TEST_CASE("Files that hold no reference cases are refused, all at once", "[validation]") {
+TEST_CASE("Validation: files without reference cases → rejected together", "[validation]") {
   const std::filesystem::path folder = adore::test::binary_dir(),
                               text = folder / "validate_text.json",
                               empty = folder / "validate_empty.json";
@@ -366,7 +365,7 @@ TEST_CASE("Balls under a displaced inner race", "[validation][slow]") {
   expect_covered("dynamics_ball_radial");
 }
 
-TEST_CASE("each family of trajectories fails when a law of its scene changes by 1 %",
+TEST_CASE("trajectories: a law of the scene changed by 1 % → each family fails",
           "[validation][slow]") {
   struct Change {
     const char *family, *id, *input;
@@ -415,7 +414,7 @@ TEST_CASE("each family of trajectories fails when a law of its scene changes by 
   CHECK(families.size() == 9);
 }
 
-TEST_CASE("mode 1 rollers of 8 to 22 mm between races that fit them: diameter does not matter",
+TEST_CASE("mode 1 rollers of 8 to 22 mm between fitting races: independent of diameter",
           "[validation]") {
   Json content = Json::parse(adore::test::bytes_of(kReference / "motion_constraints.json"));
   Json cases = Json::array();
@@ -444,7 +443,7 @@ TEST_CASE("Contact, statics, kinematics and traction reference cases", "[validat
     expect_covered(name);
 }
 
-TEST_CASE("No reference case of any family fails", "[validation][slow]") {
+TEST_CASE("Validation: no reference case of any family fails", "[validation][slow]") {
   const std::set<std::string> long_ones = {"dynamics_ball_thrust.json", "dynamics_ball_radial.json",
                                            "dynamics_ball_vibration.json", "dynamics_pocket.json",
                                            "dynamics_rigid_whirl.json"};  // tests of their own
@@ -459,8 +458,7 @@ TEST_CASE("No reference case of any family fails", "[validation][slow]") {
   CHECK(report.fail == 0);
 }
 
-TEST_CASE("every calculator runs its own examples, and every number it returns has a unit",
-          "[unit][calc]") {
+TEST_CASE("calculators: every one runs its examples, and every number has a unit", "[unit][calc]") {
   for (const CalculatorInfo& info : calculator_list()) {
     const auto described = describe_calculator(info);
     CHECK_FALSE(described.at("calculations").empty());
@@ -480,8 +478,7 @@ TEST_CASE("every calculator runs its own examples, and every number it returns h
   }
 }
 
-TEST_CASE("calculator gate: inputs of the reference cases pass, and so do their results",
-          "[unit][calc]") {
+TEST_CASE("calculator gate: inputs and results of the reference cases → accepted", "[unit][calc]") {
   // Cases about inputs that a user's calculation rejects, with the reason.
   const std::map<std::string, std::string> rejected{
       {"RBLS-07", "Q[1] = -5.0: out of range"},  // the life takes a load below 0 as unloaded

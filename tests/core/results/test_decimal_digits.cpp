@@ -45,7 +45,7 @@ void compare(double value, int count, Counts& counts) {
 
 }  // namespace
 
-TEST_CASE("decimal digits are those of a printer that carries all bits", "[unit][results]") {
+TEST_CASE("decimal_digits(): same digits as a printer with all bits", "[unit][results]") {
   std::mt19937_64 random(7);
   Counts any, plain;
   for (int i = 0; i < 200000; ++i) {
@@ -65,7 +65,7 @@ TEST_CASE("decimal digits are those of a printer that carries all bits", "[unit]
   CHECK(plain.undecided < plain.asked / 5);
 }
 
-TEST_CASE("a tie is left to who carries all bits", "[unit][results]") {
+TEST_CASE("decimal_digits(): tie → left to a printer with all bits", "[unit][results]") {
   DecimalDigits out;
   CHECK_FALSE(decimal_digits(2.5, 1, out));
   CHECK_FALSE(decimal_digits(0.125, 2, out));
@@ -74,7 +74,7 @@ TEST_CASE("a tie is left to who carries all bits", "[unit][results]") {
   CHECK(out.exponent == 1);
 }
 
-TEST_CASE("fields written together are those written one by one", "[unit][results]") {
+TEST_CASE("decimal fields: written together = written one by one", "[unit][results]") {
   namespace ff = adore::results::fortran;
   std::mt19937_64 random(11);
   std::vector<double> values{0.0,

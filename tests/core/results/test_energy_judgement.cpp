@@ -22,7 +22,7 @@ adore::scene::EnergyLedger run_of(double residual) {
 
 }  // namespace
 
-TEST_CASE("The energy residual is judged against what moved and against the elastic energy",
+TEST_CASE("Energy residual: judged against exchanged energy and elastic energy",
           "[unit][results]") {
   const double much = 1e6;  // elastic energy that judges nothing
   CHECK(judge_energy(run_of(0.9e-4), much).trust == Trust::Full);
@@ -41,7 +41,7 @@ TEST_CASE("The energy residual is judged against what moved and against the elas
   CHECK(judge_energy(run_of(1.1e-4), much).text.find("elastic") != std::string::npos);
 }
 
-TEST_CASE("Where nothing moves but the error of the steps, no shorter step is asked for",
+TEST_CASE("Energy residual: no motion except step errors → no advice of shorter steps",
           "[unit][results]") {
   using adore::scene::LedgerKind;
   static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
@@ -56,9 +56,7 @@ TEST_CASE("Where nothing moves but the error of the steps, no shorter step is as
   CHECK_THAT(judge_energy(run_of(0.3), 1e6).text, Catch::Contains("--tol"));
 }
 
-TEST_CASE(
-    "Energy residual: a bearing that creeps is judged by its stored energy, not by what moved",
-    "[unit][results]") {
+TEST_CASE("Energy residual: creeping bearing → judged by its stored energy", "[unit][results]") {
   using adore::scene::LedgerKind;
   static const adore::scene::LedgerTerm start{LedgerKind::Start, "start", "", {"start", ""}, ""};
   static const adore::scene::LedgerTerm elastic{LedgerKind::Stored, "e", "", {"elastic", ""}, ""};
@@ -80,7 +78,7 @@ TEST_CASE(
   CHECK(energy_scale(creeps(0.0)) > 0.0);
 }
 
-TEST_CASE("Energy residual: warning above 5 % of the heat, however much energy moved",
+TEST_CASE("Energy residual: warning above 5 % of the heat, for any exchanged energy",
           "[unit][results]") {
   using adore::scene::LedgerKind;
   static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
@@ -100,7 +98,7 @@ TEST_CASE("Energy residual: warning above 5 % of the heat, however much energy m
   CHECK_THAT(judged.text, Catch::Contains("6 % of the 0.0001 J of heat"));
 }
 
-TEST_CASE("A residual that comes and goes is warned of", "[unit][results]") {
+TEST_CASE("Energy residual: temporary residual → warning", "[unit][results]") {
   const double much = 1e6;
   CHECK(judge_energy(run_of(1e-6), much, 1.1e-4).trust == Trust::Warned);
   CHECK(judge_energy(run_of(1e-6), much, 1.1e-4).text.find("at some time") != std::string::npos);
@@ -110,7 +108,7 @@ TEST_CASE("A residual that comes and goes is warned of", "[unit][results]") {
   CHECK(judge_energy(run_of(1.1e-4), much, 1e-6).text.find("at some time") == std::string::npos);
 }
 
-TEST_CASE("A residual above its limit that has not come back is not trusted whatever its end",
+TEST_CASE("Energy residual: above its limit and not returned → not trusted for any final value",
           "[unit][results]") {
   const double much = 1e6;
   // Over what moved, and over the elastic energy: the end lies within its limit, above a warning.
@@ -122,7 +120,7 @@ TEST_CASE("A residual above its limit that has not come back is not trusted what
   CHECK(judge_energy(run_of(1.9e-5), 1e-3, 5.1e-4).trust == Trust::Warned);
 }
 
-TEST_CASE("An energy that is no number is never trusted", "[unit][results]") {
+TEST_CASE("Energy residual: NaN → never trusted", "[unit][results]") {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
     const EnergyJudgement judgement = judge_energy(run_of(bad), 1.0);

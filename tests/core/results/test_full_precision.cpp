@@ -64,7 +64,7 @@ double worst(const SolFile& file, UnitSystem units) {
 
 }  // namespace
 
-TEST_CASE("RESULTS.h5 beside SOL1-SOL7 gives them all digits", "[unit][h5][sol]") {
+TEST_CASE("full_precision: RESULTS.h5 in the folder of SOL1-SOL7 → all digits", "[unit][h5][sol]") {
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
     write_run(folder, units, "synthetic run 7");
@@ -79,7 +79,7 @@ TEST_CASE("RESULTS.h5 beside SOL1-SOL7 gives them all digits", "[unit][h5][sol]"
   }
 }
 
-TEST_CASE("a range of steps finds its places in RESULTS.h5, and stars become numbers",
+TEST_CASE("full_precision: range of steps → found in RESULTS.h5, and stars become numbers",
           "[unit][h5][sol]") {
   TemporaryFolder folder;
   write_run(folder, UnitSystem::SI, "synthetic run 7");
@@ -91,7 +91,7 @@ TEST_CASE("a range of steps finds its places in RESULTS.h5, and stars become num
   for (std::size_t i = 0; i < 4; ++i) CHECK(some.steps[i].values == all.steps[3 + 9 * i].values);
 }
 
-TEST_CASE("a RESULTS.h5 that is absent, of another run or unreadable changes nothing",
+TEST_CASE("full_precision: RESULTS.h5 missing, of another run or unreadable → file unchanged",
           "[unit][h5][sol]") {
   const auto refused = [](const TemporaryFolder& folder) {
     SolFile file = read_sol(folder / "SOL1");
@@ -117,7 +117,8 @@ TEST_CASE("a RESULTS.h5 that is absent, of another run or unreadable changes not
   CHECK_THAT(refused(broken), Contains("RESULTS.h5"));
 }
 
-TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][h5][sol]") {
+TEST_CASE("full_precision: steps missing in RESULTS.h5 → values of the classic file",
+          "[unit][h5][sol]") {
   TemporaryFolder folder;
   write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 20);
   SolFile file = read_sol(folder / "SOL1");
@@ -139,7 +140,8 @@ TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][
   CHECK_THAT(why_not, Contains("does not contain step"));
 }
 
-TEST_CASE("steps behind the end of a classic file are taken from RESULTS.h5", "[unit][h5][sol]") {
+TEST_CASE("full_precision: steps after the end of a classic file → from RESULTS.h5",
+          "[unit][h5][sol]") {
   const bearing::Bearing bearing = make_bearing();
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
@@ -194,8 +196,7 @@ TEST_CASE("steps behind the end of a classic file are taken from RESULTS.h5", "[
   CHECK(longer.steps.size() == 41);
 }
 
-TEST_CASE("the motion beside SOL8 is that of RESULTS.h5, with all digits and every channel",
-          "[unit][h5][sol8]") {
+TEST_CASE("motion file: SOL8 with RESULTS.h5 → all digits and every channel", "[unit][h5][sol8]") {
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
     write_run(folder, units, "synthetic run 7");
@@ -256,7 +257,7 @@ TEST_CASE("the motion beside SOL8 is that of RESULTS.h5, with all digits and eve
   }
 }
 
-TEST_CASE("a SOL8 finds its RESULTS.h5 whatever the radius of the orbit", "[unit][h5][sol8]") {
+TEST_CASE("motion file: SOL8 finds its RESULTS.h5 for any orbit radius", "[unit][h5][sol8]") {
   // Three digits behind 0. leave up to half a percent of a radius such as 0.0100499.
   for (const double radius : {0.0100499, 0.0102499, 0.01925, 0.0192499, 0.0249501, 0.0999501}) {
     INFO(radius);

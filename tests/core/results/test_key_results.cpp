@@ -10,8 +10,7 @@
 using namespace adore;
 using namespace adore::results;
 
-TEST_CASE("every key result is defined once, in SI, and plots can tell it from the others",
-          "[unit]") {
+TEST_CASE("key results: each defined once, in SI, and recognized by plots", "[unit]") {
   std::set<std::string_view> ids;
   std::set<std::tuple<std::string_view, std::string_view, std::string_view>> names;
   for (const KeyResultSpec& spec : key_result_specs()) {
@@ -26,7 +25,7 @@ TEST_CASE("every key result is defined once, in SI, and plots can tell it from t
   CHECK(find_key_result("stiffness_x").id.empty());
 }
 
-TEST_CASE("a life is the one of its model and modification", "[unit][life]") {
+TEST_CASE("key results: a life is that of its model and modification", "[unit][life]") {
   using bearing::LifeModel;
   using bearing::LifeModification;
   const char* const models[] = {"lp", "lpu", "gz", "ih"};
@@ -37,7 +36,7 @@ TEST_CASE("a life is the one of its model and modification", "[unit][life]") {
             std::string("life_") + models[m] + modifications[k] + "_hours");
 }
 
-TEST_CASE("columns of a sweep are named by the table of key results, or as the file heads them",
+TEST_CASE("key results: columns of a sweep → names of the table, or headings of the file",
           "[unit]") {
   const auto path = std::filesystem::temp_directory_path() / "adore_sweep_columns.csv";
   std::string head = "appLoadX [N],exit", row = "100,0";

@@ -19,7 +19,7 @@ scene::Snapshot at(double time, double force_x) {
 
 }  // namespace
 
-TEST_CASE("The mean load is the time mean of what holds the inner race", "[unit][results]") {
+TEST_CASE("Mean load: time mean of the reaction on the inner race", "[unit][results]") {
   RunAverages averages;
   averages.add(at(0.0, 100.0));
   CHECK(averages.averages().load[0] == 100.0);
@@ -35,8 +35,7 @@ TEST_CASE("The mean load is the time mean of what holds the inner race", "[unit]
   CHECK(again.averages().load == averages.averages().load);
 }
 
-TEST_CASE("The mean of the largest load is that of all steps, whichever of them are stored",
-          "[unit][results]") {
+TEST_CASE("Mean of the largest load: over all steps, stored or not", "[unit][results]") {
   const auto largest = [](double t) { return 1000.0 + 500.0 * std::sin(40.0 * t); };
   const auto stored = [&](double t) {
     scene::Snapshot out = at(t, 0.0);
@@ -74,8 +73,10 @@ TEST_CASE("The mean of the largest load is that of all steps, whichever of them 
   CHECK(std::isfinite(again.averages().largest_load));
 }
 
-TEST_CASE("A load other than the asked one is told with its remedy, displaced directions aside",
-          "[unit][results]") {
+TEST_CASE(
+    "Mean load: differs from the specified load → warning with remedy, except along given "
+    "displacements",
+    "[unit][results]") {
   bearing::Bearing bearing;
   bearing.constraints.load = {1000.0, 0.0, 0.0, 0.0, 0.0};
   bearing.constraints.displacement_given[2] = true;
@@ -110,7 +111,7 @@ TEST_CASE("Load departure: of a small load on preloaded contacts it is measured 
   CHECK(load.departure() == Approx(0.1));
 }
 
-TEST_CASE("A load across the asked one is told, and no other load is proposed against it",
+TEST_CASE("Mean load: load across the specified one → warning without proposed load",
           "[unit][results]") {
   MeanLoad load;
   load.time = 1.0;
@@ -132,7 +133,7 @@ TEST_CASE("A load across the asked one is told, and no other load is proposed ag
   CHECK(along.find("appLoadX 1250") != std::string::npos);
 }
 
-TEST_CASE("A load that turns is not compared, and of a free race it is not said that it is held",
+TEST_CASE("Mean load: rotating load → not compared; free race → not described as held",
           "[unit][results]") {
   bearing::Bearing bearing;
   bearing.constraints.load = {1200.0, 0.0, 100.0, 0.0, 0.0};
@@ -169,8 +170,7 @@ TEST_CASE("A load that turns is not compared, and of a free race it is not said 
   CHECK(mean_load(averages.averages(), bearing, plan).given[2]);
 }
 
-TEST_CASE("A race in balance that misses its load by more than 1 % is told with its cause",
-          "[unit][results]") {
+TEST_CASE("Mean load: race in balance more than 1 % off → warning with cause", "[unit][results]") {
   bearing::Bearing bearing;
   bearing.constraints.load = {1000.0, 0.0, 100.0, 0.0, 0.0};
   scene::ScenePlan plan;

@@ -54,7 +54,7 @@ void check_equal(const FinalState& a, const FinalState& b) {
 
 }  // namespace
 
-TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
+TEST_CASE("FINAL and MASTER: every bit is reproduced", "[unit][restart]") {
   TemporaryFolder folder;
   const FinalState state = make_state();
   write_final(state, folder / "FINAL");
@@ -78,7 +78,7 @@ TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
   CHECK(back.file("SOL2") == nullptr);
 }
 
-TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[unit][restart]") {
+TEST_CASE("FINAL and MASTER: damaged or foreign file → error with the line", "[unit][restart]") {
   TemporaryFolder folder;
   MasterState master;
   master.last = make_state();
@@ -126,7 +126,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
   }
 }
 
-TEST_CASE("a state of another layout is refused by component name", "[unit][restart]") {
+TEST_CASE("restart: state of another layout → error with the component name", "[unit][restart]") {
   const FinalState state = make_state();
   CHECK_NOTHROW(check_layout(state, state.components, "FINAL"));
   CHECK_THAT(message_of([&] {
@@ -140,7 +140,7 @@ TEST_CASE("a state of another layout is refused by component name", "[unit][rest
              Contains("nothing more") && Contains("'cage.q[2] [-]'"));
 }
 
-TEST_CASE("a FINAL of before checksums still reads", "[unit][restart]") {
+TEST_CASE("restart: FINAL without checksum → read", "[unit][restart]") {
   TemporaryFolder folder;
   write_final(make_state(), folder / "FINAL");
   std::string text = read_bytes(folder / "FINAL");
@@ -153,7 +153,7 @@ TEST_CASE("a FINAL of before checksums still reads", "[unit][restart]") {
   CHECK_THAT(message_of([&] { (void)read_final(folder / "FINAL"); }), Contains("checksum"));
 }
 
-TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") {
+TEST_CASE("restart: FINAL without deck → read", "[unit][restart]") {
   TemporaryFolder folder;
   FinalState state = make_state();
   write_final(state, folder / "FINAL");
@@ -165,7 +165,7 @@ TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") 
   check_equal(read_final(folder / "FINAL"), state);
 }
 
-TEST_CASE("a state of other bodies is refused", "[unit][restart]") {
+TEST_CASE("restart: state of other bodies → error", "[unit][restart]") {
   FinalState state;
   state.components = {"element.x[1] [m]", "element.x[2] [m]", "element1.rotation [rad]"};
   CHECK_NOTHROW(check_bodies(state, {"element.x[1] [m]", "element.x[2] [m]"}, "FINAL"));
@@ -176,13 +176,13 @@ TEST_CASE("a state of other bodies is refused", "[unit][restart]") {
                  Contains("1 rolling elements and a cage") && Contains("kIcOpt = 0"));
 }
 
-TEST_CASE("the checkpoint of an unwritable folder is told", "[unit][restart]") {
+TEST_CASE("restart: checkpoint in a folder without write permission → reported",
+          "[unit][restart]") {
   CHECK_THAT(message_of([&] { write_final(make_state(), "/no/such/folder/FINAL"); }),
              Contains("/no/such/folder/FINAL"));
 }
 
-TEST_CASE("averages over a run are those of the motion, whatever the interval",
-          "[unit][averages]") {
+TEST_CASE("averages: equal to those of the motion, for any interval", "[unit][averages]") {
   const bearing::Bearing bearing = make_bearing(4);
   for (const long every : {1L, 10L, 100L}) {
     RunAverages averages;
@@ -200,7 +200,7 @@ TEST_CASE("averages over a run are those of the motion, whatever the interval",
   CHECK(first.averages().power_loss == 55.0);
 }
 
-TEST_CASE("averages continue from MASTER", "[unit][averages]") {
+TEST_CASE("averages: continue from MASTER", "[unit][averages]") {
   const bearing::Bearing bearing = make_bearing(4);
   RunAverages whole, part;
   std::map<std::string, double> state;
@@ -222,7 +222,7 @@ TEST_CASE("averages continue from MASTER", "[unit][averages]") {
   CHECK(fresh.averages().time == 0.0);
 }
 
-TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][averages]") {
+TEST_CASE("whirl: followed between snapshots by positions only", "[unit][averages]") {
   const bearing::Bearing bearing = make_bearing(4);
   RunAverages averages;
   for (long step = 0; step <= 20000; step += 100) {
@@ -255,10 +255,8 @@ Averages whirl_along(const Path& path, double turns, int looks) {
 
 }  // namespace
 
-TEST_CASE(
-    "the whirl by the area swept is that of a circle, and continuous where a path passes "
-    "the axis",
-    "[unit][averages]") {
+TEST_CASE("whirl by the area swept: that of a circle, continuous where a path passes the axis",
+          "[unit][averages]") {
   const double pi = std::numbers::pi;
   const auto circle = [&](double ratio) {
     return [=](double turns) {
@@ -308,7 +306,7 @@ TEST_CASE(
       0.0);
 }
 
-TEST_CASE("a MASTER whose place in time or scales are impossible is refused by name",
+TEST_CASE("restart: MASTER with impossible time or scales → error with the name",
           "[unit][restart]") {
   TemporaryFolder folder;
   MasterState master;
@@ -346,8 +344,7 @@ TEST_CASE("a MASTER whose place in time or scales are impossible is refused by n
   }
 }
 
-TEST_CASE("no number of MASTER or FINAL may be not a number, infinite or a word",
-          "[unit][restart]") {
+TEST_CASE("restart: NaN, infinity or a word in MASTER or FINAL → error", "[unit][restart]") {
   TemporaryFolder folder;
   MasterState master;
   master.last = make_state();

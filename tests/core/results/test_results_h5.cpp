@@ -62,7 +62,7 @@ void check_closed(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("every channel comes back from RESULTS.h5 to the last bit", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: every channel reads back to the last bit", "[unit][h5]") {
   for (const bool with_cage : {true, false}) {
     const bearing::Bearing bearing = make_bearing(5, with_cage);
     TemporaryFolder folder;
@@ -115,7 +115,7 @@ TEST_CASE("every channel comes back from RESULTS.h5 to the last bit", "[unit][h5
   }
 }
 
-TEST_CASE("a killed writer leaves RESULTS.h5 readable, and it can be continued", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: killed writer → readable, and can be continued", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(5);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -147,7 +147,7 @@ TEST_CASE("a killed writer leaves RESULTS.h5 readable, and it can be continued",
   check_closed(path);
 }
 
-TEST_CASE("a file that an older version left open is read and continued", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: file left open by an older version → read and continued", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(5);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -168,7 +168,7 @@ TEST_CASE("a file that an older version left open is read and continued", "[unit
   CHECK(read_bytes(path) == whole);
 }
 
-TEST_CASE("a flipped bit anywhere ends a continuation at once or does no harm", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: any flipped bit → continuation rejected, or no harm", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -194,7 +194,7 @@ TEST_CASE("a flipped bit anywhere ends a continuation at once or does no harm", 
   CHECK(refused > 0);
 }
 
-TEST_CASE("RESULTS.h5 can be read while it grows", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: readable while it grows", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   int to_child[2], to_parent[2];
@@ -227,7 +227,7 @@ TEST_CASE("RESULTS.h5 can be read while it grows", "[unit][h5]") {
   for (int fd : {to_child[0], to_child[1], to_parent[0], to_parent[1]}) ::close(fd);
 }
 
-TEST_CASE("the same run gives the same bytes, whenever it is flushed", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: same run → same bytes, for any flush times", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(5);
   TemporaryFolder folder;
   write_steps(H5Writer::create(folder / "a.h5", bearing, channel_table()), bearing, 0, 199);
@@ -243,7 +243,7 @@ TEST_CASE("the same run gives the same bytes, whenever it is flushed", "[unit][h
   CHECK(read_bytes(folder / "a.h5") == read_bytes(folder / "b.h5"));
 }
 
-TEST_CASE("a file of many blocks has the same bytes however its rows went out, and when continued",
+TEST_CASE("RESULTS.h5: many blocks → same bytes for any order of rows, and when continued",
           "[unit][h5][slow]") {
   const bearing::Bearing bearing = make_bearing(3);
   constexpr long kSteps = 6'000;  // so many blocks that their index grows
@@ -276,7 +276,7 @@ TEST_CASE("a file of many blocks has the same bytes however its rows went out, a
     }
 }
 
-TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: foreign, damaged or unsuitable file → message", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -311,8 +311,7 @@ TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence
   CHECK(H5Reader(path).steps() == 4);
 }
 
-TEST_CASE("a full disk stops the writers with a sentence and keeps what was stored",
-          "[unit][h5][sol]") {
+TEST_CASE("writers: full disk → message, and stored steps are kept", "[unit][h5][sol]") {
   const bearing::Bearing bearing = make_bearing(5);
   TemporaryFolder folder;
   // A limit on the size of files stands for the full disk.
@@ -361,7 +360,7 @@ TEST_CASE("a full disk stops the writers with a sentence and keeps what was stor
   CHECK(h5.read("contact.load", h5.steps() - 1, 1)[0] == 100.0);
 }
 
-TEST_CASE("files of several runs are made, written, read and continued at the same time",
+TEST_CASE("RESULTS.h5: several runs at the same time → made, written, read and continued",
           "[unit]") {
   const TemporaryFolder folder;
   const bearing::Bearing bearing = make_bearing(3, true);

@@ -56,8 +56,7 @@ std::string with_byte(std::string file, const std::vector<H5Block>& blocks, std:
 
 }  // namespace
 
-TEST_CASE("RESULTS.h5 with forged bookkeeping and right checksums is refused with a sentence",
-          "[unit][h5]") {
+TEST_CASE("RESULTS.h5: forged bookkeeping with right checksums → message", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -90,10 +89,8 @@ TEST_CASE("RESULTS.h5 with forged bookkeeping and right checksums is refused wit
   }
 }
 
-TEST_CASE(
-    "three hundred random damages of RESULTS.h5, half of them with right checksums, give values "
-    "or a sentence",
-    "[unit][h5][slow]") {
+TEST_CASE("RESULTS.h5: 300 random damages, half of them with right checksums → values or a message",
+          "[unit][h5][slow]") {
   const bearing::Bearing bearing = make_bearing(2, false);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -122,7 +119,7 @@ TEST_CASE(
 #endif
 }
 
-TEST_CASE("SOL1 beside a damaged RESULTS.h5 keeps its own digits and says why", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: damaged → SOL1 keeps its digits, with the reason", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -142,7 +139,7 @@ TEST_CASE("SOL1 beside a damaged RESULTS.h5 keeps its own digits and says why", 
   CHECK(file.steps.size() == 4);
 }
 
-TEST_CASE("a child that falls silent ends in a sentence", "[unit][h5]") {
+TEST_CASE("RESULTS.h5: reader process does not respond → message", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
@@ -154,7 +151,7 @@ TEST_CASE("a child that falls silent ends in a sentence", "[unit][h5]") {
   CHECK(h5::Process(path).content().steps == 4);
 }
 
-TEST_CASE("a reader that is killed from outside says so, and does not call the file damaged",
+TEST_CASE("RESULTS.h5: reader process killed → message that does not blame the file",
           "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
@@ -180,8 +177,7 @@ TEST_CASE("a reader that is killed from outside says so, and does not call the f
   }
 }
 
-TEST_CASE("steps that a file cannot hold, and step numbers that are none, are refused",
-          "[unit][h5]") {
+TEST_CASE("RESULTS.h5: impossible number of steps or step numbers → message", "[unit][h5]") {
   const bearing::Bearing bearing = make_bearing(3);
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";

@@ -12,8 +12,7 @@ using namespace adore;
 using namespace adore::results;
 using namespace adore::testing;
 
-TEST_CASE("a run's folder tells its plot files and its animation, whatever their names are",
-          "[unit][sol]") {
+TEST_CASE("run_folder: plot files and animation of a run for any file names", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing(2);
   TemporaryFolder folder;
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
@@ -51,8 +50,7 @@ TEST_CASE("a run's folder tells its plot files and its animation, whatever their
   }
 }
 
-TEST_CASE("what is animated of a run is its SOL8, else its RESULTS.h5, by file or by folder",
-          "[unit][sol]") {
+TEST_CASE("run_folder: animation of a run is its SOL8, otherwise its RESULTS.h5", "[unit][sol]") {
   const TemporaryFolder folder;
   const auto told = [&] {
     try {

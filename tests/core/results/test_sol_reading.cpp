@@ -33,7 +33,7 @@ std::string one(double value) {
 
 }  // namespace
 
-TEST_CASE("a file cut off at any byte gives its whole steps or says that it is none",
+TEST_CASE("SOL: file cut at any byte → complete steps, or a message that it is not a SOL file",
           "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing(2);
   TemporaryFolder folder;
@@ -90,7 +90,7 @@ TEST_CASE("a file cut off at any byte gives its whole steps or says that it is n
   }
 }
 
-TEST_CASE("files of other programs open", "[unit][sol]") {
+TEST_CASE("SOL: files of other programs → read", "[unit][sol]") {
   TemporaryFolder folder;
   SECTION("a ball file with the listed 27 values and a twelve-column version") {
     std::string text = "  ADORE  6.7 X     old run\n  Rolling Element 1$\n  ";
@@ -181,7 +181,7 @@ TEST_CASE("files of other programs open", "[unit][sol]") {
   }
 }
 
-TEST_CASE("what is no SOL file is refused with a sentence", "[unit][sol]") {
+TEST_CASE("SOL: other files → message", "[unit][sol]") {
   TemporaryFolder folder;
   const auto why = [&](std::string_view bytes) {
     write_bytes(folder / "file", bytes);
@@ -205,7 +205,7 @@ TEST_CASE("what is no SOL file is refused with a sentence", "[unit][sol]") {
   CHECK_THAT(message_of([&] { read_sol(folder / "SOL7", {0, 1, 1}); }), Contains("at least 1"));
 }
 
-TEST_CASE("a continued SOL file equals one written in one go", "[unit][sol]") {
+TEST_CASE("SOL: continued file = file written in one go", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
   const SolHeader header = make_sol_header(bearing, 4, UnitSystem::SI);
@@ -263,7 +263,8 @@ TEST_CASE("a continued SOL file equals one written in one go", "[unit][sol]") {
   CHECK(read_sol(folder / "SOL1").steps.size() == 11);  // refusals cut nothing
 }
 
-TEST_CASE("an unwritable place and a full disk are told, and earlier steps stay", "[unit][sol]") {
+TEST_CASE("SOL: folder without write permission or full disk → reported, earlier steps kept",
+          "[unit][sol]") {
   TemporaryFolder folder;
   const SolHeader header = make_sol_header(make_bearing(), 0, UnitSystem::SI);
   CHECK_THAT(
@@ -294,7 +295,7 @@ TEST_CASE("an unwritable place and a full disk are told, and earlier steps stay"
   CHECK(read_bytes(folder / "short") == "abXY");
 }
 
-TEST_CASE("a locale with a decimal comma changes no byte and no reading", "[unit][sol]") {
+TEST_CASE("SOL: locale with decimal comma → same bytes and values", "[unit][sol]") {
   // Whatever locale the machine has; the C++ one is made here, so the test never depends on
   // installed locales.
   struct Comma : std::numpunct<char> {
@@ -323,7 +324,7 @@ TEST_CASE("a locale with a decimal comma changes no byte and no reading", "[unit
   CHECK(read_bytes(folder / "a") == read_bytes(folder / "b"));
 }
 
-TEST_CASE("the version of the files is that of the build", "[unit]") {
+TEST_CASE("SOL: version of the files is that of the build", "[unit]") {
   const std::string cmake = read_bytes(adore::test::source_dir().string() + "/CMakeLists.txt");
   CHECK_THAT(cmake, Contains("project(adore VERSION " + std::string(kVersionNumber) + " "));
   CHECK(std::string(kProgramVersion) == "Adore " + std::string(kVersionNumber));

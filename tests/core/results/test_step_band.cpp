@@ -25,7 +25,7 @@ Look loads(std::vector<double> values) {
 
 }  // namespace
 
-TEST_CASE("a band has the lowest, highest and mean value of its looks", "[unit][step-band]") {
+TEST_CASE("step band: lowest, highest and mean value of its samples", "[unit][step-band]") {
   constexpr Looked kLoad = Looked::ContactLoad;
   StepBand band;
   CHECK(band.empty());
@@ -62,7 +62,7 @@ TEST_CASE("a band has the lowest, highest and mean value of its looks", "[unit][
   CHECK(none.empty());
 }
 
-TEST_CASE("what a scene lacks is 0, and what nobody looked at is no number", "[unit][step-band]") {
+TEST_CASE("step band: missing parts → 0, no samples → NaN", "[unit][step-band]") {
   StepBand band;
   band.look(loads({1.0, 2.0}));
   const std::vector<double> land{0.0};
@@ -78,7 +78,8 @@ TEST_CASE("what a scene lacks is 0, and what nobody looked at is no number", "[u
   CHECK(band.low(Looked::LandForce, 0) == 3.0);
 }
 
-TEST_CASE("a lost contact leaves no mark on the extremes of its slip", "[unit][step-band]") {
+TEST_CASE("step band: open contact → no influence on the extremes of its slip",
+          "[unit][step-band]") {
   StepBand band;
   const auto look = [&](double slip) {
     adore::scene::Look at;
@@ -102,13 +103,13 @@ TEST_CASE("a lost contact leaves no mark on the extremes of its slip", "[unit][s
   CHECK(later.mean(Looked::ContactSlip, 0) == Approx(0.2));
 }
 
-TEST_CASE("the mean of looks that are all alike is that value", "[unit][step-band]") {
+TEST_CASE("step band: equal samples → mean is that value", "[unit][step-band]") {
   StepBand band;
   for (int k = 0; k < 10; ++k) band.look(loads({0.1}));
   CHECK(band.mean(Looked::ContactLoad, 0) == 0.1);  // ten times 0.1 is less than 1
 }
 
-TEST_CASE("every channel that is looked at has its extremes and mean behind it, in its unit",
+TEST_CASE("channel bands: every sampled channel has extremes and mean in its unit",
           "[unit][step-band][output]") {
   const auto all = channels();
   for (std::size_t k = 0; k < adore::scene::kLooked; ++k) {
@@ -129,7 +130,7 @@ TEST_CASE("every channel that is looked at has its extremes and mean behind it, 
   }
 }
 
-TEST_CASE("a record alone has bands without width", "[unit][step-band][output]") {
+TEST_CASE("channel bands: single record → bands of zero width", "[unit][step-band][output]") {
   using namespace adore::testing;
   const adore::bearing::Bearing bearing = make_bearing();
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());

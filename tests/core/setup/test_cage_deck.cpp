@@ -35,7 +35,7 @@ std::string page(const bearing::Bearing& bearing, const deck::Deck& deck) {
 
 }  // namespace
 
-TEST_CASE("cages of every roller type have mass, play and speed in a quasi-static solution",
+TEST_CASE("cage page: every roller type → mass, clearance and speed in a quasi-static solution",
           "[physics][cage]") {
   for (const char* name : {"cylindrical", "tapered", "spherical", "spherical-tapered"}) {
     INFO(name);
@@ -78,7 +78,7 @@ TEST_CASE("a conical cage's mass center lies towards its large end", "[physics][
                                       Catch::Contains("-0.0007"));  // the large end is at -x
 }
 
-TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller-guided cage",
+TEST_CASE("shaped roller pockets: smallest clearance, and the cylinder of a roller-guided cage",
           "[physics][cage]") {
   deck::Deck deck = at_rest("cylindrical");
   const double D = deck.si("bReDia");
@@ -110,8 +110,7 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
   CHECK_THAT(page(guided, deck), Catch::Contains("roller-guided cage"));
 }
 
-TEST_CASE("pockets: no play left for the element -> refused, the variable that takes it named",
-          "[unit][cage]") {
+TEST_CASE("pockets: no clearance left for the element → error with the variable", "[unit][cage]") {
   const auto refusal = [](deck::Deck deck) {
     try {
       (void)setup::build_bearing(deck);
@@ -164,8 +163,7 @@ TEST_CASE("pockets: no play left for the element -> refused, the variable that t
   CHECK(refusal(cone).empty());
 }
 
-TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solution",
-          "[physics][cage]") {
+TEST_CASE("cage page: ball cages of every pocket shape", "[physics][cage]") {
   for (const auto& [code, name, clearance] : {std::tuple{"0", "cylindrical", "0"},
                                               {"1", "spherical", "0"},
                                               {"2", "elongated", "0.0002"},
@@ -182,7 +180,7 @@ TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solut
   }
 }
 
-TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why", "[unit][cage]") {
+TEST_CASE("cage page: windows that cannot be cut → no mass, with the reason", "[unit][cage]") {
   deck::Deck deck = at_rest("cylindrical");
   deck.set("cageWidth", "0.009");  // narrower than the rollers are long
   deck.set("cageGsPos[1]", "-0.0045");
@@ -195,7 +193,7 @@ TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why"
   CHECK(listing::cage_json(bearing)["mass [kg]"].is_null());
 }
 
-TEST_CASE("a cage's given mass comes from its record", "[unit][cage]") {
+TEST_CASE("cage page: given mass → from its record", "[unit][cage]") {
   deck::Deck deck = at_rest("tapered");
   deck.set("kCageIP", "1");
   deck.complete();

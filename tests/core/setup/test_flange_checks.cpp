@@ -23,7 +23,7 @@ std::vector<std::string> warnings_of(const deck::Deck& deck, const std::string& 
 
 }  // namespace
 
-TEST_CASE("flanges that no roller end meets, or that leave no play or no guidance, are told",
+TEST_CASE("flanges: no roller end meets them, no clearance or no guidance → reported",
           "[unit][flanges]") {
   for (const char* type : {"cylindrical", "tapered", "spherical-tapered"})
     for (const char* race : {"1", "2"}) {
@@ -61,7 +61,7 @@ TEST_CASE("flanges that no roller end meets, or that leave no play or no guidanc
     }
 }
 
-TEST_CASE("a rotating load of more than the whole deflection is told", "[unit][flanges]") {
+TEST_CASE("rotating load: more than the whole deflection → warning", "[unit][flanges]") {
   for (const char* race : {"1", "2"}) {
     deck::Deck deck = deck::new_deck("cylindrical");
     deck.set("kVarLoad", "1");

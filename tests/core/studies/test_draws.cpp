@@ -9,7 +9,8 @@
 
 using namespace adore::studies;
 
-TEST_CASE("normal scores undo normal shares to the last digits", "[unit][studies]") {
+TEST_CASE("normal scores: inverse of the normal distribution to the last digits",
+          "[unit][studies]") {
   for (const double z : {-8.0, -3.0, -1.96, -0.5, 0.0, 0.1, 1.0, 2.5, 6.0}) {
     const double share = normal_share(z);
     // Above zero the share itself has lost digits: 1 - u is what it still holds.
@@ -20,7 +21,7 @@ TEST_CASE("normal scores undo normal shares to the last digits", "[unit][studies
   CHECK(normal_score(0.5) == Approx(0.0).margin(1e-15));
 }
 
-TEST_CASE("Latin samples have one point in each stratum of every dimension", "[unit][studies]") {
+TEST_CASE("Latin samples: one point in each stratum of every dimension", "[unit][studies]") {
   constexpr long n = 200;
   const auto samples = unit_samples(Sampling::Latin, n, 5, 7);
   for (std::size_t k = 0; k < 5; ++k) {
@@ -32,7 +33,8 @@ TEST_CASE("Latin samples have one point in each stratum of every dimension", "[u
   CHECK(samples != unit_samples(Sampling::Latin, n, 5, 8));
 }
 
-TEST_CASE("Sobol points fill every dyadic interval of every dimension evenly", "[unit][studies]") {
+TEST_CASE("Sobol points: every dyadic interval of every dimension has equally many",
+          "[unit][studies]") {
   constexpr long n = 256;
   const auto samples = unit_samples(Sampling::Sobol, n, kSobolDimensions, 3);
   for (std::size_t k = 0; k < kSobolDimensions; ++k) {
@@ -57,7 +59,8 @@ TEST_CASE("Sobol points fill every dyadic interval of every dimension evenly", "
                     Catch::Contains("use latin"));
 }
 
-TEST_CASE("Sobol integrates a smooth product far better than random points", "[unit][studies]") {
+TEST_CASE("Sobol points: smooth product → integrated far better than by random points",
+          "[unit][studies]") {
   // ∫ Π (1 + (x_k - 1/2)) = 1 in eight dimensions.
   const auto error = [](Sampling method) {
     const auto samples = unit_samples(method, 4096, 8, 1);
@@ -74,7 +77,7 @@ TEST_CASE("Sobol integrates a smooth product far better than random points", "[u
   CHECK(error(Sampling::Random) > error(Sampling::Sobol));
 }
 
-TEST_CASE("a correlation that cannot be is refused, a singular one is not", "[unit][studies]") {
+TEST_CASE("correlation: impossible matrix → error, singular one → accepted", "[unit][studies]") {
   Eigen::MatrixXd c = Eigen::MatrixXd::Identity(3, 3), factor;
   c(0, 1) = c(1, 0) = 0.6;
   c(1, 2) = c(2, 1) = -0.3;

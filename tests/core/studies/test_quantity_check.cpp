@@ -36,7 +36,7 @@ Quantity channel(std::string_view id) {
 
 }  // namespace
 
-TEST_CASE("what runs do not have is told by the deck, and nothing that they have",
+TEST_CASE("quantity_check: the deck shows which quantities its runs lack",
           "[validation][studies]") {
   const Sets moves{{"maxStps", "5"},  {"nStps", "1"},     {"kPltFreq", "1"},   {"kAGraf", "0"},
                    {"kPrtFreq", "0"}, {"kLifeFreq", "1"}, {"kNumPltElem", "0"}};
@@ -97,7 +97,7 @@ TEST_CASE("what runs do not have is told by the deck, and nothing that they have
     }
 }
 
-TEST_CASE("a study says which key results it may ask for instead", "[unit][studies]") {
+TEST_CASE("study: unknown key result → error with the nearest ones", "[unit][studies]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("nCseg", "0");
   deck.complete();

@@ -78,8 +78,7 @@ Agreement agreement(const std::string& deck, const std::string& variables, doubl
 
 }  // namespace
 
-TEST_CASE("exact derivatives of an equilibrium are those of differences of whole runs",
-          "[unit][studies]") {
+TEST_CASE("static sensitivity: exact derivatives = differences of whole runs", "[unit][studies]") {
   // Balls by the spin rule have no friction in their equilibrium: 4e-8 measured. Those in balance
   // of friction do, and kinks of the traction curve within their ellipses: 2e-6 measured.
   constexpr const char* kOfBalls =

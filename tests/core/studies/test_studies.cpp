@@ -37,7 +37,8 @@ std::vector<CageInstant> circle(double radius, double ratio, double wobble) {
 
 }  // namespace
 
-TEST_CASE("a cage that circles whirls at that ratio, one that stays rests", "[unit][studies]") {
+TEST_CASE("cage whirl: circling cage → whirling at that ratio, resting cage → resting",
+          "[unit][studies]") {
   const Whirl even = judge_whirl(circle(0.8, 0.7, 0.0));
   CHECK(even.ratio == Approx(0.7).epsilon(1e-12));
   CHECK(even.deviation == Approx(0.0).margin(1e-12));
@@ -55,7 +56,7 @@ TEST_CASE("a cage that circles whirls at that ratio, one that stays rests", "[un
   CHECK(judge_whirl(resting).ratio == 0.0);
 }
 
-TEST_CASE("statistics weigh time, and leave missing values out", "[unit][studies]") {
+TEST_CASE("statistics: weighted by time, without missing values", "[unit][studies]") {
   // A ramp 0 to 1, sampled unevenly: the mean over time is 1/2.
   const std::vector<double> times{0.0, 0.1, 0.2, 1.0}, values{0.0, 0.1, 0.2, 1.0};
   CHECK(statistic(Statistic::Mean, 0, times, values, 1) == Approx(0.5));
@@ -82,7 +83,7 @@ TEST_CASE("statistics weigh time, and leave missing values out", "[unit][studies
   CHECK(std::isnan(rank_correlation({1, 1, 1}, {1, 2, 3})));
 }
 
-TEST_CASE("axes of all runs keep room for what is looked at", "[unit][studies]") {
+TEST_CASE("parallel chart: axes of all runs keep room for quantities", "[unit][studies]") {
   const auto columns = [](const std::string& name, std::size_t count) {
     std::vector<TableColumn> out;
     for (std::size_t k = 0; k < count; ++k)
@@ -105,7 +106,7 @@ TEST_CASE("axes of all runs keep room for what is looked at", "[unit][studies]")
   CHECK(axes_of(columns("v", 2), quantities).size() == 12);
 }
 
-TEST_CASE("the search finds a summit inside and a corner", "[unit][studies]") {
+TEST_CASE("worst case: maximum inside and in a corner → found", "[unit][studies]") {
   Study study;
   study.kind = Kind::WorstCase;
   study.samples = 8;
@@ -145,7 +146,7 @@ TEST_CASE("the search finds a summit inside and a corner", "[unit][studies]") {
   CHECK(holes.best()[1] > 2.5);
 }
 
-TEST_CASE("differences of fourth order have the derivative of a quintic's lower part",
+TEST_CASE("sensitivity: fourth-order differences → derivative of a quintic's lower part",
           "[unit][studies]") {
   const auto f = [](double x) { return 2.0 + 3.0 * x + x * x - 4.0 * x * x * x + x * x * x * x; };
   const double h = 0.1;
@@ -154,7 +155,7 @@ TEST_CASE("differences of fourth order have the derivative of a quintic's lower 
   CHECK(d.doubt == Approx(4.0 * h * h).epsilon(1e-10));  // (d1 - d2)/3 = 4 h² f'''/24
 }
 
-TEST_CASE("a record comes back to the last bit, and a damaged one is none", "[unit][studies]") {
+TEST_CASE("record: reads back to the last bit; damaged record → none", "[unit][studies]") {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / "adore-test-records";
   std::filesystem::remove_all(folder);
@@ -240,7 +241,7 @@ echo done $key
 
 }  // namespace
 
-TEST_CASE("a run whose process is killed from outside again and again is made in the end",
+TEST_CASE("study: run whose process is killed repeatedly → computed in the end",
           "[unit][studies]") {
   StandIn engine("kills", kCount + "[ $(wc -c <$key) -gt 12 ] || kill -KILL $$\n" + kAnswer);
   engine.run();
@@ -253,7 +254,7 @@ TEST_CASE("a run whose process is killed from outside again and again is made in
   CHECK(engine.note.find("24 killed from outside") != std::string::npos);
 }
 
-TEST_CASE("a run that is always killed from outside stays unfinished, without a record of failure",
+TEST_CASE("study: run whose process is always killed → unfinished, without a record of failure",
           "[unit][studies]") {
   for (const char* signal : {"KILL", "TERM"}) {
     StandIn engine("always-killed",

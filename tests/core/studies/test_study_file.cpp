@@ -28,7 +28,7 @@ const std::string kSmall = R"({"adore_study": 1, "kind": "sweep", "deck": "DATA.
 
 }  // namespace
 
-TEST_CASE("every example study is read, and says how many runs it has", "[unit][studies]") {
+TEST_CASE("study file: every example is read, with its number of runs", "[unit][studies]") {
   const std::pair<const char*, long> expected[] = {{"sweep", 18},       {"tolerance", 600},
                                                    {"cage-map", 25},    {"sensitivity", 25},
                                                    {"worst-case", 145}, {"what-if", 4}};
@@ -42,7 +42,7 @@ TEST_CASE("every example study is read, and says how many runs it has", "[unit][
   CHECK_THROWS_WITH(example_study("swep"), Contains("sweep, tolerance, cage-map"));
 }
 
-TEST_CASE("a mistake in a study file is a sentence with file, key, value and what is valid",
+TEST_CASE("study file: error → sentence with file, key, value and valid values",
           "[unit][studies]") {
   const auto refused = [](const std::string& from, const std::string& to) {
     try {
@@ -84,7 +84,7 @@ TEST_CASE("a mistake in a study file is a sentence with file, key, value and wha
   CHECK_THAT(refused("{\"adore_study\"", "{{"), Contains("a.json") && Contains("JSON"));
 }
 
-TEST_CASE("grids run through all pairs, the last one fastest, and samples at each",
+TEST_CASE("study points: grids in all combinations, the last one fastest, with all samples",
           "[unit][studies]") {
   Study study = parse_study(
       R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
@@ -107,7 +107,7 @@ TEST_CASE("grids run through all pairs, the last one fastest, and samples at eac
   CHECK(points[0].sets.front() == std::pair<std::string, std::string>{"appLoadX", "1"});
 }
 
-TEST_CASE("lots scatter by the law that is asked for, correlated as asked", "[unit][studies]") {
+TEST_CASE("study points: lots have the specified distribution and correlation", "[unit][studies]") {
   Study study = parse_study(
       R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
       "variables": [{"name": "reDiaVar#", "normal": [1e-6, 2e-7], "common": 0.4},
@@ -151,7 +151,7 @@ TEST_CASE("lots scatter by the law that is asked for, correlated as asked", "[un
   CHECK(largest <= 0.53);
 }
 
-TEST_CASE("a study in TOML is the same study, with its remarks, as in JSON", "[unit][studies]") {
+TEST_CASE("study file: TOML and JSON → same study and remarks", "[unit][studies]") {
   for (const char* kind :
        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}) {
     INFO(kind);
@@ -173,8 +173,7 @@ TEST_CASE("a study in TOML is the same study, with its remarks, as in JSON", "[u
   CHECK(read_study_text("a = 1 # behind a value\n", "a.toml").loose_comments);
 }
 
-TEST_CASE("values of a study in TOML change where they stand, and every comment stays",
-          "[unit][studies]") {
+TEST_CASE("study file: TOML value changed → changed in place, comments kept", "[unit][studies]") {
   const std::string text =
       "# of the spring\n"
       "kind = \"sweep\"   # what it is\n"
@@ -225,7 +224,7 @@ TEST_CASE("values of a study in TOML change where they stand, and every comment 
   CHECK(edited([](auto& v) { v["budget"]["hours"] = 2; }) == text + "hours = 2\n");
 }
 
-TEST_CASE("a study in TOML says what it reads as after any change", "[unit][studies]") {
+TEST_CASE("study file: TOML after any change → reads back equal", "[unit][studies]") {
   const std::string text =
       "kind = \"sweep\"\ndeck = \"a.txt\"\nbudget.runs = 5 # dotted\n"
       "[[variables]] # first\nname = \"appLoadX\" # thrust\ngrid = [500, 1500, 3]\n"
@@ -249,7 +248,7 @@ TEST_CASE("a study in TOML says what it reads as after any change", "[unit][stud
   CHECK(edited_study_text("{}", values, "a.json").rewritten);
 }
 
-TEST_CASE("a mistake in a study in TOML names its line", "[unit][studies]") {
+TEST_CASE("study file: error in TOML → with its line", "[unit][studies]") {
   const std::string text =
       "adore_study = 1\nkind = \"sweep\"\ndeck = \"DATA.txt\"\n"
       "quantities = [\"largest_contact_load_N\"]\n\n"
@@ -263,7 +262,7 @@ TEST_CASE("a mistake in a study in TOML names its line", "[unit][studies]") {
                     Contains("a.toml, line 2: this is not valid TOML"));
 }
 
-TEST_CASE("the key that a sentence is about is found in it", "[unit][studies]") {
+TEST_CASE("named_key(): key of a sentence about a study", "[unit][studies]") {
   CHECK(key_of_sentence("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
         "variables[2].grid");
   CHECK(key_of_sentence("a.toml, line 4: kind is missing: give", "a.toml") == "kind");

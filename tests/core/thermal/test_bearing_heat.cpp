@@ -216,7 +216,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("cryogenic coolants keep their own temperature and say where they are extrapolated",
+TEST_CASE("cryogenic coolants: coolant temperature kept, extrapolation reported",
           "[physics][thermal]") {
   Bearing b = example();
   b.thermal->coolant = 4;  // hydrogen
@@ -246,8 +246,7 @@ TEST_CASE("network: hollow shaft, oil at 330 K, room at 293 K → no node below 
   CHECK(steady.heat.temperature.shaft > 300.0);
 }
 
-TEST_CASE("a coolant that takes no heat is refused with the variables that would help",
-          "[unit][thermal]") {
+TEST_CASE("coolant without heat capacity → error with the variables to change", "[unit][thermal]") {
   Bearing b = example();
   b.thermal->convection_given = true;
   CHECK_THROWS_WITH(thermal::solve_bearing_heat(b, kHeat, 400.0),
@@ -257,7 +256,7 @@ TEST_CASE("a coolant that takes no heat is refused with the variables that would
   CHECK_THROWS_WITH(thermal::solve_bearing_heat(b, kHeat, 400.0), Catch::Contains("shftTC"));
 }
 
-TEST_CASE("a steady state is a fixed point: its temperatures give its loads, friction and heat",
+TEST_CASE("steady state: fixed point of temperatures, loads, friction and heat",
           "[physics][thermal]") {
   for (const char* name : {"ball", "cylindrical", "tapered"}) {
     INFO(name);
@@ -280,7 +279,7 @@ TEST_CASE("a steady state is a fixed point: its temperatures give its loads, fri
   }
 }
 
-TEST_CASE("more flow cools, more load heats; a standing bearing stays as cold as its coolant",
+TEST_CASE("steady state: more flow → colder, more load → hotter; standstill → coolant temperature",
           "[physics][thermal]") {
   Bearing b = example();
   const double one = thermal::solve_steady_state(b).heat.bulk.element;
@@ -297,7 +296,8 @@ TEST_CASE("more flow cools, more load heats; a standing bearing stays as cold as
   for (const double T : rest.heat.bulk.list()) CHECK(T == Approx(320.0).epsilon(1e-12));
 }
 
-TEST_CASE("with fixed geometry only the oil follows the temperatures", "[physics][thermal]") {
+TEST_CASE("steady state: fixed geometry → only the oil follows the temperatures",
+          "[physics][thermal]") {
   Bearing b = example();
   b.thermal->geometry_every = 0;
   const thermal::SteadyState fixed = thermal::solve_steady_state(b);
@@ -306,7 +306,7 @@ TEST_CASE("with fixed geometry only the oil follows the temperatures", "[physics
   CHECK(fixed.operating.element_temperature > b.element_temperature);
 }
 
-TEST_CASE("a clamped bearing whose heat cannot get away runs away, and the error says so",
+TEST_CASE("steady state: clamped bearing without heat path → runaway, with a message",
           "[physics][thermal]") {
   // Stiff housing held cold, a hot inner ring: the clearance is lost with every kelvin.
   Bearing b = example("cylindrical");
@@ -322,8 +322,7 @@ TEST_CASE("a clamped bearing whose heat cannot get away runs away, and the error
       Catch::Contains("thermal analysis: no steady state") && Catch::Contains("give more coolant"));
 }
 
-TEST_CASE("the rings of the network end at the bottoms of the grooves, where those of the fits do",
-          "[physics][thermal]") {
+TEST_CASE("network: rings end at the groove bottoms, as in the fits", "[physics][thermal]") {
   for (const double degrees : {0.0, 15.0, 40.0}) {
     Bearing b = example();
     b.balls().contact_angle = degrees * std::acos(-1.0) / 180.0;
@@ -336,10 +335,8 @@ TEST_CASE("the rings of the network end at the bottoms of the grooves, where tho
   }
 }
 
-TEST_CASE(
-    "a steady state has no node below absolute zero, whatever is known and however little "
-    "flows",
-    "[physics][thermal]") {
+TEST_CASE("steady state: no node below absolute zero, for any data and any small flow",
+          "[physics][thermal]") {
   int found = 0, refused = 0;
   constexpr int kAir = 13, kWater = 14;
   for (const auto& [coolant, base] : {std::pair{example().thermal->coolant, 0},
@@ -401,7 +398,7 @@ TEST_CASE("relaxation: fluctuating heat → the mean; heat that falls steeply �
   CHECK(run(true, -6.0, 0.0) < 0.01);
 }
 
-TEST_CASE("hot_node: a film above 1000 K → its name, whatever the parts are at",
+TEST_CASE("hot_node(): film above 1000 K → its name, for any temperatures of the parts",
           "[unit][thermal]") {
   thermal::BearingHeat heat;
   heat.nodes = {{"outer raceway", 400.0}, {"film of the pockets", 2.8e5}, {"ambient", 293.0}};
@@ -410,7 +407,7 @@ TEST_CASE("hot_node: a film above 1000 K → its name, whatever the parts are at
   CHECK(thermal::hot_node(heat).empty());
 }
 
-TEST_CASE("network: pocket heat between bodies that hardly conduct → a film out of range",
+TEST_CASE("network: pocket heat between bodies of low conductivity → a film out of range",
           "[physics][thermal]") {
   Bearing b = example();
   HeatSources sources;

@@ -25,7 +25,7 @@ MountedRings cold_rings() {
 
 }  // namespace
 
-TEST_CASE("pressed parts meet where the interference was", "[physics][fit]") {
+TEST_CASE("press fit: surfaces meet where the interference was", "[physics][fit]") {
   const double a = 0.01, c = 0.025, b = 0.032, interference = 24e-6;
   const double p = fit_pressure(a, c, b, kSteel, kAluminium, interference);
   REQUIRE(p > 0.0);
@@ -37,7 +37,7 @@ TEST_CASE("pressed parts meet where the interference was", "[physics][fit]") {
   CHECK(bore == Approx(c / kAluminium.E * (hoop + kAluminium.nu * p)).epsilon(1e-12));
 }
 
-TEST_CASE("a loose fit and a part without wall carry no pressure", "[unit][fit]") {
+TEST_CASE("press fit: loose fit and part without wall → no pressure", "[unit][fit]") {
   CHECK(fit_pressure(0.01, 0.02, 0.03, kSteel, kSteel, -1e-6) == 0.0);
   CHECK(fit_pressure(0.01, 0.02, 0.03, kSteel, kSteel, 0.0) == 0.0);
   CHECK(fit_pressure(0.01, 0.02, 0.0, kSteel, kSteel, 1e-5) == 0.0);
@@ -62,7 +62,7 @@ TEST_CASE("thin rings: membrane stress p r/t and spinning hoop rho w^2 r^2", "[p
   }
 }
 
-TEST_CASE("a pinhole moves the outside of a solid shaft by nothing and doubles the hoop stress",
+TEST_CASE("ring: pinhole in a solid shaft → outside unchanged, hoop stress doubled",
           "[physics][fit]") {
   const double b = 0.02, hole = 1e-7, p = 1e7, w = 3000.0;
   // The hole changes the displacement by terms of order (a/b)^2 = 2.5e-11.
@@ -78,8 +78,7 @@ TEST_CASE("a pinhole moves the outside of a solid shaft by nothing and doubles t
         Approx(fit_pressure(0.0, b, 0.03, kSteel, kSteel, 1e-5)).epsilon(1e-9));
 }
 
-TEST_CASE("a spinning ring is in equilibrium, and its stresses follow its strains",
-          "[physics][growth]") {
+TEST_CASE("ring: spinning → in equilibrium, and stresses follow strains", "[physics][growth]") {
   const double a = 0.03, b = 0.05, w = -2500.0, h = 1e-6;
   CHECK(spin_radial_stress(a, a, b, kSteel, w) == Approx(0.0).margin(1e-6));  // free surface
   CHECK(spin_radial_stress(b, a, b, kSteel, w) == Approx(0.0).margin(1e-6));
@@ -94,8 +93,7 @@ TEST_CASE("a spinning ring is in equilibrium, and its stresses follow its strain
   }
 }
 
-TEST_CASE("mean ring temperature is the area mean of the logarithmic profile",
-          "[physics][growth]") {
+TEST_CASE("ring: mean temperature = area mean of the logarithmic profile", "[physics][growth]") {
   const double a = 0.04, b = 0.055, Ta = 400.0, Tb = 350.0;
   double sum = 0.0;
   const int n = 20000;  // midpoint rule: error ~ n^-2
@@ -106,7 +104,7 @@ TEST_CASE("mean ring temperature is the area mean of the logarithmic profile",
   CHECK(mean_ring_temperature(a, b, Ta, Tb) == Approx(sum / (b * b - a * a)).epsilon(1e-9));
 }
 
-TEST_CASE("a tight fit widens the inner raceway and narrows the outer; speed loosens the shaft fit",
+TEST_CASE("press fit: widens the inner raceway and narrows the outer; speed loosens the shaft fit",
           "[physics][fit]") {
   MountedRings rings = cold_rings();
   rings.fit = {20e-6, 20e-6};
@@ -149,8 +147,9 @@ TEST_CASE("rollers: radial clearance, sizes and the axial setting of cones", "[p
   CHECK_THROWS_AS(tapered_setting_change(1e-5, 0.0), adore::InputError);
 }
 
-TEST_CASE("cage play: the race opens it, the cage closes it; segments feel no centrifugal growth",
-          "[physics][cage]") {
+TEST_CASE(
+    "cage clearance: opened by the race, closed by the cage; segments have no centrifugal growth",
+    "[physics][cage]") {
   CHECK(land_clearance(0, 0.0332, 2e-6, 0.033, 5e-6) == Approx(2.0 * (2e-4 - 3e-6)).epsilon(1e-12));
   CHECK(land_clearance(1, 0.0288, 2e-6, 0.029, 5e-6) == Approx(2.0 * (2e-4 + 3e-6)).epsilon(1e-12));
   const RingPart cage{{3e9, 0.35, 1150.0}, 0.029, 0.033, 5e-4, 900.0};
@@ -160,7 +159,7 @@ TEST_CASE("cage play: the race opens it, the cage closes it; segments feel no ce
   CHECK(pocket_clearance(2e-4, 0.0127, 1e-3, 1e-3) == Approx(2e-4 * 1.001).epsilon(1e-14));
 }
 
-TEST_CASE("a shim needs a groove that is wider than the ball", "[unit][fit]") {
+TEST_CASE("shim: needs a groove wider than the ball", "[unit][fit]") {
   CHECK_THROWS_AS(split_race(0.0065405, 0.0127, 0.0004, 3e-5, 4.4e-4), adore::InputError);
   CHECK_THROWS_AS(split_race(0.0065405, 0.0127, -1e-6, 3e-5, 4.4e-4), adore::InputError);
   const SplitRace plain = split_race(0.0065405, 0.0127, 0.0, 3e-5, 4.4e-4);

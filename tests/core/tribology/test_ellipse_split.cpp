@@ -26,8 +26,7 @@ bearing::TractionCurve exponential() {
 
 }  // namespace
 
-TEST_CASE("The split rule gives the converged traction of laws without a jump at rest",
-          "[physics][traction]") {
+TEST_CASE("Split rule: converged traction of laws without a jump at rest", "[physics][traction]") {
   const EllipseGeometry curved{330.0, 1.03e-3, 1.42e-4, 6.47e-3, 6.32e-3};
   EllipseGeometry flat = curved;
   flat.rho = 0.0;
@@ -57,7 +56,7 @@ TEST_CASE("The split rule gives the converged traction of laws without a jump at
       }
 }
 
-TEST_CASE("An open contact has no traction by the split rule", "[unit][traction]") {
+TEST_CASE("Split rule: open contact → no traction", "[unit][traction]") {
   const EllipseTraction open = ellipse_traction_split(two_slope(), {}, {0.1, 0.1, 0.0, 0.0, 0.0});
   CHECK(open.F_t == 0.0);
   CHECK(open.heat == 0.0);

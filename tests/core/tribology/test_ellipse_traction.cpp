@@ -27,8 +27,7 @@ double relative(double a, double b) { return std::abs(a - b) / std::abs(b); }
 
 }  // namespace
 
-TEST_CASE("make_ellipse_rule integrates the Hertz pressure times polynomials exactly",
-          "[unit][analytic]") {
+TEST_CASE("make_ellipse_rule(): Hertz pressure times polynomials → exact", "[unit][analytic]") {
   for (int n : {1, 2, 3, 7, 12, 40, 200}) {
     const EllipseRule rule = make_ellipse_rule(n, n);
     double s0 = 0.0, s2 = 0.0, v0 = 0.0, v2 = 0.0, odd = 0.0;
@@ -55,7 +54,7 @@ TEST_CASE("make_ellipse_rule integrates the Hertz pressure times polynomials exa
   CHECK_THROWS_AS(make_ellipse_rule(4, 201), adore::InputError);
 }
 
-TEST_CASE("pure spin under Coulomb traction gives M = 3/8 mu Q a E(1 - b²/a²) and heat M W",
+TEST_CASE("pure spin under Coulomb traction: M = 3/8 mu Q a E(1 - b²/a²) and heat M W",
           "[physics][analytic]") {
   const double m = 1.0 - std::pow(kFlat.b / kFlat.a, 2);
   const double closed = 0.375 * 0.05 * kFlat.Q * kFlat.a * std::comp_ellint_2(std::sqrt(m));
@@ -70,7 +69,7 @@ TEST_CASE("pure spin under Coulomb traction gives M = 3/8 mu Q a E(1 - b²/a²) 
   CHECK(relative(rule.M_n, closed) < 5e-3);
 }
 
-TEST_CASE("pure spin under a linear law gives M = B W Q (a² + b²)/5 for any rule",
+TEST_CASE("pure spin under a linear law: M = B W Q (a² + b²)/5 for any rule",
           "[physics][analytic]") {
   const TractionCurve linear = traction_curve(0, {0.0, 0.05, 0.0, 1000.0});
   const double closed = 0.05 * kSpin.W_n * kFlat.Q * (kFlat.a * kFlat.a + kFlat.b * kFlat.b) / 5.0;
@@ -79,9 +78,8 @@ TEST_CASE("pure spin under a linear law gives M = B W Q (a² + b²)/5 for any ru
   CHECK(relative(ellipse_traction_converged(linear, kFlat, kSpin).M_n, closed) < 1e-10);
 }
 
-TEST_CASE(
-    "the fixed rule converges spectrally where the law is smooth and the slip does not reverse",
-    "[physics][convergence]") {
+TEST_CASE("fixed rule: spectral convergence for a smooth law without reversal",
+          "[physics][convergence]") {
   const EllipseKinematics motion{0.4, 0.6, 0.0, 0.0, 500.0};
   const EllipseTraction exact = ellipse_traction_converged(kSmooth, kCurved, motion);
   double before = 1.0;
@@ -95,7 +93,7 @@ TEST_CASE(
   CHECK(before < 1e-8);
 }
 
-TEST_CASE("the fixed rule converges at second order or better across kinks and reversals",
+TEST_CASE("fixed rule: second order or better across kinks and reversals",
           "[physics][convergence]") {
   const EllipseTraction exact = ellipse_traction_converged(kTwoSlope, kCurved, kGeneral);
   const auto error = [&](int major, int minor) {
@@ -108,8 +106,7 @@ TEST_CASE("the fixed rule converges at second order or better across kinks and r
   CHECK(error(192, 64) < 1e-4);
 }
 
-TEST_CASE("the split rule carries the whole load and integrates smooth integrands",
-          "[unit][analytic]") {
+TEST_CASE("split rule: whole load, and smooth integrands exactly", "[unit][analytic]") {
   // A constant coefficient and uniform slip: F = κ Q whatever the pieces are.
   const TractionCurve constant = traction_curve(2, {0.05, 0.05, 0.0, 0.0});
   for (const int major : {1, 10, 15, 20, 200}) {
@@ -127,7 +124,7 @@ TEST_CASE("the split rule carries the whole load and integrates smooth integrand
   CHECK_THROWS_AS(make_split_ellipse_rule(201, 4), adore::InputError);
 }
 
-TEST_CASE("the split rule is exact for sliding bands without spin", "[physics][convergence]") {
+TEST_CASE("split rule: exact for sliding bands without spin", "[physics][convergence]") {
   // Traction is piecewise a parabola of ξ there; its three kinks lie on the break points. What is
   // left is the curvature of the surface beyond a parabola, (a/ρ)² / 4 of a slip of ~0.1 m/s.
   const EllipseKinematics bands{0.0, -18.94569230769231, -3000.0, 0.0, 0.0};
@@ -140,7 +137,7 @@ TEST_CASE("the split rule is exact for sliding bands without spin", "[physics][c
   CHECK(error(make_ellipse_rule(20, 1)) > 2.0 * error(make_split_ellipse_rule(20, 1)));
 }
 
-TEST_CASE("the split rule errs several times less than the product rule across reversals",
+TEST_CASE("split rule: several times less error than the product rule across reversals",
           "[physics][convergence]") {
   double product = 0.0, split = 0.0;
   int count = 0;
@@ -162,7 +159,7 @@ TEST_CASE("the split rule errs several times less than the product rule across r
   CHECK(std::sqrt(product / count) > 2.0 * std::sqrt(split / count));
 }
 
-TEST_CASE("the split rule is continuous while break points appear, meet the edge and vanish",
+TEST_CASE("split rule: continuous while break points appear, meet the edge and vanish",
           "[physics]") {
   for (const double spin : {0.0, 300.0, 2000.0}) {
     double before = 0.0, largest_step = 0.0, total = 0.0;
@@ -182,7 +179,7 @@ TEST_CASE("the split rule is continuous while break points appear, meet the edge
   }
 }
 
-TEST_CASE("converged traction keeps the power balance: heat = u0·F + W·M", "[physics][energy]") {
+TEST_CASE("converged traction: power balance, heat = u0·F + W·M", "[physics][energy]") {
   for (const TractionCurve& curve : {kCoulomb, kTwoSlope, kSmooth}) {
     for (const EllipseKinematics& motion :
          {kGeneral, kSpin, EllipseKinematics{-0.2, -19.0, -3000.0, 40.0, -300.0}}) {
@@ -197,7 +194,7 @@ TEST_CASE("converged traction keeps the power balance: heat = u0·F + W·M", "[p
   }
 }
 
-TEST_CASE("the largest slip is that of the edge, whatever law and rule", "[physics]") {
+TEST_CASE("largest slip: at the edge, for any law and rule", "[physics]") {
   std::mt19937 random(15);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> power(-2.0, 1.0);
@@ -222,7 +219,7 @@ TEST_CASE("the largest slip is that of the edge, whatever law and rule", "[physi
   CHECK(all < 5e-4);
 }
 
-TEST_CASE("turning the slip around turns the traction around", "[physics][symmetry]") {
+TEST_CASE("traction: reversed slip → reversed traction", "[physics][symmetry]") {
   const EllipseKinematics back{-kGeneral.u_c, -kGeneral.u_t, -kGeneral.W_c, -kGeneral.W_t,
                                -kGeneral.W_n};
   const EllipseRule rule = make_ellipse_rule(12, 4);
@@ -235,7 +232,7 @@ TEST_CASE("turning the slip around turns the traction around", "[physics][symmet
   CHECK(b.load_slip == a.load_slip);
 }
 
-TEST_CASE("no slip means no traction, also where κ(0) is not zero", "[unit]") {
+TEST_CASE("traction: no slip → none, also if κ(0) is not zero", "[unit]") {
   const EllipseKinematics still{};
   for (const TractionCurve& curve : {kCoulomb, kTwoSlope, kSmooth}) {
     CHECK(ellipse_traction_converged(curve, kCurved, still).F_t == 0.0);
@@ -258,7 +255,7 @@ TEST_CASE("the regularization of a law with κ(0) ≠ 0 costs less than ε/u", "
   CHECK(slow.F_t == Approx(0.05 * kFlat.Q / std::numbers::sqrt2).epsilon(1e-9));
 }
 
-TEST_CASE("a pressure-dependent law that ignores the pressure agrees with the curve", "[unit]") {
+TEST_CASE("pressure-dependent law that ignores the pressure: agrees with the curve", "[unit]") {
   const PressureLaw law{[](double slip, double) { return traction_coefficient(kTwoSlope, slip); },
                         kTwoSlope.u0};
   const EllipseTraction a = ellipse_traction_converged(law, kCurved, kGeneral);
@@ -273,7 +270,7 @@ TEST_CASE("a pressure-dependent law that ignores the pressure agrees with the cu
         Approx(0.075 * kFlat.Q).epsilon(1e-10));
 }
 
-TEST_CASE("set_contact_surface places each convention's surface", "[unit]") {
+TEST_CASE("set_contact_surface(): surface of each convention", "[unit]") {
   const double rb = 6.35e-3, R = 6.604e-3, delta = 4e-6, rho = 2.0 * rb * R / (rb + R);
   EllipseGeometry g{400.0, 1e-3, 1.5e-4, 0.0, 0.0};
   set_contact_surface(g, ContactSurface::CurvedEdge, rb, R, delta);

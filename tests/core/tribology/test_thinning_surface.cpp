@@ -14,8 +14,7 @@
 using namespace adore;
 using namespace adore::tribology;
 
-TEST_CASE("the surface of shear thinning errs as little as the run's tolerance asks, everywhere",
-          "[physics][film_law]") {
+TEST_CASE("thinning surface: error within the run's tolerance everywhere", "[physics][film_law]") {
   for (const double n : {0.35, 0.4, 0.45, 0.74, 0.78})
     for (const double tolerance : {1e-4, 1e-6, 1e-7, 1e-9}) {
       const double half = 0.5 * (n - 1.0), wanted = thinning_error_of(tolerance);
@@ -45,7 +44,7 @@ TEST_CASE("the surface of shear thinning errs as little as the run's tolerance a
     }
 }
 
-TEST_CASE("beyond the surface of shear thinning points are solved", "[physics][film_law]") {
+TEST_CASE("thinning surface: points beyond it are solved", "[physics][film_law]") {
   ThinningFilm film;
   film.modulus = 1.0;
   film.half_power = -0.3;
@@ -62,8 +61,7 @@ TEST_CASE("beyond the surface of shear thinning points are solved", "[physics][f
   CHECK(std::isnan(film.at(ContactPoint<double>{}, std::nan(""))(1.0, 1.0)));
 }
 
-TEST_CASE("filmStress decides whether thinning is read or solved, and the run says so",
-          "[unit][film_law]") {
+TEST_CASE("filmStress: thinning interpolated or solved, and reported", "[unit][film_law]") {
   bearing::Lubrication lubrication;
   lubrication.code = 11;
   lubrication.critical_film = 1e-9;
@@ -96,7 +94,7 @@ TEST_CASE("filmStress decides whether thinning is read or solved, and the run sa
   CHECK(fluid_of(solved)->surface == nullptr);
 }
 
-TEST_CASE("a fit over pressure in powers keeps what its Chebyshev sum has", "[unit][film_law]") {
+TEST_CASE("pressure fit in powers: equals its Chebyshev sum", "[unit][film_law]") {
   for (const double width : {0.3, 1.0}) {
     const auto value = [&](double p) {
       return 1.0 / (1.0 + std::pow((p - 1e9) / (width * 1e9), 2));
