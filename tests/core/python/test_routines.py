@@ -1,4 +1,4 @@
-"""Routines of the user in Python: the same trajectories, the cost, and what goes wrong."""
+"""Routines of the user in Python: the same trajectories, the cost, and errors."""
 
 import tempfile
 import time
@@ -143,7 +143,7 @@ class Others(unittest.TestCase):
 
 class Surfaces(unittest.TestCase):
     def waves(self):
-        """Waves of the inner race, whose amplitude, number and phase stand in record 12.1."""
+        """Waves of the inner race, with amplitude, number and phase from record 12.1."""
         routines = adore.Routines("waves 1")
         routines.read("races", 3)
 
