@@ -28,7 +28,7 @@ const QRect kPicture(0, 60, 780, 620);
 
 }  // namespace
 
-TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui][h5]") {
+TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
   const TemporaryFolder folder;
@@ -152,7 +152,7 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   }
   CHECK(front.contains("guide land"));
   CHECK(cage.contains("clearance about the orbit"));
-  // The ways are drawn in the color of their name.
+  // The ways are drawn in the colour of their name.
   options.view = View::Bearing;
   const QColor way = theme_of(options).curves[3];
   const QImage with = picture.image({1280, 800}, 20, options);
