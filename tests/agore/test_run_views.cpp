@@ -28,7 +28,7 @@ const QRect kPicture(0, 60, 780, 620);
 
 }  // namespace
 
-TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
+TEST_CASE("views: RESULTS.h5 alone shows sections, colors and race loads", "[gui][h5]") {
   using namespace adore::testing;
   test::use_qt();
   const TemporaryFolder folder;
@@ -36,7 +36,7 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gu
   MotionPicture picture = open_animation(folder / "RESULTS.h5");
   const Animation& a = picture.animation();
   REQUIRE(picture.frames() == 31);
-  CHECK(a.source.find("every stored step") == 0);
+  CHECK(a.source.find("all stored steps") == 0);
   CHECK(a.guide == Guide::Outer);
   CHECK(a.guide_clearance == Approx(0.0003));
   CHECK(a.land[1]);
@@ -65,11 +65,11 @@ TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gu
   };
   CHECK(scaled("usual").high == Approx(1500.0));
   CHECK(scaled("usual").high_end() == "≥ 1.5 kN");
-  CHECK(scaled("usual").scale == "1 in 20 is beyond, up to 18 kN");
+  CHECK(scaled("usual").scale == "top 5 % off scale, max. 18 kN");
   CHECK(scaled("run").high == Approx(18000.0));
   CHECK_FALSE(scaled("run").above);
   CHECK(scaled("moment").high == Approx(1800.0));
-  CHECK(scaled("moment").scale == "spans this moment, run up to 18 kN");
+  CHECK(scaled("moment").scale == "range of frame, max. of run 18 kN");
   CHECK(scaled("1000:1600").of(2) == scale_colour(0.5));
   CHECK(scaled("1000:1600").of(7) == scale_colour(1.0));
   CHECK(scaled("1000:1600").low_end() == "≤ 1 kN");
@@ -139,8 +139,8 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   };
   const QByteArray front = words(View::Bearing), solid = words(View::Solid),
                    element = words(View::Element), cage = words(View::Cage);
-  for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("paths of the elements"));
-  CHECK(element.contains("no path seen so far"));  // the ball still lies over it
+  for (const QByteArray& svg : {front, solid}) CHECK(svg.contains("element paths"));
+  CHECK(element.contains("no path"));  // the ball still lies over it
   CHECK(front.contains("race loads ≤ " + load(contacts.largest_load)));
   for (const std::size_t race : {0U, 1U})
     CHECK(solid.contains((race == 0 ? "outer" : "inner") + QByteArray(" race loads ≤ ") +
@@ -148,11 +148,11 @@ TEST_CASE("views: ways of elements, loads and contacts of the cage are named in 
   // Arrows of contacts are as long as the cage's radius, whatever the force.
   for (const QByteArray& svg : {front, cage}) {
     CHECK(svg.contains("direction of land contact"));
-    CHECK(svg.contains("contact in the pocket"));
+    CHECK(svg.contains(">pocket contact"));
   }
   CHECK(front.contains("guide land"));
-  CHECK(cage.contains("clearance about the orbit"));
-  // The ways are drawn in the colour of their name.
+  CHECK(cage.contains("clearance circle"));
+  // The ways are drawn in the color of their name.
   options.view = View::Bearing;
   const QColor way = theme_of(options).curves[3];
   const QImage with = picture.image({1280, 800}, 20, options);
@@ -231,13 +231,13 @@ TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agor
   ViewOptions options;
   options.view = View::OuterRace;
   const QByteArray none = still.svg({1280, 800}, 3, options);
-  CHECK_FALSE(none.contains("path of the race centre"));
-  CHECK(none.contains("spot that turns with it"));
+  CHECK_FALSE(none.contains("path of the race center"));
+  CHECK(none.contains("race mark"));
   options.view = View::Bearing;
   CHECK(still.svg({1280, 800}, 3, options).contains("Bearing motion"));
   options.beside = {{View::Pocket}, {View::Cage}};
   const QByteArray several = still.svg({1280, 800}, 3, options);
-  CHECK(several.contains("Views at the same moment"));
+  CHECK(several.contains("Views of the same frame"));
 
   // What a frame does not have is said to be none now, and moves nothing of the key.
   Animation cage = prepare(test::synthetic_sol8());
@@ -258,15 +258,15 @@ TEST_CASE("views: keys name what is drawn, and nothing that is not", "[gui][agor
       const auto from = svg.lastIndexOf("<text", at);
       return svg.mid(from, svg.indexOf('>', from) - from);
     };
-    for (const char* const words : {"contact in the pocket", "direction of land contact"})
+    for (const char* const words : {">pocket contact", "direction of land contact"})
       CHECK(key(2).contains(words));
-    CHECK(key(3).contains("no land contact now"));
+    CHECK(key(3).contains("no land contact"));
     CHECK_FALSE(key(3).contains("direction of land contact"));
-    CHECK(key(4).contains("no contact in a pocket now"));
-    CHECK_FALSE(key(4).contains("contact in the pocket<"));
-    for (const char* const words : {"cage frame", "guide land", "clearance about the orbit"})
+    CHECK(key(4).contains("no pocket contact"));
+    CHECK_FALSE(key(4).contains(">pocket contact<"));
+    for (const char* const words : {"cage frame", "guide land", "clearance circle"})
       if (key(2).contains(words)) CHECK(place_of(key(2), words) == place_of(key(3), words));
-    CHECK(place_of(key(2), "direction of land contact") == place_of(key(3), "no land contact now"));
+    CHECK(place_of(key(2), "direction of land contact") == place_of(key(3), "no land contact"));
   }
 
   // A roller that leaves its side walls may lie at an end wall, of which no file tells.
