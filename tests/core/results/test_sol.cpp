@@ -46,7 +46,7 @@ std::string cols(const std::string& line, int first, int last) {
 
 }  // namespace
 
-TEST_CASE("a real field stands as a Fortran program writes it", "[unit][fortran]") {
+TEST_CASE("real field: as a Fortran program writes it", "[unit][fortran]") {
   CHECK(one(12.345678) == "   1.2345678E+01");
   CHECK(zero(12.345678) == "   0.1234568E+02");
   CHECK(one(-1.0 / 3.0) == "  -3.3333333E-01");
@@ -81,7 +81,7 @@ TEST_CASE("a real field stands as a Fortran program writes it", "[unit][fortran]
   CHECK(text == "abc  abcde");
 }
 
-TEST_CASE("a real field is read back from every form", "[unit][fortran]") {
+TEST_CASE("real field: every form reads back", "[unit][fortran]") {
   CHECK(ff::parse_real("  1.2345678E+01") == 12.345678);
   CHECK(ff::parse_real("1.2345678D+01") == 12.345678);
   CHECK(ff::parse_real("1.2345678d1") == 12.345678);
@@ -106,8 +106,7 @@ TEST_CASE("a real field is read back from every form", "[unit][fortran]") {
   CHECK_FALSE(ff::parse_integer("99999999999999999999").has_value());
 }
 
-TEST_CASE("writing and reading a real field loses no more than the digits it shows",
-          "[unit][fortran]") {
+TEST_CASE("real field: written and read → loses only the hidden digits", "[unit][fortran]") {
   std::mt19937_64 random(20240607);
   std::uniform_real_distribution<double> mantissa(-10.0, 10.0);
   std::uniform_int_distribution<int> exponent(-307, 307);
@@ -130,7 +129,7 @@ TEST_CASE("writing and reading a real field loses no more than the digits it sho
   }
 }
 
-TEST_CASE("theta and phi of a vector follow N101", "[unit]") {
+TEST_CASE("theta and phi of a vector: N101", "[unit]") {
   CHECK(theta_phi(Vec3(2.0, 0.0, 0.0)).theta == 0.0);
   CHECK(theta_phi(Vec3(0.0, 0.0, 3.0)).theta == Approx(std::numbers::pi / 2));
   CHECK(theta_phi(Vec3(-1.0, 0.0, 0.0)).theta == Approx(std::numbers::pi));
@@ -141,8 +140,7 @@ TEST_CASE("theta and phi of a vector follow N101", "[unit]") {
   CHECK(theta_phi(Vec3(0.0, 1e-100, 0.0)).phi == Approx(std::numbers::pi / 2));
 }
 
-TEST_CASE("orbit motion of a uniform circle has no radial motion and no angular acceleration",
-          "[unit]") {
+TEST_CASE("orbit motion: uniform circle → no radial motion and no angular acceleration", "[unit]") {
   const double w = 30.0, r = 2e-4, a = 2.0;
   const OrbitMotion orbit = orbit_motion(r * Vec3(0, -std::sin(a), std::cos(a)),
                                          r * w * Vec3(0, -std::cos(a), -std::sin(a)),
@@ -160,7 +158,7 @@ TEST_CASE("orbit motion of a uniform circle has no radial motion and no angular 
   CHECK(orbit_motion(Vec3::Zero(), Vec3::Zero(), Vec3::Zero()).theta == 0.0);
 }
 
-TEST_CASE("the header of an element file stands in the columns of the format", "[unit][sol]") {
+TEST_CASE("SOL: header of an element file → columns of the format", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   const auto lines = lines_of(format_sol_header(make_sol_header(bearing, 2, UnitSystem::SI)));
   REQUIRE(lines.size() == 4);
@@ -197,7 +195,7 @@ TEST_CASE("the header of an element file stands in the columns of the format", "
   CHECK(cageless.units[1] == "in/s^2");
 }
 
-TEST_CASE("a step of an element file stands in the columns of the format", "[unit][sol]") {
+TEST_CASE("SOL: step of an element file → columns of the format", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
@@ -222,7 +220,7 @@ TEST_CASE("a step of an element file stands in the columns of the format", "[uni
   CHECK(cols(lines[9], 3, 18) == one(311.0));     // 33 inner race contact temperature
 }
 
-TEST_CASE("what is written to SOL1-SOL7 is read back, in both unit systems", "[unit][sol]") {
+TEST_CASE("SOL1-SOL7: written files read back, in both unit systems", "[unit][sol]") {
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     for (const auto shape :
          {bearing::PocketShape::Cylindrical, bearing::PocketShape::Rectangular}) {
@@ -273,7 +271,7 @@ TEST_CASE("what is written to SOL1-SOL7 is read back, in both unit systems", "[u
   }
 }
 
-TEST_CASE("values of the classic files have the numbers, meanings and units of the format",
+TEST_CASE("SOL: values of the classic files → numbers, meanings and units of the format",
           "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   const auto values = [&](int index, UnitSystem units, long step = 100) {
@@ -336,7 +334,8 @@ TEST_CASE("values of the classic files have the numbers, meanings and units of t
   CHECK(values(0, UnitSystem::SI, 0)[9] == 0.0);  // no time, no average
 }
 
-TEST_CASE("the cage's mass center is normalized by land, pocket or unit of length", "[unit][sol]") {
+TEST_CASE("SOL: mass center of the cage → normalized by land, pocket or unit of length",
+          "[unit][sol]") {
   bearing::Bearing bearing = make_bearing();
   CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
   bearing.cage->lands[0].guide = bearing::GuideLand::Guide::None;
@@ -351,7 +350,7 @@ TEST_CASE("the cage's mass center is normalized by land, pocket or unit of lengt
   CHECK(name_of(cage_scale(*make_bearing().cage, 1.0).of) == "guide lands");
 }
 
-TEST_CASE("angles stay continuous between records, and across a continuation", "[unit][sol]") {
+TEST_CASE("SOL: angles are continuous between records, and across a continuation", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   // The cage whirls 450 rad/s * 4 ms = 1.8 rad between records.
@@ -370,7 +369,7 @@ TEST_CASE("angles stay continuous between records, and across a continuation", "
         Approx(9.0 - 2.0 * std::numbers::pi));
 }
 
-TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][sol]") {
+TEST_CASE("SOL8: columns of the format, and reads back", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing(18);
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
@@ -425,7 +424,7 @@ TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][s
   }
 }
 
-TEST_CASE("SOL8 is refused where its columns end, with a sentence", "[unit][sol]") {
+TEST_CASE("SOL8: more elements than the format allows → message", "[unit][sol]") {
   CHECK_FALSE(sol8_refusal(88, 1).has_value());
   CHECK_FALSE(sol8_refusal(12, 0).has_value());
   CHECK_THAT(sol8_refusal(89, 1).value(), Contains("88") && Contains("RESULTS.h5"));
@@ -447,7 +446,7 @@ TEST_CASE("SOL8 is refused where its columns end, with a sentence", "[unit][sol]
   CHECK(read_sol(folder / "SOL1").steps.at(0).values.size() == 824);
 }
 
-TEST_CASE("without a cage SOL8 shows zeros for it", "[unit][sol]") {
+TEST_CASE("SOL8: without a cage → zeros", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing(4, false);
   TemporaryFolder folder;
   Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI).write(make_snapshot(bearing, 3));

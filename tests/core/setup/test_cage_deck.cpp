@@ -35,7 +35,7 @@ std::string page(const bearing::Bearing& bearing, const deck::Deck& deck) {
 
 }  // namespace
 
-TEST_CASE("cages of every roller type have mass, play and speed in a quasi-static solution",
+TEST_CASE("cage page: every roller type → mass, clearance and speed in a quasi-static solution",
           "[physics][cage]") {
   for (const char* name : {"cylindrical", "tapered", "spherical", "spherical-tapered"}) {
     INFO(name);
@@ -61,7 +61,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
     CHECK(bearing.operating->cage_speed ==
           Approx(0.5 * bearing.speed[1] * (1.0 - gamma)).epsilon(1e-4));
     const std::string text = page(bearing, deck);
-    for (const char* words : {"Cage mass", "Effective cage play", "pocket clearance I",
+    for (const char* words : {"Cage mass", "Effective cage clearance", "pocket clearance I",
                               "Cage speed (epicyclic)", "Mass, from the ideal shape"})
       CHECK_THAT(text, Catch::Contains(words));
     const auto json = listing::cage_json(bearing);
@@ -70,15 +70,15 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
   }
 }
 
-TEST_CASE("a conical cage's mass center lies towards its large end", "[physics][cage]") {
+TEST_CASE("conical cage: mass center towards its large end", "[physics][cage]") {
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
-  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass centre from the middle of the cage") &&
+  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass center from the middle of the cage") &&
                                       Catch::Contains("-0.0007"));  // the large end is at -x
 }
 
-TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller-guided cage",
+TEST_CASE("shaped roller pockets: smallest clearance, and the cylinder of a roller-guided cage",
           "[physics][cage]") {
   deck::Deck deck = at_rest("cylindrical");
   const double D = deck.si("bReDia");
@@ -96,8 +96,9 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
   const bearing::Bearing faces = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(faces.cage->pocket_clearance_1 == Approx(1.8e-4).epsilon(1e-6));
   CHECK(faces.cage->inertia.mass > 0.0);
-  CHECK_THAT(page(faces, deck), Catch::Contains("2 pairs of guide faces") &&
-                                    Catch::Contains("Least pocket play between the guide faces"));
+  CHECK_THAT(page(faces, deck),
+             Catch::Contains("2 pairs of guide faces") &&
+                 Catch::Contains("Least pocket clearance between the guide faces"));
 
   deck = at_rest("cylindrical");
   const bearing::Bearing window = setup::build_bearing(deck);
@@ -109,8 +110,7 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
   CHECK_THAT(page(guided, deck), Catch::Contains("roller-guided cage"));
 }
 
-TEST_CASE("pockets: no play left for the element -> refused, the variable that takes it named",
-          "[unit][cage]") {
+TEST_CASE("pockets: no clearance left for the element → error with the variable", "[unit][cage]") {
   const auto refusal = [](deck::Deck deck) {
     try {
       (void)setup::build_bearing(deck);
@@ -163,8 +163,7 @@ TEST_CASE("pockets: no play left for the element -> refused, the variable that t
   CHECK(refusal(cone).empty());
 }
 
-TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solution",
-          "[physics][cage]") {
+TEST_CASE("cage page: ball cages of every pocket shape", "[physics][cage]") {
   for (const auto& [code, name, clearance] : {std::tuple{"0", "cylindrical", "0"},
                                               {"1", "spherical", "0"},
                                               {"2", "elongated", "0.0002"},
@@ -181,7 +180,7 @@ TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solut
   }
 }
 
-TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why", "[unit][cage]") {
+TEST_CASE("cage page: windows that cannot be cut → no mass, with the reason", "[unit][cage]") {
   deck::Deck deck = at_rest("cylindrical");
   deck.set("cageWidth", "0.009");  // narrower than the rollers are long
   deck.set("cageGsPos[1]", "-0.0045");
@@ -189,12 +188,12 @@ TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why"
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   REQUIRE(bearing.cage);
   CHECK(bearing.cage->inertia.mass == 0.0);
-  CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is not known") &&
-                                      Catch::Contains("Effective cage play"));
+  CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is unknown") &&
+                                      Catch::Contains("Effective cage clearance"));
   CHECK(listing::cage_json(bearing)["mass [kg]"].is_null());
 }
 
-TEST_CASE("a cage's given mass comes from its record", "[unit][cage]") {
+TEST_CASE("cage page: given mass → from its record", "[unit][cage]") {
   deck::Deck deck = at_rest("tapered");
   deck.set("kCageIP", "1");
   deck.complete();

@@ -77,7 +77,7 @@ constexpr Case kHeld[] = {{"ball", 2e-5, 0.0},        {"deep-groove-6205", 1.2e-
 
 }  // namespace
 
-TEST_CASE("a held preload rises when inner ring and shaft get warm: the manual's study",
+TEST_CASE("datum: inner ring and shaft warm → held preload rises (study of the manual)",
           "[physics][datum]") {
   Sets sets{{"rpm2", "0.0"}, {"appLoadZ", "0.0"}, {"appLoadX", "200.0"}};
   const auto preload = statics::solve_ball_statics(thermal::operating_bearing(built("ball", sets)));
@@ -89,8 +89,7 @@ TEST_CASE("a held preload rises when inner ring and shaft get warm: the manual's
   CHECK(solve(b).race.load[0] == Approx(2567.0).epsilon(0.01));  // an independent solver
 }
 
-TEST_CASE("30208: growth loads held cones as the displacement does that it stands for",
-          "[physics][datum]") {
+TEST_CASE("datum: 30208, growth loads held cones like the equal displacement", "[physics][datum]") {
   const Sets sets{{"rpm2", "0.0"},     {"kFS1", "1"},       {"kFS3", "1"},
                   {"appLoadX", "0.0"}, {"appLoadZ", "0.0"}, {"appDispX", "15e-6"}};
   const Bearing cold = built("tapered-30208", sets);
@@ -110,8 +109,7 @@ TEST_CASE("30208: growth loads held cones as the displacement does that it stand
   CHECK(std::abs(solve(open).race.load[0]) < 1e-6);
 }
 
-TEST_CASE("growth by u loads an element as a displacement by u towards it, all types, both races",
-          "[physics][datum]") {
+TEST_CASE("datum: growth by u = displacement by u, all types, both races", "[physics][datum]") {
   for (const Case& c : kHeld)
     for (int race = 0; race < 2; ++race) {
       INFO(c.type << ", race " << race);
@@ -130,7 +128,7 @@ TEST_CASE("growth by u loads an element as a displacement by u towards it, all t
     }
 }
 
-TEST_CASE("a warm inner ring loads held races, a warm outer ring relieves them, all types",
+TEST_CASE("datum: warm inner ring → held races loaded, warm outer ring → unloaded, all types",
           "[physics][datum]") {
   for (const Case& c : kHeld) {
     INFO(c.type);
@@ -147,7 +145,7 @@ TEST_CASE("a warm inner ring loads held races, a warm outer ring relieves them, 
   }
 }
 
-TEST_CASE("one temperature of all parts changes no roller bearing", "[physics][datum]") {
+TEST_CASE("datum: one temperature of all parts → roller bearings unchanged", "[physics][datum]") {
   for (const Case& c : kHeld) {
     const Bearing cold = held(c.type, c.x, c.z);
     if (!cold.rollers()) continue;
@@ -168,7 +166,7 @@ TEST_CASE("one temperature of all parts changes no roller bearing", "[physics][d
   }
 }
 
-TEST_CASE("balls given by their clearance are measured from grooves that face each other",
+TEST_CASE("datum: balls given by their clearance → measured from opposed grooves",
           "[physics][datum]") {
   const Bearing middle = held("deep-groove-6205", 0.0, 3e-5);
   CHECK(solve(middle).race.load[0] == Approx(0.0).margin(1e-6));
@@ -182,7 +180,7 @@ TEST_CASE("balls given by their clearance are measured from grooves that face ea
   CHECK(solve(b).race.load[0] == Approx(0.0).margin(1e-6));
 }
 
-TEST_CASE("the datum follows the deck's geometry alone", "[physics][datum]") {
+TEST_CASE("datum: depends only on the deck's geometry", "[physics][datum]") {
   for (const Case& c : kHeld) {
     INFO(c.type);
     const Bearing cold = held(c.type, c.x, c.z);
@@ -209,7 +207,7 @@ TEST_CASE("the datum follows the deck's geometry alone", "[physics][datum]") {
   }
 }
 
-TEST_CASE("RESULTS.h5 tells where the race centers stand at zero displacement", "[unit][datum]") {
+TEST_CASE("datum: RESULTS.h5 has the race centers at zero displacement", "[unit][datum]") {
   const Bearing b = thermal::operating_bearing(built("ball", {{"raceTemp2", "350.0"}}));
   const auto geometry = results::geometry_of(b);
   const double D = 0.0127, sine = std::sin(25.0 * std::numbers::pi / 180.0);
@@ -217,8 +215,7 @@ TEST_CASE("RESULTS.h5 tells where the race centers stand at zero displacement", 
   CHECK(geometry.at("inner_race_free_x") == Approx(0.015 * D * sine));
 }
 
-TEST_CASE("a dynamic run starts from the same datum: held races carry the warm preload",
-          "[physics][datum]") {
+TEST_CASE("datum: dynamic run → held races carry the warm preload", "[physics][datum]") {
   const auto axial = [](const char* mode, const char* inner) {
     facade::DeckRequest request;
     request.deck = adore::test::source_dir() / "resources/decks/ball.txt";

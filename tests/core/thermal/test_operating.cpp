@@ -76,7 +76,7 @@ bool warns(const Bearing& b, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("room temperature, rest and no fit: the geometry comes back bit by bit",
+TEST_CASE("operating bearing: room temperature, rest, no fit → geometry reproduced bit by bit",
           "[unit][operating]") {
   const Bearing rest = example_at_rest();
   check_same_geometry(thermal::operating_bearing(rest), rest);
@@ -94,8 +94,9 @@ TEST_CASE("room temperature, rest and no fit: the geometry comes back bit by bit
   CHECK_THROWS_AS(thermal::operating_bearing(thermal::operating_bearing(rest)), InternalError);
 }
 
-TEST_CASE("one material, one temperature: every length scales and the contact angle stays",
-          "[physics][operating]") {
+TEST_CASE(
+    "operating bearing: one material, one temperature → lengths scale, contact angle unchanged",
+    "[physics][operating]") {
   Bearing b = example_at_rest();
   one_material(b);
   set_temperature(b, 393.15);
@@ -118,7 +119,8 @@ TEST_CASE("one material, one temperature: every length scales and the contact an
         Approx(b.element_inertia.moments[0] * (1.0 + g) * (1.0 + g)).epsilon(1e-14));
 }
 
-TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physics][operating]") {
+TEST_CASE("operating bearing: groove centers of statics are on the moved circles",
+          "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
@@ -133,7 +135,7 @@ TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physic
     const bearing::OperatingFits& fits = *warm.operating;
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(groove.centre_radius[j] == Approx(fits.locus[j]).epsilon(1e-14));
-      // The groove bottom, reached from its own center, is the raceway moved by its growth.
+      // The groove bottom, reached from its own centre, is the raceway moved by its growth.
       const double bottom =
           groove.centre_radius[j] + (j == 0 ? 1.0 : -1.0) * groove.groove_radius[j];
       CHECK(bottom == Approx(fits.raceway_radius[j] + fits.raceway[j].total()).epsilon(1e-14));
@@ -147,7 +149,8 @@ TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physic
   }
 }
 
-TEST_CASE("ceramic balls open the clearance of a warm steel bearing", "[physics][operating]") {
+TEST_CASE("operating bearing: ceramic balls in warm steel → larger clearance",
+          "[physics][operating]") {
   Bearing b = example_at_rest();
   one_material(b);
   set_temperature(b, 400.0);
@@ -164,7 +167,7 @@ TEST_CASE("ceramic balls open the clearance of a warm steel bearing", "[physics]
   CHECK(hybrid.cage->pocket_clearance_1 > steel.cage->pocket_clearance_1);
 }
 
-TEST_CASE("speed takes clearance with its square", "[physics][operating]") {
+TEST_CASE("operating bearing: speed reduces clearance with its square", "[physics][operating]") {
   Bearing b = example();
   const double cold = b.balls().clearance;
   const double at_10000 = cold - thermal::operating_bearing(b).balls().clearance;
@@ -175,7 +178,8 @@ TEST_CASE("speed takes clearance with its square", "[physics][operating]") {
         Approx(4.0 * at_10000).epsilon(1e-9));  // difference of numbers 100 times larger
 }
 
-TEST_CASE("fits take clearance, and what comes loose or breaks is said", "[physics][operating]") {
+TEST_CASE("operating bearing: fits reduce clearance; loose and broken parts are reported",
+          "[physics][operating]") {
   Bearing b = example_at_rest();
   b.mounting.fit = {10e-6, 15e-6};
   const Bearing fitted = thermal::operating_bearing(b);
@@ -208,7 +212,7 @@ TEST_CASE("fits take clearance, and what comes loose or breaks is said", "[physi
   CHECK(unhoused.operating->raceway[0].total() == 0.0);
 }
 
-TEST_CASE("statics carries the same load on the operating bearing at another angle",
+TEST_CASE("operating bearing: statics carries the same load at another angle",
           "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {5e-6, 15e-6};
@@ -221,7 +225,8 @@ TEST_CASE("statics carries the same load on the operating bearing at another ang
   CHECK(warm_solution.balls[0].alpha[0] < cold_solution.balls[0].alpha[0]);
 }
 
-TEST_CASE("rollers between the same raceways see the same rings", "[physics][operating]") {
+TEST_CASE("operating bearing: rollers between the same raceways → same rings",
+          "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
@@ -244,7 +249,8 @@ TEST_CASE("rollers between the same raceways see the same rings", "[physics][ope
   CHECK_THROWS_AS(thermal::operating_roller_bearing(b, rollers, {0.041, 0.0236}, 0.0), InputError);
 }
 
-TEST_CASE("impossible temperatures and rings are refused with their values", "[unit][operating]") {
+TEST_CASE("operating bearing: impossible temperatures and rings → error with the values",
+          "[unit][operating]") {
   Bearing b = example_at_rest();
   b.race_temperature[0] = 0.0;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("0 K"));
@@ -253,10 +259,11 @@ TEST_CASE("impossible temperatures and rings are refused with their values", "[u
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("outer raceway radius"));
   b = example_at_rest();
   b.race_temperature[0] = b.mounting.housing_temperature = 1600.0;
-  CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("passes 90"));
+  CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("exceeds 90"));
 }
 
-TEST_CASE("material laws change moduli and growth with temperature", "[physics][material]") {
+TEST_CASE("operating bearing: material laws change moduli and growth with temperature",
+          "[physics][material]") {
   const bearing::Material steel = bearing::material_from_table(100, bearing::Part::OuterRace);
   const bearing::Material hot = bearing::material_at(steel, 500.0);
   CHECK(hot.elastic_modulus < steel.elastic_modulus);
@@ -298,7 +305,7 @@ TEST_CASE("material laws change moduli and growth with temperature", "[physics][
         constant.balls().diameter);  // α_m of 52100 rises with temperature
 }
 
-TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing without a cause",
+TEST_CASE("operating roller bearing: rings, rollers and clearance change only with a cause",
           "[physics]") {
   bearing::Bearing b = roller_bearings::cylindrical(0.0);
   b.envelope.bore = 0.040;

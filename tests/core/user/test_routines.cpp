@@ -89,7 +89,7 @@ std::string problem_of(const std::string& json) {
 
 }  // namespace
 
-TEST_CASE("lines of records 12.x are read as a list-directed read does", "[user][unit]") {
+TEST_CASE("user routines: lines of records 12.x → list-directed read", "[user][unit]") {
   using user::list_directed;
   CHECK(list_directed(" 1, 2.5  3d-2") == std::vector<double>{1.0, 2.5, 0.03});
   CHECK(list_directed("3*0.5 -1") == std::vector<double>{0.5, 0.5, 0.5, -1.0});
@@ -98,7 +98,7 @@ TEST_CASE("lines of records 12.x are read as a list-directed read does", "[user]
   CHECK(list_directed("1 seconds") == std::vector<double>{1.0});
 }
 
-TEST_CASE("a table is monotone where its points are, exact there, and constant beyond",
+TEST_CASE("user table: monotone between monotone points, exact there, constant beyond",
           "[user][analytic]") {
   const user::MonotoneTable table({0.0, 0.1, 0.2, 1.0}, {0.0, 0.05, 0.06, 0.06});
   CHECK(table(0.1) == Approx(0.05).epsilon(1e-15));
@@ -116,8 +116,7 @@ TEST_CASE("a table is monotone where its points are, exact there, and constant b
   CHECK(line(2.2) == Approx(5.4).epsilon(1e-14));
 }
 
-TEST_CASE("a formula gives the traction that it says, with numbers of records 12.x",
-          "[user][unit]") {
+TEST_CASE("user formula: gives its traction, with numbers of records 12.x", "[user][unit]") {
   const auto file = written("formula.json", R"~({"version": "tanh 1", "adrx7": {
       "read": ["mu", "u1"], "constants": {"double_mu": "2*mu"},
       "element_race": {"formula": "double_mu/2*tanh(u/u1)", "slip_scale": "u1"}}})~");
@@ -128,13 +127,13 @@ TEST_CASE("a formula gives the traction that it says, with numbers of records 12
           Approx(0.06 * std::tanh(0.1 * (k + 1) / 0.2)).epsilon(1e-14));
 }
 
-TEST_CASE("what is wrong with a file of formulas is said with its place", "[user][unit]") {
+TEST_CASE("user formulas: error → message with its place in the file", "[user][unit]") {
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"formula": "0.06*tanh(v1)"}}})~"),
              Catch::Contains("adrx7, element_race, formula") && Catch::Contains("known are"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_rase": {"formula": "1"}}})~"),
              Catch::Contains("element_rase") && Catch::Contains("element_race"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"read": ["u"], "element_race": {"formula": "u"}}})~"),
-             Catch::Contains("another name"));
+             Catch::Contains("choose another name"));
   CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"table": "nowhere.csv"}}})~"),
              Catch::Contains("nowhere.csv"));
   CHECK_THAT(problem_of(R"~({"adrx12": {}})~"), Catch::Contains("known are version, adrx0"));
@@ -142,7 +141,7 @@ TEST_CASE("what is wrong with a file of formulas is said with its place", "[user
   CHECK_THAT(problem_of("[1]"), Catch::Contains("give an object"));
 }
 
-TEST_CASE("plug-ins that cannot be used are refused with the reason", "[user][unit]") {
+TEST_CASE("plug-in: unusable → error with the reason", "[user][unit]") {
   const auto why = [](const std::string& file) {
     try {
       (void)user::load_plug_in(file);
@@ -158,12 +157,13 @@ TEST_CASE("plug-ins that cannot be used are refused with the reason", "[user][un
   CHECK_THAT(why(written("no-library.so", "text")), Catch::Contains("cannot be loaded"));
 }
 
-TEST_CASE("lines that no routine reads are refused", "[user][unit]") {
+TEST_CASE("user routines: lines that no routine reads → error", "[user][unit]") {
   CHECK_THROWS_WITH(ask(traction_of([](adore_adrx7&) { return 0; }), {"1 2 3"}),
                     Catch::Contains("\"1 2 3\"") && Catch::Contains("ADRX7"));
 }
 
-TEST_CASE("every wrong answer is reported with routine, source and call", "[user][unit]") {
+TEST_CASE("user routines: every wrong answer → reported with routine, source and call",
+          "[user][unit]") {
   const auto fill = [](adore_adrx7& a, double value) {
     for (std::int64_t k = 0; k < a.points * a.stride; ++k) a.kappa[k] = value;
   };
@@ -212,7 +212,7 @@ TEST_CASE("every wrong answer is reported with routine, source and call", "[user
                               return 0;
                             }),
                             {});
-    CHECK_THAT(found.failure, named && Catch::Contains("changed what it was given"));
+    CHECK_THAT(found.failure, named && Catch::Contains("changed its input arrays"));
   }
   SECTION("a number that is not 0") {
     const Asked found = ask(traction_of([&](adore_adrx7& a) {
@@ -231,7 +231,7 @@ TEST_CASE("every wrong answer is reported with routine, source and call", "[user
   }
 }
 
-TEST_CASE("a plug-in in a process of its own answers as it does here", "[user][unit]") {
+TEST_CASE("plug-in: separate process → same answers as in this process", "[user][unit]") {
   const std::vector<std::string> line{"0 1"};
   const Asked here = ask(user::load_plug_in(library("plug_in_behaviours")), line);
   const Asked there = ask(user::load_in_own_process(library("plug_in_behaviours"), 10.0), line);
@@ -241,18 +241,18 @@ TEST_CASE("a plug-in in a process of its own answers as it does here", "[user][u
   CHECK(there.kappa == std::vector<double>(6, 0.05));
 }
 
-TEST_CASE("the end of a plug-in's process is reported, not shared", "[user][unit]") {
+TEST_CASE("plug-in: its process ends → reported, this program continues", "[user][unit]") {
   const auto failure_of = [](const char* line) {
     return ask(user::load_in_own_process(library("plug_in_behaviours"), 0.3), {line}).failure;
   };
   CHECK_THAT(failure_of("6 1"), Catch::Contains("ADRX7") && Catch::Contains("crashed"));
-  CHECK_THAT(failure_of("7 1"), Catch::Contains("did not come back"));
+  CHECK_THAT(failure_of("7 1"), Catch::Contains("did not return"));
   CHECK_THAT(failure_of("8 1"), Catch::Contains("ended in this call (exit code 0)"));
   CHECK_THAT(failure_of("9 1"), Catch::Contains("signal 6"));
   CHECK_THAT(failure_of("11 1"), Catch::Contains("the oil is out"));
 }
 
-TEST_CASE("a thousand plug-ins of random behavior end or are endured", "[user][unit]") {
+TEST_CASE("plug-in: 1000 of random behavior → run ends properly or continues", "[user][unit]") {
   std::mt19937 random(16);
   int failures = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -271,10 +271,7 @@ TEST_CASE("a thousand plug-ins of random behavior end or are endured", "[user][u
   CHECK(failures > 500);
 }
 
-TEST_CASE(
-    "random answers of functions in this process never reach the solver as numbers that are "
-    "none",
-    "[user][unit]") {
+TEST_CASE("user routines: random answers → no invalid numbers reach the solver", "[user][unit]") {
   std::mt19937_64 random(16);
   for (int k = 0; k < 1000; ++k) {
     const Asked found = ask(traction_of([&](adore_adrx7& a) -> std::int32_t {
