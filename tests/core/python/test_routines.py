@@ -209,7 +209,7 @@ class Wrong(unittest.TestCase):
         self.check(fails, "my own mistake")
         self.check(lambda slip, contact: slip * np.nan, "(?i)nan|finite|not a number")
         self.check(lambda slip, contact: np.zeros(3), "has 3 values")
-        self.check(lambda slip, contact: "text", "no array of numbers")
+        self.check(lambda slip, contact: "text", "not an array of numbers")
 
     def test_a_law_that_is_no_law_is_refused_when_it_is_given(self):
         routines = adore.Routines()
