@@ -70,7 +70,7 @@ def report_of(folder: str) -> dict:
 
 
 def reference(adore: str, path: Path, sets: list[str], until: str) -> dict:
-    """Values by quantity, and what is left out."""
+    """Values by quantity, and the quantities without a value."""
     with tempfile.TemporaryDirectory() as folder:
         common = [adore, "run", str(path), "--quiet", *set_words(sets), "--until"]
         code, _, err, _ = call([*common, "0.001rev", "--out", folder + "/options"])

@@ -72,7 +72,7 @@ while IFS='|' read -r name deck on off blocks; do
   [ "$blocks" = - ] || ! grep -qE "$blocks" "$work/functions" || { echo "$name: runs though it is off: $(grep -E "$blocks" "$work/functions" | head -1)"; wrong=1; }
   # The limit that was set for it (decision 001).
   [ "$name" != "contact angle that moves" ] || [ $((10 * (with - without))) -le "$without" ] ||
-    { echo "$name: more than a tenth dearer than frozen constants"; wrong=1; }
+    { echo "$name: more than 10 % slower than frozen constants"; wrong=1; }
   # At most a tenth more, in the code of the contacts (decision 800).
   [[ "$name" != "contact damping: "* ]] || [ $((10 * (with - without))) -le "$without" ] ||
     { echo "$name: more than a tenth more instructions than elastic contacts"; wrong=1; }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the settings of the example decks cost and how accurate they are, as rows of resources/docs/what-accuracy-costs.md.
+"""Cost and accuracy of the settings of the example decks, as rows of resources/docs/what-accuracy-costs.md.
 
     settings.py PROGRAM [--turns N] [--only CASE] [DECK ...]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a stored step costs: processor time of runs that store every step less that of runs that store the first and last alone.
+"""Cost of a stored step: processor time of runs that store every step less that of runs that store the first and last alone.
 
     stored_step.py PROGRAM [PROGRAM ...] [--deck NAME] [--turns N] [--runs N]
 

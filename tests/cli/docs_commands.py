@@ -75,11 +75,11 @@ def faults_of(words):
         plain.append(word)
     text, used = help_of(program, tuple(plain))
     if program == "adore" and plain and used == 0 and re.fullmatch(r"[a-z][a-z-]*", plain[0]):
-        yield f"'{plain[0]}' is no subcommand"
+        yield f"'{plain[0]}' is not a subcommand"
     for word in words[1:]:
         option = re.match(r"--[a-z][a-z0-9-]*", word)
         if option and not re.search(re.escape(option[0]) + r"(?![a-z0-9-])", text):
-            yield f"'{option[0]}' is no option of '{' '.join([program, *plain[:used]])}'"
+            yield f"'{option[0]}' is not an option of '{' '.join([program, *plain[:used]])}'"
 
 
 PYTHON_SERVER = """

@@ -206,7 +206,7 @@ class Bench:
         self.environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", LC_ALL="C.UTF-8")
 
     def call(self, *words, program=None, given=None, check=True, where=None):
-        """A command of `adore` or of one of the programs beside it."""
+        """A command of `adore` or of one of the programs in its folder."""
         kept = []
         for word in words:
             name = word.split("=")[0]

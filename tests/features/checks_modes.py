@@ -163,12 +163,12 @@ def _(b):
     tilt = {k: max(abs(v) for v in cr[f"element.phi.{k}"]) for k in range(1, 15) if k in (3, 13) and not any(cr[f"element.radial_velocity.{k}"][1:])}
     plain = b.channels(b.run("cylindrical", sets=tilted))
     other = max(max(abs(v) for v in plain[f"element.phi.{k}"]) for k in tilt)
-    return rollers.command, [more("balls held without radial velocity", len(still), 0),
+    return rollers.command, [more("quasi-static balls without radial velocity", len(still), 0),
                              equal("all of them below qFac", all(k in still for k in held) and bool(held), True),
                              equal("none of them without qFac", sum(max(abs(v) for v in c0[f"element.radial_velocity.{k}"][1:]) == 0.0
                                                                    for k in range(1, 13)), 0),
                              more("held rollers", len(tilt), 0),
-                             less("largest skew angle of held rollers [rad]", max(tilt.values()), 1e-9),
+                             less("largest skew angle of quasi-static rollers [rad]", max(tilt.values()), 1e-9),
                              more("the same rollers without qFac [rad]", other, 1e-9),
                              differs("switches of held elements in the ledger of energy [J]", rollers.ledger["switches of held elements [J]"], 0.0, 1e-9),
                              less("energy residual over energy moved", rollers.ledger["residual over energy moved"], 1e-4)]

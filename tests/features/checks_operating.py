@@ -239,7 +239,7 @@ FRAME = {"kRotFrame": 1, "brgOrbitRad": 0.1, "brgAngPos": 0.0, "brgAngVel": 1000
 
 
 def lift(b, run, k=0):
-    """What the races exert on the balls together: outer less inner contact loads along x, y, z."""
+    """Sum of the race forces on the balls: outer less inner contact loads along x, y, z."""
     c, out = b.channels(run), [0.0, 0.0, 0.0]
     for n in range(1, 13):
         t = c[f"element.orbital_position.{n}"][k]

@@ -3,7 +3,7 @@
 
     run.py BIN [--group G ...] [--only F123 ...] [--ci] [--markdown FILE] [--jobs N] [--list] [--ignore]
 
-BIN is `adore`; adrinput, adrplot and agore are beside it. A row compares numbers with independent values or relations: closed forms,
+BIN is `adore`; adrinput, adrplot and agore are in its folder. A row compares numbers with independent values or relations: closed forms,
 conservation laws, limits, ratios, other files. The rows of expected_failures.tsv fail, and all others pass; otherwise the exit code is 1.
 
 --ignore checks the checks: each variable of variables.tsv keeps the deck's value (or the one behind its `=`) in all runs of its row, as if the program ignored it, and the

@@ -87,5 +87,5 @@ while IFS='|' read -r name deck first second; do
 done < <(plan)
 
 [ "$count" -gt 0 ] || { echo "no run has a name like '$only'" >&2; exit 2; }
-echo "$count runs ($refused decks refused by both), $compared files compared, $failed runs differ"
+echo "$count runs ($refused decks rejected by both), $compared files compared, $failed runs differ"
 [ "$failed" -eq 0 ]

@@ -98,7 +98,7 @@ def equivalent_load(kind, angle, axial, radial):
 
 
 def draw_deck(dice, example, kind):
-    """One proposal: values for --set, and what is known of the bearing; None when its load is below the minimum."""
+    """One proposal: values for --set, and data of the bearing; None when its load is below the minimum."""
     scale = dice.choice(BORES) / EXAMPLE_BORE
     cage = dice.yes(0.7)
     sets = {name: scale * example[record][k] for record, names in LENGTHS.items() if record in example and (cage or record not in CAGE_RECORDS)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every pair of bodies that touch loses energy by default, the energy balance closes, and runs without damping on races go on.
+"""Every pair of bodies that touch loses energy by default, the energy balance closes, and runs without damping on races keep their energy.
 
     contact_pairs.py PROGRAM
 

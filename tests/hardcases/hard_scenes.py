@@ -16,7 +16,7 @@ A run is
 - warned of: means outside the spread of the others, and the energy without account says so;
 - refused (exit 2) or given up (exit 3) with a sentence;
 - interrupted: somebody's signal ended it (exit 130), which says nothing of it: its scene is not kept and counts as left;
-- FAILED: a crash, a hang, exit 1, a figure that is no number, or solved with means (speeds, largest loads, heat) outside the
+- FAILED: a crash, a hang, exit 1, a figure that is not a number, or solved with means (speeds, largest loads, heat) outside the
   spread of the others.
 A scene passes when its own integrator, one explicit and one implicit method solve it and nothing failed. Writes the table as
 Markdown; exit code 1 when a scene does not pass.
@@ -191,7 +191,7 @@ def run(program, one, method, folder, turns, limit, factor=0.0):
     # A scene without a cage has no cage ratio, one without friction no heat; loads all have.
     broken = [k for k in MEANS if not math.isfinite(values.get(k, math.nan if k in summary or k == "mean_largest_load_N" else 0.0))]
     if broken:
-        return {**out, "outcome": "FAILED", "text": f"{broken[0]} is no number"}
+        return {**out, "outcome": "FAILED", "text": f"{broken[0]} is not a number"}
     for key, (value, tolerance) in one["known"].items():
         if abs(values[key] - value) > tolerance * abs(value):
             return {**out, "outcome": "FAILED", "text": f"{key} is {values[key]:.6g}, known is {value:.6g}"}
@@ -199,7 +199,7 @@ def run(program, one, method, folder, turns, limit, factor=0.0):
 
 
 def judge_means(results, spread, long):
-    """Runs whose means lie outside the spread of the others."""
+    """Runs with means outside the spread of the others."""
     solved = {method: r for method, r in results.items() if r["outcome"] == "solved"}
     for key in MEANS:
         numbers = sorted(r["values"][key] for r in solved.values() if key in r["values"])
@@ -218,7 +218,7 @@ def judge_means(results, spread, long):
 
 
 def irregular(own, others, spread):
-    """What is said of a scene whose motion hangs on the last digits of its loads; empty: it does not. @param others by factor"""
+    """Text for a scene with a motion that depends on the last digits of its loads; empty for regular motion. @param others by factor"""
     said = []
     for key in MEANS:
         size = abs(own["values"].get(key, 0.0))
@@ -261,7 +261,7 @@ def play(program, one, methods, turns, full, limit, kept):
             others = list(by_factor.values())
             wrong = [r["text"] for r in others if r["outcome"] == "refused"]
             if wrong:
-                raise RuntimeError(f"{one['name']}: a slightly other load is refused, so there is no spread to judge by: {wrong[0]}")
+                raise RuntimeError(f"{one['name']}: a slightly changed load is rejected, so the spread is not known: {wrong[0]}")
             values = [r["values"] for r in [results[OWN]] + others if r["outcome"] == "solved"]
             for key in MEANS:
                 numbers = [v[key] for v in values if key in v]
@@ -314,7 +314,7 @@ def main():
     parser.add_argument("--turns", type=float, default=1.0, help="times the turns of each scene")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", help="one scene")
-    parser.add_argument("--methods", help="these beside the deck's own, separated by commas")
+    parser.add_argument("--methods", help="these in addition to that of the deck, separated by commas")
     parser.add_argument("--report")
     parser.add_argument("--keep", help="folder of results by run; a run that is there is not made again")
     parser.add_argument("--minutes", type=float, default=math.inf, help="no further scene is begun after so long (with --keep)")
@@ -355,7 +355,7 @@ def main():
     text = f"{good} of {len(scenes)} scenes pass.\n\n+ solved, w off and warned of, r refused, u gave up with a diagnosis, s not done in time, F failed\n\n"
     text += table(scenes, methods) + "\n"
     if left:
-        text += f"\n{left} of {len(chosen)} scenes are left: the same command goes on with them.\n"
+        text += f"\n{left} of {len(chosen)} scenes are left: repeat the command to run them.\n"
     said = [f"- {one['name']}: {found['growth']}" for one, found in zip(chosen, results) if found is not None and found["growth"]]
     for one, found in scenes:
         for method, r in found.items():

@@ -87,7 +87,7 @@ class Deck:
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     def continuation_note(self):
-        """What the method says when it is continued."""
+        """Message of the method in a continuation."""
         place = os.path.join(self.folder, "asked")
         shutil.copytree(self.whole, place)
         one_more = ["maxStps=1" if word.startswith("maxStps=") else word for word in self.command(place, ["--set", "kIcOpt=1"])]

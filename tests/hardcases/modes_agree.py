@@ -150,7 +150,7 @@ def compare(program, deck, windows, bulk):
 
 
 def findings(deck, windows, still):
-    """What the motion shows by itself, without the comparison: (kind, body, time [s], quantity as text, mode).
+    """Faults of the motion without a comparison: (kind, body, time [s], quantity as text, mode).
     - slip: an element that carries load in the equilibrium orbits or turns about its gyroscopic axis with more than 5 % of its rolling speed;
     - zero load: an element that always carries load in the equilibrium loses its inner race;
     - cage whirl: the cage's centre runs at the limit of its clearance for half of the window;

@@ -62,7 +62,7 @@ def half_pockets(row):
 
 
 def guide_faces(row):
-    """kPocType pairs of faces beside a roller, at 0.12 mm from it and along its taper; balls: axial play 0.2 mm."""
+    """kPocType pairs of faces next to a roller, at 0.12 mm from it and along its taper; balls: axial clearance 0.2 mm."""
     k = int(row["pocket"])
     out = {"kPocType": k}
     if row["type"] == "ball" and k in (2, 3):
@@ -367,7 +367,7 @@ def main():
              "| type | ran | refused | failed |", "|---|---:|---:|---:|"]
     for kind in TYPES:
         lines.append(f"| {kind} | {by_type[kind, 'ran']} | {by_type[kind, 'refused']} | {by_type[kind, 'FAILED']} |")
-    lines += ["", "| refused because | decks |", "|---|---:|"]
+    lines += ["", "| reason | decks |", "|---|---:|"]
     lines += [f"| {why} | {n} |" for why, n in reasons.most_common()]
     if failures:
         lines += ["", "| row | failed | its levels |", "|---:|---|---|"]

@@ -147,7 +147,7 @@ def untrue(command, values, text):
 
 
 def untrue_thrust(command):
-    """Why the thrust that a refused row is said to need cannot be right, or an empty text."""
+    """Reason why the required thrust in the message of a rejected row is wrong, or an empty text."""
     plan = [command[0], "plan", command[2]] + command[command.index("--quiet") + 1:]
     said = subprocess.run(plan, capture_output=True, text=True, check=False).stderr
     needed = re.search(r"needs at least [^=]*= ([-+.e\d]+) N along x and has", said)
@@ -209,7 +209,7 @@ def main():
     lines = [f"{args.decks} decks (seed {args.seed}, from {args.first} on), {args.turns:g} turns each.", "",
              "| type | ran | refused | failed |", "|---|---:|---:|---:|"]
     lines += [f"| {kind} | {by_type[kind, 'ran']} | {by_type[kind, 'refused']} | {by_type[kind, 'FAILED']} |" for kind in TYPES]
-    lines += ["", "| refused because | decks |", "|---|---:|"]
+    lines += ["", "| reason | decks |", "|---|---:|"]
     lines += [f"| {why} | {n} |" for why, n in reasons.most_common()]
     if failures:
         lines += ["", "| deck | type | failed |", "|---:|---|---|"]

@@ -50,7 +50,7 @@ def changed(inputs, path, value):
 
 
 def shape(expected):
-    """What adapters read of the expected values: which samples, rows, quantities; few of each."""
+    """Parts of the expected values that adapters read: samples, rows, quantities."""
     out = {}
     for key, value in expected.items():
         if key in ("t", "times", "states", "rows") and isinstance(value, list):

@@ -1,4 +1,4 @@
-"""The library as programs get it: installed headers that stand alone, and the example built against the installed tree."""
+"""The library as programs get it: installed headers that compile separately, and the example built against the installed tree."""
 
 import os
 import re

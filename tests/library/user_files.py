@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Whole runs with plug-ins that go wrong at a random call: no run hangs, and every file that is left can be read.
+"""Whole runs with plug-ins that fail at a random call: no run hangs, and every remaining file can be read.
 
     user_files.py ADORE [RUNS [SEED]]
 
-The plug-in of tests/core/user/plug_ins/behaviours.c, with its mischief from a random call on, is built and run in a process of its own
+The plug-in of tests/core/user/plug_ins/behaviours.c, with faults from a random call on, is built and run in a separate process
 (`--opt userProcess=1`); behaviors that do not end a process (values, refusals) also in this one. Each run must end with 0 or 3; with 3 the
 message names ADRX7; `adore show` must read FINAL, RUN.json, SOL8 and RESULTS.h5 of each. Exit 77 where there is no C compiler.
 """
@@ -50,7 +50,7 @@ def main():
             if own_process:
                 command += ["--opt", "userProcess=1", "--opt", "userTimeout=2"]
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
-            where = f"behavior {what} from call {late} on, {'a process of its own' if own_process else 'this process'}"
+            where = f"behavior {what} from call {late} on, {'separate process' if own_process else 'this process'}"
             if done.returncode not in (0, 3):
                 sys.exit(f"{where}: exit {done.returncode}\n{done.stdout}")
             if done.returncode == 3 and "ADRX7" not in done.stdout:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What Slurm does to a job: time limit, memory limit, a node that dies. Each is provoked on the cluster of one node.
+"""Limits of Slurm: time limit, memory limit, a node that fails. Each is provoked on the cluster of one node.
 
 A worker that hangs meets its time limit, a worker that takes more memory than it asked for is ended, the node dies with all its processes.
 Each time the study must finish by itself, RUNS.csv and STUDY.h5 equal to a study that nobody disturbed. A run that meets its limits over
@@ -53,7 +53,7 @@ class Bench:
                                 env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def state_after(self, element, seconds=200):
-        """What Slurm calls the end of an element that runs now."""
+        """State that Slurm reports for the end of a running element."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             state = re.search(r"JobState=(\S+)", self.slurm("scontrol", "show", "job", element))

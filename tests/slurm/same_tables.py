@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Studies give the same bytes, whoever computes them and whoever is killed meanwhile.
+"""Studies give the same bytes, with all engines and with killed workers.
 
-Runs a quasi-static and a dynamic study three times: `local` with one worker and nobody killed; `local` with workers killed at random;
+Runs a quasi-static and a dynamic study three times: `local` with one worker without kills; `local` with workers killed at random;
 `slurm` on a one-node cluster (one_node_cluster.sh) with workers killed at random and the node's daemon once. RUNS.csv and STUDY.h5 must
 be equal to the last byte, and no run may have failed.
 
@@ -79,7 +79,7 @@ class Killer(threading.Thread):
 
 
 def run(adore, folder, kind, runs, arguments, every=None, node=None, environment=None):
-    """The study in a folder of its own. Returns elapsed seconds, kills, and the table's rows."""
+    """Runs the study in a separate folder. Returns elapsed seconds, kills, and the table's rows."""
     if (folder / "a.study" / "STUDY.h5").exists():
         print(f"{kind:9} {runs:5} runs  {folder.name} is there already", flush=True)
         return folder / "a.study"

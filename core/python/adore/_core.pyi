@@ -7,7 +7,7 @@ import numpy as np
 __version__: str
 
 class Issue:
-    """One sentence about the user's input, and its parts."""
+    """A remark about the input, and its parts."""
 
     @property
     def severity(self) -> str: ...
@@ -83,7 +83,7 @@ class Deck:
     def story(self) -> List[str]: ...
 
 class Progress:
-    """How far a run is; handed to progress callbacks."""
+    """Progress of a run for progress callbacks."""
 
     @property
     def fraction(self) -> float: ...
@@ -107,7 +107,7 @@ class Progress:
     def runs(self) -> int: ...
 
 class RunOutcome:
-    """What a run came to."""
+    """Result of a run."""
 
     @property
     def status(self) -> str: ...
@@ -141,7 +141,7 @@ class RunOutcome:
     def raised(self) -> Optional[BaseException]: ...
 
 class ChannelInfo:
-    """What a channel of RESULTS.h5 is."""
+    """Description of a channel of RESULTS.h5."""
 
     @property
     def id(self) -> str: ...

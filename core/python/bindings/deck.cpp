@@ -132,14 +132,15 @@ void bind_deck(py::module_& module) {
             const deck::CatalogueBearing bearing = deck::find_bearing(designation);
             return from_text(deck::catalogue_deck(bearing), bearing.designation);
           },
-          py::arg("designation"), "A bearing by its designation; its inside is an estimate.")
+          py::arg("designation"),
+          "A deck from a designation; the internal geometry is an estimate.")
       .def(
-          "copy", [](const DeckObject& self) { return self; }, "A deck of its own.")
+          "copy", [](const DeckObject& self) { return self; }, "A copy of the deck.")
       .def_property(
           "name", [](const DeckObject& self) { return self.deck.file; },
           [](DeckObject& self, const std::string& name) { self.deck.file = name; },
-          "What messages call the deck.")
-      .def_readonly("warnings", &DeckObject::warnings, "What the reader remarked.")
+          "Name of the deck in messages.")
+      .def_readonly("warnings", &DeckObject::warnings, "Remarks of the reader.")
       .def(
           "records",
           [](const DeckObject& self) {
@@ -217,10 +218,10 @@ void bind_deck(py::module_& module) {
               if (!difference.label) out.push_back(difference.sentence);
             return out;
           },
-          py::arg("other"), "What differs between two decks, a sentence each.")
+          py::arg("other"), "Differences between two decks, one line each.")
       .def(
           "story", [](const DeckObject& self) { return facade::deck_story(self.deck); },
-          "What the deck is and what running it does, in a few lines.")
+          "Description of the deck and of its run, in a few lines.")
       .def("__eq__",
            [](const DeckObject& self, const DeckObject& other) { return self.deck == other.deck; });
 }

@@ -79,16 +79,16 @@ void bind_calculators(py::module_& module) {
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  py::class_<Issue>(module, "Issue", "One sentence about the user's input, and its parts.")
+  py::class_<Issue>(module, "Issue", "A remark about the input, and its parts.")
       .def_property_readonly("severity", severity, "\"error\", \"warning\" or \"note\".")
-      .def_readonly("file", &Issue::file, "What the deck is called.")
+      .def_readonly("file", &Issue::file, "File name of the deck.")
       .def_readonly("line", &Issue::line, "Line of the file from 1; 0 where none is meant.")
       .def_readonly("record", &Issue::record, "Record of the deck, e.g. \"5A\".")
       .def_readonly("variable", &Issue::variable, "Variable of the deck, e.g. \"pitchDia\".")
-      .def_readonly("value", &Issue::value, "What the deck says.")
-      .def_readonly("message", &Issue::message, "What is to be said of it.")
-      .def_readonly("remedy", &Issue::remedy, "What would be valid.")
-      .def_property_readonly("text", &Issue::text, "The whole sentence.")
+      .def_readonly("value", &Issue::value, "Value in the deck.")
+      .def_readonly("message", &Issue::message, "Problem or note.")
+      .def_readonly("remedy", &Issue::remedy, "Remedy or valid values.")
+      .def_property_readonly("text", &Issue::text, "The whole message.")
       .def("__str__", &Issue::text)
       .def("__repr__",
            [](const Issue& issue) { return "<" + severity(issue) + ": " + issue.text() + ">"; });

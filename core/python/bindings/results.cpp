@@ -56,7 +56,7 @@ py::array read_channel(const H5Reader& reader, const std::string& id, std::size_
 
 void bind_results(py::module_& module) {
   using Info = H5Reader::ChannelInfo;
-  py::class_<Info>(module, "ChannelInfo", "What a channel of RESULTS.h5 is.")
+  py::class_<Info>(module, "ChannelInfo", "Description of a channel of RESULTS.h5.")
       .def_readonly("id", &Info::id, "Its name, e.g. \"contact.load\".")
       .def_readonly("label", &Info::label, "For axes, e.g. \"contact load\".")
       .def_readonly("unit", &Info::unit, "SI, angles in rad.")
@@ -90,7 +90,7 @@ void bind_results(py::module_& module) {
              "A SOL1-SOL8 or RESULTS.h5 as header, columns, array and a note on what is wrong.");
   module.def(
       "describe_file", [](const std::string& path) { return results::describe_file(path); },
-      py::arg("path"), "What a file is, its header and the range of each channel.");
+      py::arg("path"), "Type of a file, its header and the range of each channel.");
 }
 
 }  // namespace adore::python

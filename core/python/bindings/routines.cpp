@@ -30,7 +30,7 @@ void take(const py::handle& value, double* to, std::size_t count, const char* na
   const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
   if (!values) {
     PyErr_Clear();
-    throw std::runtime_error(std::string(name) + " is no array of numbers");
+    throw std::runtime_error(std::string(name) + " is not an array of numbers");
   }
   if (values.size() == 1)
     std::fill_n(to, count, *values.data());

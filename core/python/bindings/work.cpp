@@ -113,9 +113,9 @@ facade::RunRequest run_request(const std::string& text, const std::string& name,
 
 void bind_run(py::module_& module) {
   using facade::Progress;
-  py::class_<Progress>(module, "Progress", "How far a run is; handed to progress callbacks.")
+  py::class_<Progress>(module, "Progress", "Progress of a run for progress callbacks.")
       .def_readonly("fraction", &Progress::fraction, "Of the simulated span, 0 to 1.")
-      .def_readonly("revolutions", &Progress::revolutions, "Turns of the shaft.")
+      .def_readonly("revolutions", &Progress::revolutions, "Shaft revolutions.")
       .def_readonly("time", &Progress::time, "Simulated time [s].")
       .def_readonly("end_time", &Progress::end_time, "End of the run [s].")
       .def_readonly("last_step", &Progress::last_step,
@@ -125,16 +125,16 @@ void bind_run(py::module_& module) {
       .def_readonly("elapsed", &Progress::elapsed, "Computing time so far [s].")
       .def_readonly("remaining", &Progress::remaining, "Estimate [s].")
       .def_readonly("speed_up", &Progress::speed_up, "Simulated over computing time.")
-      .def_readonly("runs", &Progress::runs, "Of a sweep: how many there are; 0: one run.");
+      .def_readonly("runs", &Progress::runs, "Number of runs of a sweep; 0: one run.");
 
   using Record = RunRecord;
-  py::class_<Record>(module, "RunOutcome", "What a run came to.")
+  py::class_<Record>(module, "RunOutcome", "Result of a run.")
       .def_property_readonly(
           "status", [](const Record& r) { return status_name(r.outcome.status); },
           "\"done\", \"interrupted\", \"failed\" or \"untrusted\".")
       .def_property_readonly(
           "message", [](const Record& r) { return r.outcome.message; },
-          "Diagnosis and remedy; empty when there is nothing to say.")
+          "Diagnosis and remedy; may be empty.")
       .def_property_readonly(
           "folder", [](const Record& r) { return r.outcome.folder.string(); },
           "Folder of the files.")
@@ -161,12 +161,12 @@ void bind_run(py::module_& module) {
           "time", [](const Record& r) { return r.outcome.time; }, "Simulated time [s].")
       .def_property_readonly(
           "revolutions", [](const Record& r) { return r.outcome.revolutions; },
-          "Turns of the shaft.")
+          "Shaft revolutions.")
       .def_property_readonly(
           "seconds", [](const Record& r) { return r.outcome.seconds; }, "Computing time [s].")
       .def_property_readonly(
           "energy_residual", [](const Record& r) { return r.outcome.energy_residual; },
-          "What the ledger of energy leaves open [J].")
+          "Energy balance residual [J].")
       .def_property_readonly(
           "energy_scale", [](const Record& r) { return r.outcome.energy_scale; },
           "Energy that moved [J].")
@@ -175,7 +175,7 @@ void bind_run(py::module_& module) {
           "Key results: id, label, unit, value in SI.")
       .def_property_readonly(
           "raised", [](const Record& r) { return r.raised; },
-          "What Python raised while the run was under way, or None.");
+          "Exception of Python during the run, or None.");
 
   module.def(
       "run",
@@ -244,11 +244,11 @@ void bind_work(py::module_& module) {
             [&](const std::stop_token& stop) { return facade::check(request, stop).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
-      "Everything that is to be said of a deck's text, and of it with routines of the user.");
+      "All remarks on the text of a deck, also with user routines.");
   module.def(
       "options_beside",
       [](const std::string& deck) { return facade::options_beside(facade::deck_path(deck)); },
-      py::arg("deck"), "Run options of the ADORE.json beside a deck.");
+      py::arg("deck"), "Run options of ADORE.json in the folder of a deck.");
   module.def(
       "plan",
       [](const std::string& text, const std::string& name, const Options& options,

@@ -1,4 +1,4 @@
-"""Routines of the user in Python: the same trajectories, the cost, and what goes wrong."""
+"""Routines of the user in Python: the same trajectories, the cost, and errors."""
 
 import tempfile
 import time
@@ -143,7 +143,7 @@ class Others(unittest.TestCase):
 
 class Surfaces(unittest.TestCase):
     def waves(self):
-        """Waves of the inner race, whose amplitude, number and phase stand in record 12.1."""
+        """Waves of the inner race, with amplitude, number and phase from record 12.1."""
         routines = adore.Routines("waves 1")
         routines.read("races", 3)
 
@@ -209,7 +209,7 @@ class Wrong(unittest.TestCase):
         self.check(fails, "my own mistake")
         self.check(lambda slip, contact: slip * np.nan, "(?i)nan|finite|not a number")
         self.check(lambda slip, contact: np.zeros(3), "has 3 values")
-        self.check(lambda slip, contact: "text", "no array of numbers")
+        self.check(lambda slip, contact: "text", "not an array of numbers")
 
     def test_a_law_that_is_no_law_is_refused_when_it_is_given(self):
         routines = adore.Routines()

@@ -334,7 +334,8 @@ TEST_CASE("SOL: values of the classic files → numbers, meanings and units of t
   CHECK(values(0, UnitSystem::SI, 0)[9] == 0.0);  // no time, no average
 }
 
-TEST_CASE("the cage's mass center is normalized by land, pocket or unit of length", "[unit][sol]") {
+TEST_CASE("SOL: mass center of the cage → normalized by land, pocket or unit of length",
+          "[unit][sol]") {
   bearing::Bearing bearing = make_bearing();
   CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
   bearing.cage->lands[0].guide = bearing::GuideLand::Guide::None;

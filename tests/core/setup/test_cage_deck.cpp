@@ -70,7 +70,7 @@ TEST_CASE("cage page: every roller type → mass, clearance and speed in a quasi
   }
 }
 
-TEST_CASE("a conical cage's mass center lies towards its large end", "[physics][cage]") {
+TEST_CASE("conical cage: mass center towards its large end", "[physics][cage]") {
   const deck::Deck deck = at_rest("tapered");
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));

@@ -207,7 +207,7 @@ TEST_CASE("datum: depends only on the deck's geometry", "[physics][datum]") {
   }
 }
 
-TEST_CASE("RESULTS.h5 tells where the race centers stand at zero displacement", "[unit][datum]") {
+TEST_CASE("datum: RESULTS.h5 has the race centers at zero displacement", "[unit][datum]") {
   const Bearing b = thermal::operating_bearing(built("ball", {{"raceTemp2", "350.0"}}));
   const auto geometry = results::geometry_of(b);
   const double D = 0.0127, sine = std::sin(25.0 * std::numbers::pi / 180.0);

@@ -119,7 +119,8 @@ TEST_CASE(
         Approx(b.element_inertia.moments[0] * (1.0 + g) * (1.0 + g)).epsilon(1e-14));
 }
 
-TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physics][operating]") {
+TEST_CASE("operating bearing: groove centers of statics are on the moved circles",
+          "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
@@ -134,7 +135,7 @@ TEST_CASE("the groove centers that statics sees lie on the moved loci", "[physic
     const bearing::OperatingFits& fits = *warm.operating;
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(groove.centre_radius[j] == Approx(fits.locus[j]).epsilon(1e-14));
-      // The groove bottom, reached from its own center, is the raceway moved by its growth.
+      // The groove bottom, reached from its own centre, is the raceway moved by its growth.
       const double bottom =
           groove.centre_radius[j] + (j == 0 ? 1.0 : -1.0) * groove.groove_radius[j];
       CHECK(bottom == Approx(fits.raceway_radius[j] + fits.raceway[j].total()).epsilon(1e-14));

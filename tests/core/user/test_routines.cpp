@@ -252,7 +252,7 @@ TEST_CASE("plug-in: its process ends → reported, this program continues", "[us
   CHECK_THAT(failure_of("11 1"), Catch::Contains("the oil is out"));
 }
 
-TEST_CASE("a thousand plug-ins of random behavior end or are endured", "[user][unit]") {
+TEST_CASE("plug-in: 1000 of random behavior → run ends properly or continues", "[user][unit]") {
   std::mt19937 random(16);
   int failures = 0;
   for (int k = 0; k < 1000; ++k) {
