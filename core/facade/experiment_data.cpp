@@ -124,6 +124,7 @@ RunData read_run(JsonMembers& in) {
   out.condition = in.text("condition");
   out.deck = in.text("deck", "");
   out.set = read_sets(in, "set");
+  out.options = read_sets(in, "options");
   out.subtract = read_sets(in, "subtract");
   out.over = part(in, "over", read_over);
   out.motion = part(in, "motion", read_motion);

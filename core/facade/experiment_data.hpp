@@ -81,6 +81,7 @@ struct RingData {
 struct RunData {
   std::string condition, deck;
   DeckSets set;
+  DeckSets options;  ///< run options of the static solution
   std::vector<RowData> rows;
   std::optional<OverData> over;
   std::optional<MotionData> motion;

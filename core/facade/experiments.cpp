@@ -423,7 +423,11 @@ class RunFigures {
   }
 
   const Prepared& prepared() {
-    if (!prepared_) prepared_ = prepare(request_of(run_.deck, sets_));
+    if (!prepared_) {
+      DeckRequest request = request_of(run_.deck, sets_);
+      request.options = run_.options;
+      prepared_ = prepare(request);
+    }
     return *prepared_;
   }
   double thrust() { return prepared().race_result().load[0]; }

@@ -81,6 +81,33 @@ std::optional<double> available_friction(const deck::Deck& deck, const bearing::
   return largest;
 }
 
+/// Mode -1 does not evaluate the routine that kTrac = -1 or kRFTrac = -1 asks for. The curves of
+/// record 10, which such a deck has as well, do not stand in for it: friction is not computed.
+bool leave_out_user_traction(Prepared& out) {
+  const deck::Deck& deck = out.input.deck;
+  const auto asks = [&](const char* code) { return deck.has(code) && deck.integer(code) == -1; };
+  const bool races = asks("kTrac");
+  if (deck.integer("mode") >= 0 || (!races && !asks("kRFTrac"))) return false;
+  const char* const code = races ? "kTrac" : "kRFTrac";
+  if (out.as_built.thermal)
+    throw InputError({deck.issue(
+        Severity::Error, "kTherm",
+        fmt::format("asks for the heat of contacts whose traction routine ADRX7 ({} = -1) acts in "
+                    "motion only",
+                    code),
+        fmt::format("set kTherm to 0, {} to another law, or mode to 0, 1 or 2", code))});
+  if (races) out.as_built.race_traction = {};
+  add_remark(out, make_finding("user.idle",
+                               fmt::format("{} = -1: the traction routine ADRX7 acts in motion "
+                                           "only. Mode -1 does not compute friction torque and "
+                                           "heat{}",
+                                           code,
+                                           races && !out.as_built.rollers()
+                                               ? ", and balls follow kAngVel without friction"
+                                               : "")));
+  return true;
+}
+
 /// Seconds that an action takes.
 template <class Action>
 double timed(Action&& action) {
@@ -331,6 +358,7 @@ Prepared prepare_model(LoadedDeck input) {
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
   out.as_built.user_version =
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
+  const bool unknown_traction = leave_out_user_traction(out);
   out.options.rollers.frame = setup::frame_motion(deck);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   set_film_options(out);
@@ -417,7 +445,8 @@ Prepared prepare_model(LoadedDeck input) {
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     doubt_fluids(out);
     say_certainty(out);
-    if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, *out.rollers);
+    if (!out.control.dynamic && !unknown_traction)
+      out.friction = statics::friction_estimate(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     if (out.control.dynamic) {
@@ -449,7 +478,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   doubt_fluids(out);
   say_certainty(out);
-  if (!out.control.dynamic)
+  if (!out.control.dynamic && !unknown_traction)
     out.friction = statics::friction_estimate(out.bearing, out.statics, balance);
   const bool rolls = !out.control.dynamic || out.plan.has(scene::Effect::RollingResistance);
   if (const double ratio = rolls ? statics::rolling_over_strips(out.bearing, out.statics) : 0.0;
@@ -477,7 +506,7 @@ Prepared prepare_model(LoadedDeck input) {
     as_in_motion.fixed_angle = out.fixed_angle;
     ask_to_go_on(out.input);
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
-    statics::balance_balls(out.bearing, as_in_motion, out.start).give_speeds(out.start);
+    (void)statics::balance_balls(out.bearing, as_in_motion, out.start);
     if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,

@@ -2,6 +2,7 @@
 
 #include "base/counted.hpp"
 #include "setup/no_part.hpp"
+#include "statics/ball_friction.hpp"
 
 #include <fmt/format.h>
 
@@ -47,8 +48,12 @@ void contact_model(Entries& out, const Prepared& p) {
                        : b.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                        : "given angle of the axis";
     out.add("ball speeds", true,
-            fmt::format("{}: no slip at both contact centers, spin axis by {}",
-                        given(deck, "kAngVel"), rule));
+            statics::has_friction_balance(b, ball_options(p))
+                ? fmt::format("balance of friction (run option); {}, by {}, acts on balls without "
+                              "a balance",
+                              given(deck, "kAngVel"), rule)
+                : fmt::format("{}: no slip at both contact centers, spin axis by {}",
+                              given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
       if (b.balls().shim[j] > 0.0)
         out.add(
@@ -131,7 +136,9 @@ void results(Entries& out, const Prepared& p) {
       "friction torque", true,
       p.bearing.rollers()
           ? "estimated from speeds and loads of the equilibrium, which does not include friction"
-          : "balls in balance of friction under the laws of motion; no cage");
+      : statics::has_friction_balance(p.bearing, ball_options(p))
+          ? "balls in balance of friction under the laws of motion; no cage"
+          : "estimated from speeds and loads of the equilibrium (kAngVel); no cage");
   out.add("thermal steady state", p.thermal.has_value(),
           p.thermal ? fmt::format("kTherm = 1, kCoolant = {}, {}", p.as_built.thermal->coolant,
                                   given(deck, "kBaseTemp"))

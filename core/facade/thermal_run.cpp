@@ -334,7 +334,7 @@ std::vector<std::string> move_to(Prepared& p, bearing::Bearing operating) {
         p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = p.fixed_angle;
     p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
-    statics::balance_balls(p.bearing, as_in_motion, p.start).give_speeds(p.start);
+    (void)statics::balance_balls(p.bearing, as_in_motion, p.start);
     if (p.bearing.lubrication) films = statics::contact_films(p.bearing, p.start);
   }
   if (!films) return {};

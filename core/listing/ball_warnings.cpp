@@ -46,6 +46,9 @@ Offenders offenders(const std::vector<StaticBall>& balls, double limit,
   return out;
 }
 
+/// The spin rule has no ω_θ; balls in balance of friction (statics/ball_friction.hpp) creep.
+bool is_by_rule(const StaticBall& ball) { return ball.omega_theta == 0.0; }
+
 std::string rule_text(bearing::SpinRule rule) {
   switch (rule) {
     case bearing::SpinRule::RaceControl:
@@ -71,8 +74,9 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
   };
   const std::vector<StaticBall>& balls = solution.balls;
   for (std::size_t j = 0; j < 2; ++j) {
-    const Offenders slip = offenders(balls, available.value_or(kLubricated),
-                                     [j](const StaticBall& b) { return b.friction[j]; });
+    const Offenders slip =
+        offenders(balls, available.value_or(kLubricated),
+                  [j](const StaticBall& b) { return is_by_rule(b) ? b.friction[j] : 0.0; });
     if (!slip.numbers.empty())
       add("statics.gyroscopic", slip, j,
           fmt::format(
@@ -81,8 +85,7 @@ std::vector<Finding> ball_warnings(const bearing::Bearing& bearing,
               "gyroscopic moment, and {}: such balls slip about the gyroscopic axis, and their "
               "spin, "
               "heat and contact angles are not those shown. Raise the load, lower the speed, or "
-              "let a "
-              "dynamic run (mode 0) find the motion",
+              "let ballFriction=balance or a dynamic run (mode 0) find the motion",
               rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
               available
                   ? fmt::format("the traction law of the deck has at most {:.3g}", *available)

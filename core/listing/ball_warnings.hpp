@@ -15,7 +15,8 @@ namespace adore::listing {
 
 /// - The spin rule lets the races hold each ball against its gyroscopic moment by friction
 ///   (ball_forces.hpp): StaticBall::friction above `available`, or above 0.06 where that is not
-///   known (lubricated contacts: 0.05 to 0.08 at most, recalled).
+///   known (lubricated contacts: 0.05 to 0.08 at most, recalled). Not of balls in balance of
+///   friction, which take the spin axis that friction can hold.
 /// - Contacts over the shoulder keep their whole Hertz ellipse: StaticBall::beyond.
 /// - Hertz's theory takes bodies for half-spaces: half major axis above half the ball radius.
 /// @param available largest coefficient of the deck's traction law; empty: it has none

@@ -6,6 +6,7 @@
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_imperfections.hpp"
+#include "statics/ball_friction.hpp"
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -275,8 +276,14 @@ void operation(Report& report, const PrintFront& front) {
                      : bearing.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                            : "given orientation";
   // kAngVel is a rule for balls.
+  statics::StaticsOptions statics;
+  for (const auto& [name, value] : front.options)
+    if (name == "ballFriction") statics.friction_balance = value == "balance";
   report.item("Hypothesis of the internal speeds",
-              bearing.rollers() ? "pure rolling at nominal geometry" : spin);
+              bearing.rollers() ? "pure rolling at nominal geometry"
+              : statics::has_friction_balance(bearing, statics)
+                  ? fmt::format("balance of friction, else {}", spin)
+                  : spin);
   if (!bearing.rollers() && bearing.spin_rule == bearing::SpinRule::Prescribed)
     report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
   for (int k = 0; k < 3; ++k)

@@ -164,7 +164,7 @@ bool parse_automatic(std::string_view text, std::optional<double>& out, double l
 /// Laws of the quasi-static solution.
 void add_static_options(std::vector<Option>& table) {
   table.push_back(
-      {{"ballFriction", "spin-rule",
+      {{"ballFriction", "balance",
         "balls in mode -1, at the start of a motion and in thermal analyses: balance (spin and "
         "orbit in balance of friction) or spin-rule (kAngVel gives the spin axis)"},
        [](RunOptions& o, std::string_view v) {
@@ -510,7 +510,7 @@ std::vector<std::string> option_choices(std::string_view name) {
   if (name == "filmStress") return {"surface", "direct"};
   if (name == "thermalBase") return {"deck", "none"};
   if (name == "thermalTransient") return {"off", "on"};
-  if (name == "ballFriction") return {"spin-rule", "balance"};
+  if (name == "ballFriction") return {"balance", "spin-rule"};
   if (name == "thermalModel") return {"network", "ladder"};
   for (const char* open : {"ambientTemperature", "housingCooling", "shaftCooling", "coolantInlet"})
     if (name == open) return {"auto"};
@@ -534,6 +534,7 @@ std::vector<OptionInfo> run_option_list() {
 
 RunOptions build_run_options(const std::map<std::string, std::string>& values) {
   RunOptions out;
+  out.rollers.ball_balance = true;
   for (const auto& [name, value] : values) {
     const auto found = std::find_if(options().begin(), options().end(),
                                     [&](const Option& o) { return o.info.name == name; });

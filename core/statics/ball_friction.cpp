@@ -26,8 +26,9 @@ using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
 constexpr int kSteps = 100, kCuts = 4, kPasses = 30;
-/// Residual over the larger contact load: where steps end, and what is taken when they are used up.
-constexpr double kBalanced = 1e-11, kAccepted = 1e-5;
+/// Residual over the larger contact load: where steps end (with few nodes kNear), and what is taken
+/// when they are used up.
+constexpr double kBalanced = 1e-11, kNear = 1e-5, kAccepted = 1e-5;
 /// Tractions minus those of the equilibrium over the largest contact load: likewise.
 constexpr double kSteady = 1e-10, kSteadyAccepted = 1e-5;
 constexpr double kLongestStep = 0.03;  ///< over the spin
@@ -67,32 +68,36 @@ using Result = Eigen::Vector3d;
 /// One ball at its place.
 class Ball {
  public:
-  Ball(const Bearing& bearing, const ContactLaws& laws, const tribology::EllipseRule& rule,
-       const tribology::BearingDrag* drag, double frame, const StaticBall& ball)
-      : bearing_(bearing), laws_(laws), rule_(rule), drag_(drag), frame_(frame) {
+  Ball(const Bearing& bearing, const ContactLaws& laws, const tribology::BearingDrag* drag,
+       double frame, const StaticBall& ball)
+      : bearing_(bearing), laws_(laws), drag_(drag), frame_(frame) {
     radius_ = 0.5 * bearing.balls().diameter;
     load_ = std::max(ball.Q[0], ball.Q[1]);
     spin_ = std::abs(ball.spin_speed);
     stand(ball);
   }
 
-  /// False: no balance was found; the motion is then of no use.
-  bool find(BallMotion& motion) {
+  /// From the given motion; false: no balance was found, and the motion is of no use.
+  /// @param rule kept for slopes(), as a reference
+  bool find(BallMotion& motion, const tribology::EllipseRule& rule, double balanced) {
+    rule_ = &rule;
     motion.balanced = false;
     if (!(spin_ > 0.0)) return false;
     Vec4 v = speeds(motion);
     Vec4 G = residual(v, motion);
-    const double first = std::max(G.norm(), kBalanced);
-    for (int n = 0; n < kSteps && G.norm() > kBalanced; ++n) {
+    const double first = std::max(G.norm(), balanced);
+    Mat4 slopes;
+    bool known = false;
+    for (int n = 0; n < kSteps && G.norm() > balanced; ++n) {
       const double size = G.norm();
       if (!std::isfinite(size)) return false;
-      Mat4 J;
       BallMotion ignored;
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < 4 && !known; ++k) {
         Vec4 w = v;
         w[k] += kDifference;
-        J.col(k) = (residual(w, ignored) - G) / kDifference;
+        slopes.col(k) = (residual(w, ignored) - G) / kDifference;
       }
+      Mat4 J = slopes;
       constexpr double kFirstDamping = 1e-2;
       J.diagonal().array() -=
           kFirstDamping * J.diagonal().cwiseAbs().maxCoeff() * std::min(1.0, size / first);
@@ -106,6 +111,8 @@ class Ball {
         d *= 0.5;
         next = residual(v + d, motion);
       }
+      constexpr double kFast = 0.1;  // slopes stay while the residual falls so
+      known = next.norm() < kFast * size;
       constexpr double kRounding = 1e-8;
       if (size <= kRounding && !(next.norm() < size)) {
         (void)residual(v, motion);
@@ -179,7 +186,7 @@ class Ball {
       const BallContact& c = contact_[j];
       const tribology::EllipseKinematics slip = contact_motion(bearing_, c, at, r_, j);
       const tribology::EllipseTraction on_ball =
-          tribology::ellipse_traction(c.law, c.ellipse, slip, rule_);
+          tribology::ellipse_traction(c.law, c.ellipse, slip, *rule_);
       tribology::FilmContact film = c.film;
       film.speed = slip.entrainment;
       const double rolling = laws_.rolling_force(j, film);
@@ -206,7 +213,7 @@ class Ball {
 
   const Bearing& bearing_;
   const ContactLaws& laws_;
-  const tribology::EllipseRule& rule_;
+  const tribology::EllipseRule* rule_ = nullptr;
   const tribology::BearingDrag* drag_;
   double frame_, r_ = 0.0, radius_ = 0.0, load_ = 0.0, spin_ = 0.0;
   std::array<BallContact, 2> contact_;
@@ -291,11 +298,13 @@ class Balls {
     for (std::size_t k = 0; k < state_.elements.size(); ++k) {
       StaticBall now = report_ball(model_, solution.displacement, state_.elements[k]);
       now.azimuth = solution.balls[k].azimuth;
-      now.friction = solution.balls[k].friction;  // that the spin rule needs
       solution.balls[k] = now;
     }
     fill_summary(model_, solution);
     return true;
+  }
+  [[nodiscard]] std::vector<std::string> notes(const StaticSolution& solution) const {
+    return report_notes(model_, solution.balls);
   }
   void add_difference(double share, StaticSolution& solution) const {
     if (share > 0.0) add_difference_stiffness(model_, state_, share, solution);
@@ -310,6 +319,23 @@ class Balls {
   BallModel model_;
   BallRace state_;
 };
+
+/// What follows from the speeds of a ball in balance, in the place of the values of the spin rule.
+void give_ratios(const Bearing& bearing, const ContactLaws& laws, const BallMotion& motion,
+                 double frame, StaticBall& ball) {
+  const double along_x = motion.orbit - motion.omega[0];
+  const double sign = std::copysign(1.0, ball.spin_speed);
+  ball.spin_speed = sign * std::hypot(along_x, motion.omega[1], motion.omega[2]);
+  ball.pitch_angle = std::atan2(sign * motion.omega[1], sign * along_x);
+  ball.gyroscopic_moment =
+      bearing.element_inertia.moments.x() * (motion.orbit + frame) * motion.omega[1];
+  for (std::size_t j = 0; j < 2; ++j) {
+    const tribology::EllipseKinematics slip =
+        contact_motion(bearing, ball_contact(bearing, laws, ball, j), motion, ball.r, j);
+    ball.spin_roll[j] = (j == 0 ? 1.0 : -1.0) * slip.W_n / slip.W_c;
+    ball.friction[j] = std::abs(motion.along[j]) / ball.Q[j];
+  }
+}
 
 }  // namespace
 
@@ -329,14 +355,6 @@ tribology::EllipseKinematics contact_motion(const Bearing& bearing, const BallCo
   return m;
 }
 
-BallMotion FrictionBalance::motion_of(std::size_t k, const StaticBall& ball) const {
-  if (k < balls.size() && balls[k].balanced) return balls[k];
-  BallMotion out;
-  out.omega = {ball.omega_x, ball.omega_r, ball.omega_theta};
-  out.orbit = ball.orbital_speed;
-  return out;
-}
-
 void FrictionBalance::give_speeds(StaticSolution& solution) const {
   for (std::size_t k = 0; k < balls.size(); ++k) {
     if (!balls[k].balanced) continue;
@@ -346,6 +364,14 @@ void FrictionBalance::give_speeds(StaticSolution& solution) const {
     ball.omega_r = balls[k].omega[1];
     ball.omega_theta = balls[k].omega[2];
   }
+}
+
+BallMotion FrictionBalance::motion_of(std::size_t k, const StaticBall& ball) const {
+  if (k < balls.size() && balls[k].balanced) return balls[k];
+  BallMotion out;
+  out.omega = {ball.omega_x, ball.omega_r, ball.omega_theta};
+  out.orbit = ball.orbital_speed;
+  return out;
 }
 
 std::string FrictionBalance::note() const {
@@ -361,19 +387,24 @@ std::string FrictionBalance::note() const {
       number_list(numbers, "ball"));
 }
 
+bool has_friction_balance(const Bearing& bearing, const StaticsOptions& options) {
+  const bool resists =
+      bearing.lubrication || tribology::largest_traction(bearing.race_traction) > 0.0;
+  return !bearing.rollers() && options.friction_balance && resists &&
+         bearing.speed[0] != bearing.speed[1] &&
+         bearing.spin_rule != bearing::SpinRule::Prescribed && options.orbit == Orbit::PerBall;
+}
+
 FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& options,
                               StaticSolution& solution) {
   FrictionBalance out;
-  const bool resists =
-      bearing.lubrication || tribology::largest_traction(bearing.race_traction) > 0.0;
-  if (!options.friction_balance || !resists || bearing.speed[0] == bearing.speed[1] ||
-      bearing.spin_rule == bearing::SpinRule::Prescribed || options.orbit != Orbit::PerBall)
-    return out;
+  if (!has_friction_balance(bearing, options)) return out;
   const StaticSolution before = solution;
   const ContactLaws laws(bearing);
   // Nodes that tractions do not see pass: of 30, slopes would be 4e-4 apart from differences of
-  // whole equilibria, of 100 2e-6.
-  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(100, 12);
+  // whole equilibria, of 100 2e-6. The way from pure rolling takes few.
+  const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(100, 12),
+                               few = tribology::make_split_ellipse_rule(20, 4);
   std::optional<tribology::BearingDrag> drag;
   if (bearing.churning) drag.emplace(bearing);
   const double frame = options.frame ? options.frame->speed : 0.0;
@@ -392,10 +423,11 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
       if (!is_loaded(ball)) {
         now = FrictionBalance{}.motion_of(k, ball);
       } else {
-        Ball at(bearing, laws, rule, drag ? &*drag : nullptr, frame, ball);
-        if (!at.find(now)) {
+        Ball at(bearing, laws, drag ? &*drag : nullptr, frame, ball);
+        if (pass == 0 && !at.find(now, few, kNear)) now = FrictionBalance{}.motion_of(k, ball);
+        if (!at.find(now, rule, kBalanced)) {
           now = FrictionBalance{}.motion_of(k, ball);  // once more from pure rolling
-          if (!at.find(now)) {
+          if (!at.find(now, rule, kBalanced)) {
             now = FrictionBalance{}.motion_of(k, ball);
             out.left.push_back(k);
           }
@@ -422,6 +454,17 @@ FrictionBalance balance_balls(const Bearing& bearing, const StaticsOptions& opti
     return out;
   }
   balls.add_difference(options.difference_share, solution);
+  out.give_speeds(solution);
+  for (std::size_t k = 0; k < solution.balls.size(); ++k)
+    if (out.balls[k].balanced) give_ratios(bearing, laws, out.balls[k], frame, solution.balls[k]);
+  // Notes of the balls at their new places; those of the spin rule only while a ball keeps it.
+  const std::vector<std::string> old = balls.notes(before);
+  std::erase_if(solution.notes, [&](const std::string& note) {
+    const bool of_rule =
+        note.starts_with("race control: ") || note.starts_with("spin axis of least heat: ");
+    return std::count(old.begin(), old.end(), note) > 0 || (of_rule && out.left.empty());
+  });
+  for (std::string& note : balls.notes(solution)) solution.notes.push_back(std::move(note));
   return out;
 }
 

@@ -23,13 +23,12 @@
 /// contacts until the tractions stay: Newton's method on places and speeds together. Where no
 /// equilibrium is found so, without slopes.
 ///
-/// Starts of motion get places, loads and speeds of the balance (FrictionBalance::give_speeds);
-/// dynamics/friction_start.hpp then does the same with all effects of the run. Speeds, angles and
-/// ratios of a solution of mode -1 remain those of the spin rule at the new contacts. A ball
-/// without a balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the spin
-/// rule; FrictionBalance reports the first. Limits: the cage, gravity, the change of the spin axis
-/// along the orbit and the tractions along e_θ on the inner race are left out; races are not tilted
-/// here.
+/// Places, loads, speeds, spin axes and spin to roll ratios of the solution are those of the
+/// balance, StaticBall::friction is |F_c|/Q, and starts of motion begin with them;
+/// dynamics/friction_start.hpp then does the same with all effects of the run. A ball without a
+/// balance, without load at a race, or of a given spin axis (kAngVel = 2) keeps the spin rule;
+/// FrictionBalance reports the first. Limits: the cage, gravity, the change of the spin axis along
+/// the orbit and the tractions along e_θ on the inner race are left out; races are not tilted here.
 namespace adore::statics {
 
 /// @param r radius of the ball's orbit
@@ -38,7 +37,11 @@ namespace adore::statics {
                                                           const BallMotion& motion, double r,
                                                           std::size_t race);
 
-/// Changes places and loads of the solution; nothing without StaticsOptions::friction_balance.
+/// False: balls keep the spin rule (option, kAngVel = 2, races at rest, or nothing that resists).
+[[nodiscard]] bool has_friction_balance(const bearing::Bearing& bearing,
+                                        const StaticsOptions& options);
+
+/// Changes places, loads, speeds and notes of the solution; nothing without a balance.
 /// @param options those of the solution
 [[nodiscard]] FrictionBalance balance_balls(const bearing::Bearing& bearing,
                                             const StaticsOptions& options,

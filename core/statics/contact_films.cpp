@@ -3,7 +3,7 @@
 #include "bearing/material.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
-#include "statics/ball_statics.hpp"
+#include "statics/contact_laws.hpp"
 #include "statics/roller_statics.hpp"
 
 #include <algorithm>
@@ -69,14 +69,13 @@ LubricantFilms contact_films(const bearing::Bearing& bearing, const StaticSoluti
       tribology::FilmContact contact;
       if (ball.Q[j] > 0.0) {
         const double angle = std::abs(ball.alpha[j]);
-        const double to_contact = (j == 0 ? 0.5 : -0.5) * balls.diameter * std::cos(angle);
         contact.load = ball.Q[j];
         contact.radius =
             1.0 / contact::race_curvature(balls, static_cast<int>(j), angle).along_minor;
         contact.k = ball.a[j] / ball.b[j];
         contact.half_width = ball.b[j];
         contact.peak_pressure = ball.p_max[j];
-        contact.speed = (bearing.speed[j] - ball.orbital_speed) * (ball.r + to_contact);
+        contact.speed = ball_entrainment(bearing, ball, j);
         const double spin = std::isfinite(ball.spin_roll[j]) ? std::abs(ball.spin_roll[j]) : 0.0;
         contact.slip = 0.375 * ball.a[j] * spin * std::abs(contact.speed) / (0.5 * balls.diameter);
       }

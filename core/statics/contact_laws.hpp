@@ -130,11 +130,21 @@ class ContactLaws {
   mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
 };
 
+/// Mean speed of both surfaces along the rolling direction at the centre of a loaded contact,
+/// against the row [m/s]; by the spin rule that of the race, which does not slip there.
+[[nodiscard]] inline double ball_entrainment(const bearing::Bearing& bearing,
+                                             const StaticBall& ball, std::size_t j) {
+  const double arm = (j == 0 ? 0.5 : -0.5) * bearing.element_diameter();
+  const double x = arm * std::sin(ball.alpha[j]), r = arm * std::cos(ball.alpha[j]);
+  const double race = (bearing.speed[j] - ball.orbital_speed) * (ball.r + r);
+  if (ball.omega_theta == 0.0) return race;  // balls in balance creep (ball_friction.hpp)
+  return 0.5 * (race + (ball.omega_x - ball.orbital_speed) * r - ball.omega_r * x);
+}
+
 /// What films read of a loaded contact of a ball.
 [[nodiscard]] inline tribology::FilmContact film_of(const bearing::Bearing& bearing,
                                                     const StaticBall& ball, std::size_t j) {
   const bearing::BallGeometry& balls = bearing.balls();
-  const double side = j == 0 ? 1.0 : -1.0;
   tribology::FilmContact film;
   film.load = ball.Q[j];
   film.radius =
@@ -143,8 +153,7 @@ class ContactLaws {
   film.k = ball.a[j] / ball.b[j];
   film.half_width = ball.b[j];
   film.peak_pressure = ball.p_max[j];
-  film.speed = (bearing.speed[j] - ball.orbital_speed) *
-               (ball.r + side * 0.5 * balls.diameter * std::cos(ball.alpha[j]));
+  film.speed = ball_entrainment(bearing, ball, j);
   return film;
 }
 

@@ -138,8 +138,8 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
     out.notes.push_back(note);
   else if (!balance.balls.empty())
     out.notes.emplace_back(
-        "heat, torque and loads are those of balls in balance of friction; their speeds and ratios "
-        "in other tables follow the spin rule (kAngVel)");
+        "balls are in balance of friction: loads, speeds, spin axes and heat follow from it, not "
+        "from kAngVel");
   return out;
 }
 

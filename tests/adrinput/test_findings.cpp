@@ -14,10 +14,12 @@ namespace adore::adrinput {
 namespace {
 
 /// The 218 bearing of the textbooks: 93.7 % of a ball's load is beyond the shoulder, and race
-/// control is impossible.
+/// control, which it asks for, is impossible.
 std::filesystem::path overrun_deck(const QTemporaryDir& folder) {
   std::filesystem::path file = folder.filePath("DATA.txt").toStdString();
   std::ofstream(file) << deck::template_text("angular-218");
+  std::ofstream(folder.filePath("ADORE.json").toStdString())
+      << R"({"options": {"ballFriction": "spin-rule"}})";
   return file;
 }
 

@@ -217,14 +217,14 @@ TEST_CASE("run: fatigue lives printed, selected one stored in SOL7", "[cli]") {
   }
   const json run = json::parse(read(folder / "default" / "RUN.json"));
   const json& models = run.at("life").at("quasi-static").at("lives");
-  // The run starts from the statics that the page shows, in balance of friction (decision 817). Its
-  // first life is 9 % above that of the statics (measured).
+  // The run starts from the statics that the page shows, in balance of friction (decisions 817,
+  // 860): its first life is 0.05 % below that of the statics (measured; 9 % by the spin rule).
   const auto page = [&](const char* model, const char* factors) {
     return models.at(model).at(factors).at("L10 [hr]").get<double>();
   };
   // Races only, of the original theory: no formula of spin in between.
   const double original = page("Original Lundberg-Palmgren", "basic");
-  CHECK(stored.front() == Approx(original).epsilon(0.12));
+  CHECK(stored.front() == Approx(original).epsilon(0.005));
   CHECK(run.at("life").at("run").at("life [hr]").get<double>() == Approx(original).epsilon(0.2));
   CHECK(run.at("summary").at("life_lp_hours").get<double>() == Approx(original).epsilon(1e-12));
   CHECK_FALSE(run.at("summary").contains("life_gz_stle_hours"));
@@ -244,12 +244,12 @@ TEST_CASE("run: fatigue lives printed, selected one stored in SOL7", "[cli]") {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) CHECK(ends[i] == ends.front());
     CHECK(ends.front() == stored.front());
     CHECK(ends.back() == Approx(stored.back()).epsilon(1e-6));
-    CHECK(ends.back() != Approx(ends.front()).epsilon(1e-3));
+    CHECK(ends.back() != Approx(ends.front()).epsilon(1e-5));
   }
 
   // A model of the program only when chosen; elements at their actual spin, not the formula's.
   const double chosen = page("Gupta-Zaretsky type", "STLE");
-  CHECK(sol7_lives("gz", "--opt sol7Life=gz-stle").front() == Approx(chosen).epsilon(0.12));
+  CHECK(sol7_lives("gz", "--opt sol7Life=gz-stle").front() == Approx(chosen).epsilon(0.02));
   const json other = json::parse(read(folder / "gz" / "RUN.json"));
   CHECK(other.at("summary").at("life_lp_hours").get<double>() == Approx(original).epsilon(1e-12));
   CHECK(other.at("summary").at("life_gz_stle_hours").get<double>() ==

@@ -23,7 +23,7 @@ def constant(columns):
 
 @feature("F001", G)
 def _(b):
-    r = b.static()
+    r = b.static(opts={"ballFriction": "spin-rule"})  # balls in balance of friction load the inner race by traction, too
     e = r.elements
     thrust = sum(q * math.sin(math.radians(a)) for q, a in zip(e["inner load [N]"], e["inner contact angle [deg]"]))
     radial = sum(q * math.cos(math.radians(a)) * math.cos(math.radians(t))
@@ -54,7 +54,8 @@ def _(b):
 
 @feature("F003", G)
 def _(b):
-    r = b.run(sets={"mode": 1, "reRaceTC2": 1e-6, "reRaceTC3": 5e-7})  # hardly any friction, whose components are not stored
+    # By race control the orbits differ little, and no ball reaches its pocket in this time.
+    r = b.run(sets={"mode": 1, "reRaceTC2": 1e-6, "reRaceTC3": 5e-7}, opts={"ballFriction": "spin-rule"})  # hardly any friction, whose components are not stored
     c = b.channels(r)
     m = ball_mass(b)
     worst_r = worst_x = 0.0
@@ -176,11 +177,11 @@ def _(b):
 
 @feature("F012", G)
 def _(b):
-    # The weight of the balls is in the start, not in mode -1: none here. Balls start in balance of friction, as mode -1 has it with that option.
+    # The weight of the balls is in the start, not in mode -1: none here. Balls start in balance of friction, as in mode -1.
     r, s = b.run(sets={"gravityVecZ": 0.0}, until="0.0005rev"), b.static()
     c = b.channels(r)
     held = {"kFS1": 1, "kFS2": 1, "kFS3": 1, **{f"appDisp{a.upper()}": s.summary[f"displacement_{a}_m"] for a in "xyz"}}
-    same = b.static(sets=held, opts={"ballFriction": "balance"}).elements
+    same = b.static(sets=held).elements
     pairs = [(k, j, n) for k in range(1, 13) for j, n in ((1, "outer"), (2, "inner"))]
     load = max(abs(c[f"contact.load.{k}.{j}"][0] / same[f"{n} load [N]"][k - 1] - 1.0) for k, j, n in pairs)
     angle = max(abs(math.degrees(c[f"contact.angle.{k}.{j}"][0]) - same[f"{n} contact angle [deg]"][k - 1]) for k, j, n in pairs)
@@ -423,7 +424,7 @@ def _(b):
         r = b.run(sets={**HELD, flag: 0})
         command = r.command
         c = b.channels(r)
-        out.append(more(f"{flag} = 0: motion along {axis} [m]", constant([c[f"race.{axis}.{race}"]]), 1e-9))
+        out.append(more(f"{flag} = 0: motion along {axis} [m]", constant([c[f"race.{axis}.{race}"]]), 1e-10))
         out.append(less(f"{flag} = 0: motion along the others [m]",
                         constant([c[f"race.{a}.{k}"] for a in "xyz" for k in (1, 2) if (a, k) != (axis, race)]), 1e-12))
         out.append(less(f"{flag} = 0: energy residual over energy moved", r.ledger["residual over energy moved"], 1e-5))

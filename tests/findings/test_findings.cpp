@@ -176,6 +176,7 @@ TEST_CASE("findings: runs of a study → counted by code in REPORT.txt", "[findi
   const std::string path = folder.path().toStdString();
   adore_says({"new", "angular-218", "--out", folder.path() + "/DATA.txt"});
   std::ofstream(path + "/a.json") << R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+    "options": {"ballFriction": "spin-rule"},
     "variables": [{"name": "rpm2", "uniform": [9900, 10100]}], "sampling": {"runs": 3},
     "quantities": ["load_x_N"]})";
   adore_says({"study", "run", folder.path() + "/a.json", "--quiet"});

@@ -1,12 +1,14 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
+#include "facade/solution_tables.hpp"
 #include "statics/ball_friction.hpp"
 #include "statics/stiffness_difference.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -53,7 +55,6 @@ facade::Prepared prepared(deck::Deck deck) {
   facade::LoadedDeck input;
   input.path = facade::kStandardInput;
   input.deck = std::move(deck);
-  input.option_values["ballFriction"] = "balance";
   return facade::prepare(std::move(input));
 }
 
@@ -69,7 +70,7 @@ double heat_of_motion(const Sets& more, const std::array<double, 2>& ends) {
     request.deck = folder / "DATA.txt";
     request.until = fmt::format("{}s", ends[part] * turn);
     // The default rule of motion has 2 % less heat of these films.
-    request.options = {{"ballFriction", "balance"}, {"ellipseMajor", "60"}, {"ellipseMinor", "12"}};
+    request.options = {{"ellipseMajor", "60"}, {"ellipseMinor", "12"}};
     request.go_on = part > 0;
     facade::run(request);
     const json report = json::parse(testing::read_bytes(folder / "RUN.json"));
@@ -123,6 +124,51 @@ TEST_CASE("ball friction in statics: tractions along both ellipses carry the gyr
           Approx(moment).epsilon(0.02));
     CHECK(std::abs(ball.omega[2]) > 1e-3 * std::abs(ball.omega[0]));  // it slips
     CHECK(ball.along[1] / ball.along[0] > 0.1);  // both races, not one in control
+  }
+}
+
+TEST_CASE("ball friction in statics: reported speeds are those of the balance and give its heat",
+          "[physics][statics]") {
+  for (const Sets& more :
+       {Sets{}, Sets{{"appLoadZ", "300"}, {"appLoadX", "1500"}}, Sets{{"rpm2", "50"}}}) {
+    const facade::Prepared at = prepared(thrust_deck(-1, more));
+    statics::StaticSolution again = statics::solve_ball_statics(at.bearing);
+    const statics::FrictionBalance found =
+        statics::balance_balls(at.bearing, facade::ball_options(at), again);
+    const statics::ContactLaws laws(at.bearing);
+    const tribology::EllipseRule rule = tribology::make_split_ellipse_rule(30, 8);
+    const double gamma = at.bearing.element_diameter() / at.bearing.pitch_diameter();
+    const auto table = facade::solution_tables(at).tables.front();
+    for (std::size_t k = 0; k < at.statics.balls.size(); ++k) {
+      const statics::StaticBall& ball = at.statics.balls[k];
+      REQUIRE(found.balls[k].balanced);
+      CHECK(ball.orbital_speed == found.balls[k].orbit);
+      CHECK(ball.omega_theta == found.balls[k].omega[2]);
+      statics::BallMotion shown;
+      shown.omega = {ball.omega_x, ball.omega_r, ball.omega_theta};
+      shown.orbit = ball.orbital_speed;
+      double along = 0.0;
+      for (const std::size_t j : {0UL, 1UL}) {
+        const statics::BallContact contact = statics::ball_contact(at.bearing, laws, ball, j);
+        const auto slip = statics::contact_motion(at.bearing, contact, shown, ball.r, j);
+        CHECK(contact.film.speed == Approx(slip.entrainment).epsilon(1e-9));
+        const auto traction = tribology::ellipse_traction(contact.law, contact.ellipse, slip, rule);
+        const statics::FrictionOfContact& heat = at.friction->race[j][k];
+        CHECK(traction.heat == Approx(heat.spin + heat.sliding).epsilon(1e-9));
+        CHECK(ball.friction[j] == Approx(std::abs(traction.F_c) / ball.Q[j]).epsilon(0.01));
+        along += traction.F_t;
+        // spin.hpp: σ_o = γ sin α - (1 + γ cos α) tan(α - β), σ_i with the other signs.
+        const double side = j == 0 ? -1.0 : 1.0, alpha = ball.alpha[j];
+        CHECK(ball.spin_roll[j] ==
+              Approx(gamma * std::sin(alpha) + side * (1.0 - side * gamma * std::cos(alpha)) *
+                                                   std::tan(alpha - ball.pitch_angle))
+                  .margin(0.01));
+        CHECK(table.find(j == 0 ? "outer spin to roll" : "inner spin to roll")->values[k] ==
+              ball.spin_roll[j]);
+      }
+      // Nothing else holds the ball along its orbit; nodes differ from those of the balance.
+      CHECK(std::abs(along) < 1e-3 * ball.Q[0]);
+    }
   }
 }
 
@@ -201,4 +247,14 @@ TEST_CASE("ball friction in statics: a given spin axis keeps the spin rule", "[p
   const double before = solution.balls[0].Q[0];
   CHECK(statics::balance_balls(at.bearing, facade::ball_options(at), solution).balls.empty());
   CHECK(solution.balls[0].Q[0] == before);
+}
+
+TEST_CASE(
+    "ball friction in statics: the user's traction law -> no friction, no other curve instead",
+    "[physics][statics]") {
+  const facade::Prepared at = prepared(thrust_deck(-1, {{"kTrac", "-1"}}));
+  CHECK_FALSE(at.friction.has_value());
+  for (const statics::StaticBall& ball : at.statics.balls) CHECK(ball.omega_theta == 0.0);
+  CHECK(std::any_of(at.input.warnings.begin(), at.input.warnings.end(),
+                    [](const Finding& one) { return one.code == "user.idle"; }));
 }
