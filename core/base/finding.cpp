@@ -150,7 +150,7 @@ Finding finding_of_note(const std::string& sentence, std::string_view family) {
     if (!one.phrase.empty() && begins(one.code, family) &&
         sentence.find(one.phrase) != std::string::npos)
       return make_finding(one.code, sentence);
-  return make_finding(std::string(family) + "note", sentence);
+  return make_finding("deck.note", sentence);
 }
 
 std::vector<Finding> findings_of(std::vector<Issue> issues) {
