@@ -1,5 +1,6 @@
 #include "adrinput/stored_accuracy.hpp"
 
+#include "base/counted.hpp"
 #include "base/errors.hpp"
 #include "base/input_file.hpp"
 #include "base/json_text.hpp"
@@ -40,10 +41,12 @@ std::string statement(const json& accuracy) {
         100.0 * number(row, "statistical"));
   }
   if (out.empty()) return out;
-  std::string head = fmt::format("Accuracy of the last run, {:.4g} revolutions (RUN.json)",
-                                 number(accuracy, "revolutions"));
+  std::string head =
+      fmt::format("Accuracy of the last run over {} (RUN.json)",
+                  counted(fmt::format("{:.4g}", number(accuracy, "revolutions")), "revolution"));
   if (const double needed = number(accuracy, "needs_revolutions"); needed > 0.0)
-    head += fmt::format("; the target needs about {:.3g} revolutions", needed);
+    head += fmt::format("; the target needs about {}",
+                        counted(fmt::format("{:.3g}", needed), "revolution"));
   return head + "\n" + out;
 }
 

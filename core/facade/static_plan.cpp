@@ -49,8 +49,8 @@ void contact_model(Entries& out, const Prepared& p) {
                                                                        : "given angle of the axis";
     out.add("ball speeds", true,
             statics::has_friction_balance(b, ball_options(p))
-                ? fmt::format("balance of friction (run option); {}, by {}, acts on balls without "
-                              "a balance",
+                ? fmt::format("balance of friction (ballFriction); balls without a balance: {}, "
+                              "spin axis by {}",
                               given(deck, "kAngVel"), rule)
                 : fmt::format("{}: no slip at both contact centers, spin axis by {}",
                               given(deck, "kAngVel"), rule));
