@@ -9,7 +9,7 @@
 
 /// Rolling elements as structures of arrays: what is known of each element,
 /// where it stands in the state and what acts on it, every list stated once.
-/// Mass centre in cylindrical coordinates (x, r, θ) about the bearing axis;
+/// Mass center in cylindrical coordinates (x, r, θ) about the bearing axis;
 /// azimuth unit vectors e_r = (0,-sin θ,cos θ), e_θ = (0,-cos θ, -sin θ); ω
 /// absolute on e_x, e_r, e_θ.
 namespace adore::dynamics {
@@ -17,7 +17,7 @@ namespace adore::dynamics {
 /// Views of n elements; each pointer addresses n values.
 struct ElementViews {
   std::size_t n = 0;
-  const double *x, *r, *sin_theta, *cos_theta;  ///< centre [m], azimuth
+  const double *x, *r, *sin_theta, *cos_theta;  ///< center [m], azimuth
   const double *x_dot, *r_dot, *theta_dot;      ///< [m/s, m/s, rad/s]
   const double *omega_x, *omega_r,
       *omega_theta;               ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
@@ -89,7 +89,7 @@ class ElementSlices {
 /// there.
 struct ElementForces {
   double *F_x, *F_r, *F_theta;  ///< on the element [N]
-  double *M_x, *M_r, *M_theta;  ///< about its centre [N m]
+  double *M_x, *M_r, *M_theta;  ///< about its center [N m]
   double* load;                 ///< Q of this race [N] (assigned)
   double* heat;                 ///< ∫ κ p u dA [W] (assigned)
   double* load_slip;            ///< ∫ p u dA [W] (assigned); not touched when null

@@ -24,7 +24,7 @@ struct Evaluation {
   ElementViews elements{};  ///< views into y, and into sin_theta, cos_theta
   std::vector<double> sin_theta, cos_theta;
   std::vector<Mat3> attitude;  ///< of elements, body -> base, where it is integrated; else empty
-  ElementActions actions;      ///< forces and moments on the elements, about their centres [N, N m]
+  ElementActions actions;      ///< forces and moments on the elements, about their centers [N, N m]
   std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and element
   std::vector<BodyState> segments;  ///< of the cage; a cage of one piece is one, none: no cage
   std::array<RaceBody, 2> race;

@@ -11,7 +11,7 @@
 /// disagree; at t = 0 the velocity is that of the law, not 0. Laws without amplitude are at rest.
 namespace adore::dynamics {
 
-/// A race centre and its time derivatives.
+/// A race center and its time derivatives.
 struct PrescribedMotion {
   Vec3 position, velocity, acceleration;  ///< [m, m/s, m/s²]
 };
@@ -23,11 +23,11 @@ struct PrescribedTurn {
 
 /// Load that turns (9.3A): of the static radial deflection, size δ at azimuth ψ, the share f of
 /// each race turns at its speed ω and the rest stays. At t = 0 every race has its static position.
-/// Inner centre: s_i + f_i δ [e_r(ψ + ω_i t) - e_r(ψ)]; outer: s_o - f_o δ [e_r(ψ + ω_o t) -
+/// Inner center: s_i + f_i δ [e_r(ψ + ω_i t) - e_r(ψ)]; outer: s_o - f_o δ [e_r(ψ + ω_o t) -
 /// e_r(ψ)]. Without radial deflection nothing moves.
 class RotatingLoad {
  public:
-  /// @param static_centre outer, inner race centre of the static solution [m]
+  /// @param static_centre outer, inner race center of the static solution [m]
   /// @param fraction, speed of outer and inner race [-, rad/s]
   RotatingLoad(const std::array<Vec3, 2>& static_centre, const std::array<double, 2>& fraction,
                const std::array<double, 2>& speed) noexcept;

@@ -49,7 +49,7 @@ struct SceneView {
 /// An element against a wall of a body (effects/pockets.hpp).
 struct WallContact {
   double N = 0.0, rate = 0.0, heat = 0.0;         ///< normal force, of approach [N, m/s, W]
-  Vec3 arm = Vec3::Zero(), point = Vec3::Zero();  ///< element centre -> contact; contact [m]
+  Vec3 arm = Vec3::Zero(), point = Vec3::Zero();  ///< element center -> contact; contact [m]
   Vec3 on_element = Vec3::Zero(), friction = Vec3::Zero();  ///< whole force, its friction part [N]
 };
 /// @param m unit vector into the wall; overlap along it [m]

@@ -17,7 +17,7 @@ inline constexpr double kPeriodsPerStep = 0.2;
 /// Right-hand sides per step of that stepper (Fehlberg 5(6)).
 inline constexpr int kEvaluationsPerStep = 8;
 
-/// How the centre of one ball vibrates between its two contacts, in its axial plane: along the
+/// How the center of one ball vibrates between its two contacts, in its axial plane: along the
 /// stiffer principal direction (near the contact normals), and across it. 0: nothing pulls it back.
 struct BallVibration {
   double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
@@ -27,7 +27,7 @@ struct BallVibration {
 };
 
 /// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness
-/// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre to ball centre.
+/// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove center to ball center.
 [[nodiscard]] std::vector<BallVibration> ball_vibrations(const ScenePlan& plan,
                                                          const bearing::Bearing& bearing,
                                                          const SystemOptions& options,

@@ -507,7 +507,7 @@ class Study {
   }
 
   /// Processor times of what is recommended, of the deck's own settings and of the front become the
-  /// median of three runs, as far as the budget goes: caches and neighbours make a tenth of one
+  /// median of three runs, as far as the budget goes: caches and neighbors make a tenth of one
   /// run.
   void repeat_those_that_count() {
     const auto repeat = [&](AccuracyRow& row) {

@@ -11,7 +11,7 @@
 ///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ) of the suppressed components, I the tensor in the
 ///   axes now,
 /// acts from outside, and does the work H · velocity, which the ledgers book. Elements whose mass
-/// centre is beside their reference point: constrained_element.hpp. Of the cage: cage.cpp.
+/// center is beside their reference point: constrained_element.hpp. Of the cage: cage.cpp.
 namespace adore::dynamics {
 namespace {
 
