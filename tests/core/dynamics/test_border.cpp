@@ -180,7 +180,7 @@ EffectMaker maker() {
 
 }  // namespace
 
-TEST_CASE("a scene with several bodies in the border has the Jacobian of a dense difference",
+TEST_CASE("Jacobian: several bodies in the border → dense difference",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(9, 0.07);
   b.cage->pocket_clearance_1 = b.cage->pocket_clearance_2 = 2e-5;
@@ -214,9 +214,8 @@ TEST_CASE("a scene with several bodies in the border has the Jacobian of a dense
     }
 }
 
-TEST_CASE(
-    "elements that touch their neighbours form a ring with the Jacobian of a dense difference",
-    "[physics][dynamics][implicit]") {
+TEST_CASE("elements that touch their neighbors form a ring with the Jacobian of a dense difference",
+          "[physics][dynamics][implicit]") {
   for (const int balls : {7, 12}) {
     bearing::Bearing b = angular_contact(balls, 0.07);
     b.cage.reset();
@@ -231,7 +230,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics][implicit]") {
+TEST_CASE("free races: in the border with the cage", "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(9, 0.07);
   b.gravity = {0.0, 0.0, -9.81};
   b.cage->pocket_clearance_1 = b.cage->pocket_clearance_2 = 2e-5;
@@ -252,7 +251,7 @@ TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics]
   compare_jacobians(both, disturbed(both, 1e-5));
 }
 
-TEST_CASE("implicit steps of a ring of touching elements end where explicit ones do",
+TEST_CASE("implicit steps: ring of touching elements → end of explicit ones",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(8, 0.07);
   b.cage.reset();
