@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-/// Mass and inertia of rolling elements: alike, given (record 6.1), or of balls of unequal diameter
-/// (bearing/element_inertia.hpp).
+/// Mass and inertia of rolling elements: identical, given (record 6.1), or of balls of unequal
+/// diameter (bearing/element_inertia.hpp).
 ///
 /// The nine quantities of an element are those of its reference point: the center of a ball, of a
-/// roller the point of its axis beside the mass center that contacts count from
+/// roller the point of its axis at the mass center, from which contacts count
 /// (Bearing::roller_mass_offset). Its mass center is `arm` from there in body axes: zero but for
 /// unbalanced elements, and of rollers zero along the axis unless element 1 has its own inertia.
 namespace adore::dynamics {

@@ -45,7 +45,7 @@ class RotatingLoad {
                                          double frequency, double t) noexcept;
 
 /// Speed ramp (9.4A): Ω0 + a (clamp(t, begin, end) - begin), a acts on [begin, end). An empty
-/// window (end <= begin) is no ramp. Steppers must break their step at begin and end, where the
+/// window (end <= begin) has no ramp. Steppers must break their step at begin and end, where the
 /// acceleration jumps.
 struct SpeedRamp {
   double acceleration = 0.0;      ///< a [rad/s²]
@@ -55,11 +55,11 @@ struct SpeedRamp {
                                          double t) noexcept;
 
 /// Speed variation (9.4B): Ω0 + A sin ωt, angle Ω0 t + (A/ω)(1 - cos ωt), ω = 2π frequency;
-/// frequency 0 is no variation. amplitude A in rad/s, frequency in Hz.
+/// frequency 0: no variation. amplitude A in rad/s, frequency in Hz.
 [[nodiscard]] PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
                                           double t) noexcept;
 
-/// All laws of both races together, beside static place and constant spin.
+/// All laws of both races together, in addition to static position and constant spin.
 class RaceLaws {
  public:
   RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions);

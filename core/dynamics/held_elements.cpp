@@ -131,7 +131,8 @@ void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexce
   }
 }
 
-/// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
+/// Adds (A + C)⁻¹ G(w) and the part of race friction in L̇. Impacts of the cage are left to the
+/// former.
 void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
@@ -259,7 +260,7 @@ void HeldElements::align(Evaluation& e, std::size_t i) noexcept {
   account_.moment -= moment;
 }
 
-/// What holds the reference point holds the other rates, too: all are found anew.
+/// The reaction on the reference point changes the other rates, too: all are recomputed.
 void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
   using enum Quantity;
   const ElementMass& body = scene_.masses[i];

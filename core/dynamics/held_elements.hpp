@@ -75,7 +75,7 @@ class HeldElements {
     ElementMasses masses;
     bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
     BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
-    ElementHold suppressed = {};   ///< what kDOF suppresses besides, of off-center elements
+    ElementHold suppressed = {};   ///< additional constraints of kDOF, of off-center elements
     bool aligned = false;          ///< rollers are held in line with their nominal axis
     double axis_angle = 0.0;       ///< γ of that axis [rad]
   };
@@ -111,7 +111,7 @@ class HeldElements {
     return contacts_->normal_force(e, i);
   }
 
-  /// What the inertia that is left out takes at this evaluation; moment about the base origin.
+  /// Load of the excluded inertia at this evaluation; moment about the base origin.
   struct Account {
     double power = 0.0;                                ///< [W]
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
@@ -158,7 +158,7 @@ class HeldElements {
   std::unique_ptr<HeldContacts> contacts_;
   ForcePass pass_;
   std::vector<unsigned char> flags_;
-  std::vector<std::size_t> list_;      ///< held elements, rising
+  std::vector<std::size_t> list_;      ///< held elements, increasing
   std::vector<double> x_dot_, r_dot_;  ///< of all elements
   std::vector<Vec2> residual_;
   Account account_;

@@ -43,8 +43,8 @@ void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
 /// contact of that ball. Without a loaded
 ///   contact: of a contact at 1e-3 of the force scale (the time scale of the run);
 /// expected_step = kPeriodsPerStep/f; steps per revolution of inner relative to outer race (0 for a
-/// bearing that stands); seconds_per_revolution from the least of a few timed right-hand sides at
-/// the start state. The system's cost ledger is left as it was.
+/// bearing at rest); seconds_per_revolution from the least of a few timed right-hand sides at
+/// the start state. The system's cost ledger is not changed.
 /// @throws SolverError when the start state is outside the model's validity.
 void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
               const statics::StaticSolution& statics, System& system);

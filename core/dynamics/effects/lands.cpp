@@ -29,7 +29,7 @@
 /// A segment has an arc of the circle only: s = e·d, d the unit vector of the arc (signed by its
 /// side) with the largest s, takes the place of |e|; inside the arc d = e/|e| and s = |e|. At an
 /// end of the arc d turns with the segment: the force -N d acts on it, and its opposite on the
-/// race, at the point of the race axis beside the slice, which is minus the gradient of the energy
+/// race, at the point of the race axis next to the slice, which is minus the gradient of the energy
 /// over all poses. Limit: the law is that of a full circle also near the ends of the arc.
 ///
 /// Lands with shape errors of the cage or the race have a separate block (uneven_lands.cpp).

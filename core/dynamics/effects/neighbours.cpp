@@ -27,9 +27,9 @@
 ///   angular momentum is conserved.
 /// Heat = friction · u >= 0. With damping (contact_damping.hpp) N is the total force. Without, N is
 /// minus the gradient of law.energy over both centers: without friction energy is conserved. Zero
-/// load and zero heat without overlap. Limits: an overlap of half the sum of the radii is no valid
-/// state. With two balls there is one contact. The spacing of the static solution decides who
-/// touches whom first. Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
+/// load and zero heat without overlap. Limits: an overlap of half the sum of the radii is not a
+/// valid state. With two balls there is one contact. The spacing of the static solution determines
+/// the first contacts. Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
 namespace adore::dynamics {
 namespace {
 
