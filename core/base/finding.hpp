@@ -61,7 +61,7 @@ struct Finding : Issue {
 
 /// A finding of the register. @throws InternalError when the register has no such code
 [[nodiscard]] Finding make_finding(std::string_view code, std::string sentence);
-/// A message of a module below, by its phrase among the codes that begin with `family` ("life.");
+/// A sentence of a module below, by its phrase among the codes that begin with `family` ("life.");
 /// else family + "note".
 [[nodiscard]] Finding finding_of_note(const std::string& sentence, std::string_view family);
 [[nodiscard]] std::vector<Finding> findings_of(std::vector<Issue> issues);
