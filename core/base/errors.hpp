@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Kinds of errors, and who can correct them (CLI exit codes in brackets):
+/// Kinds of errors, and the place of the correction (CLI exit codes in brackets):
 /// InputError [2] the user's deck, file or argument; SolverError [3] the numerics failed;
 /// InternalError [1] a bug.
 namespace adore {

@@ -161,7 +161,7 @@ struct ScalarLanes<stdx::simd<double, Abi>> {
     return V([&](auto lane) { return table[static_cast<int>(static_cast<double>(place[lane]))]; });
 #endif
   }
-  /// One lane after the other takes its four lines, four neighbours at once: a gather of eight
+  /// One lane after the other takes its four lines, four neighbors at once: a gather of eight
   /// lanes takes as long as eight such loads, or twice as long, and brings a quarter (decision
   /// 328).
   [[gnu::always_inline]] static V patch(const double* table, int line, const V& place,

@@ -37,7 +37,7 @@ struct BallGeometry {
   double clearance = 0.0;  ///< diametral clearance Pd of the circular grooves [m]; < 0 is
                            ///< interference (then α0 = 0)
   std::array<double, 2> groove_factor{};  ///< f = groove radius / D, > 0.5
-  /// x of the planes of the groove centres at zero displacement, base frame, outer and inner [m]:
+  /// x of the planes of the groove centers at zero displacement, base frame, outer and inner [m]:
   /// the datum of every displacement (decision 140). Empty: where unloaded balls just touch both
   /// grooves at contact_angle. Bearings given by their clearance have {0, 0}, bearings in operation
   /// the planes of the bearing on the bench.
@@ -70,20 +70,20 @@ struct GuideLand {  ///< record 7.2.i
   Guide guide = Guide::None;
   double diameter = 0.0;   ///< on the cage [m]
   double width = 0.0;      ///< [m]
-  double edge = 0.0;       ///< signed distance cage centre -> outer edge [m]
+  double edge = 0.0;       ///< signed distance cage center -> outer edge [m]
   double clearance = 0.0;  ///< diametral [m]
   LandErrors of_cage, of_race;
   /// A circle in a circle.
   [[nodiscard]] bool ideal() const noexcept { return of_cage.ideal() && of_race.ideal(); }
 };
 
-/// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along
-/// the geometric ones and their mass centre in the geometric centre; records 6 and 7.7 may say
+/// Inertia of one rigid body about its mass center. Ideal shapes have their principal axes along
+/// the geometric ones and their mass center in the geometric center; records 6 and 7.7 may say
 /// otherwise.
 struct Inertia {
   double mass = 0.0;                     ///< [kg]
   Vec3 moments = Vec3::Zero();           ///< principal, about x, y, z [kg m^2]
-  Vec3 geometric_centre = Vec3::Zero();  ///< from the mass centre, geometric axes [m]
+  Vec3 geometric_centre = Vec3::Zero();  ///< from the mass center, geometric axes [m]
   Vec3 frame = Vec3::Zero();             ///< angles from the principal to the geometric axes [rad]
 };
 
@@ -91,8 +91,8 @@ struct Inertia {
 struct PocketDeviation {
   std::array<double, 2> clearance{};  ///< I, II, diametral [m]
   double thickness = 0.0;             ///< of the wall [m]
-  double axial = 0.0;                 ///< of the centre, along the cage's axis [m]
-  double angular = 0.0;               ///< of the centre's azimuth [rad]
+  double axial = 0.0;                 ///< of the center, along the cage's axis [m]
+  double angular = 0.0;               ///< of the center's azimuth [rad]
   Vec3 tilt = Vec3::Zero();           ///< of the pocket's frame, angles about x, y, z in turn [rad]
   [[nodiscard]] bool is_zero() const noexcept {
     return clearance[0] == 0.0 && clearance[1] == 0.0 && thickness == 0.0 && axial == 0.0 &&
@@ -160,8 +160,8 @@ struct Cage : PieceStart {
 };
 
 /// How the inner-race equilibrium of the quasi-static solution is constrained, order x, y, z, about
-/// y, about z (kFS1-5). Inner race relative to outer race; rotations about P, the centre of the
-/// inner groove-centre circle.
+/// y, about z (kFS1-5). Inner race relative to outer race; rotations about P, the center of the
+/// inner groove-center circle.
 struct StaticConstraints {
   std::array<bool, 5> displacement_given{};  ///< false: force or moment given
   std::array<double, 5> load{};              ///< [N, N, N, N m, N m], applied to the inner race
@@ -182,9 +182,9 @@ struct Bearing {
   Material element_material;  ///< of the rolling elements
   std::array<Material, 2> race_material;
   Inertia element_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about
-                            ///< its mass centre
+                            ///< its mass center
   std::optional<Inertia> first_inertia;  ///< of element 1, where it has its own (kReIP = 1)
-  double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
+  double roller_mass_offset = 0.0;  ///< s_G: roller mass center along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
   TractionCurve race_traction;                    ///< element to race

@@ -8,7 +8,7 @@
 namespace adore::bearing {
 
 /// Of element i from 0: element 1 may have its own (record 6.1); another ball, computed or given as
-/// that of the nominal one, follows its diameter, m ~ D³ and I ~ D⁵ with the mass centre at the
+/// that of the nominal one, follows its diameter, m ~ D³ and I ~ D⁵ with the mass center at the
 /// same place. Rollers have that of the nominal roller.
 [[nodiscard]] inline Inertia inertia_of(const Bearing& bearing, std::size_t i) {
   if (i == 0 && bearing.first_inertia) return *bearing.first_inertia;

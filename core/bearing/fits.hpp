@@ -45,7 +45,7 @@ struct ClearanceState {
   double clearance = 0.0;        ///< diametral, < 0 is preload [m]
   double contact_angle = 0.0;    ///< free contact angle of a ball bearing [rad]
   double end_play = 0.0;         ///< free axial clearance 2 A sin α of a ball bearing [m]
-  double centre_distance = 0.0;  ///< A of the curvature centres of a ball bearing [m]
+  double centre_distance = 0.0;  ///< A of the curvature centers of a ball bearing [m]
 };
 
 /// A clearance of the cage.
@@ -67,7 +67,7 @@ struct OperatingFits {
   std::optional<double> axial_setting;      ///< cones: change of the axial setting, above 0 where
                                             ///< the radial clearance shrank [m]
   ClearanceState free, mounted, operating;  ///< unmounted cold; mounted cold at rest; in operation
-  std::array<double, 2> locus_free{}, locus{};  ///< radius of the circle of curvature centres [m]
+  std::array<double, 2> locus_free{}, locus{};  ///< radius of the circle of curvature centers [m]
   double pitch_free = 0.0, pitch = 0.0;         ///< pitch diameter [m]
   double cage_speed = 0.0;      ///< epicyclic, for the cage's centrifugal growth [rad/s]
   std::array<Growth, 2> cage;   ///< outside, bore

@@ -12,7 +12,7 @@ namespace adore::bearing {
 
 /// A race that moves under what acts on it; its inertia is Bearing::race_inertia.
 struct FreeRace {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< applied at the race's centre, constant [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< applied at the race's center, constant [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< applied, constant [N m]
   /// Directions that keep the velocity of their start, or follow the laws below (false: free).
   /// Translations along base axes, rotations about the axes of the race at the start.

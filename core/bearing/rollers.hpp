@@ -38,7 +38,7 @@ struct Flange {
 };
 
 /// Additional radius of a roller along its axis (routine ADRX5): at most 0, cubics between
-/// places whose slopes are those of the parabola through each place and its neighbours; constant
+/// places whose slopes are those of the parabola through each place and its neighbors; constant
 /// beyond the ends.
 struct RollerForm {
   std::vector<double> place, more;  ///< s from mid length, growing; [m]

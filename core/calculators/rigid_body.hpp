@@ -7,7 +7,7 @@
 
 namespace adore::calculators {
 
-/// From mass, principal moments, the angles of their frame and the place of the geometric centre.
+/// From mass, principal moments, the angles of their frame and the place of the geometric center.
 [[nodiscard]] dynamics::RigidBody rigid_body(const Json& inputs);
 
 /// Family motion_frames, kind rigid_body: accelerations of a rigid body under a force and a moment.

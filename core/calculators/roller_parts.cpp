@@ -220,7 +220,7 @@ struct RollingCone {
   TaperedGeometry geometry;
   RollingSpeeds speeds;
   RollerInertia inertia;
-  double centre_radius = 0.0;  ///< of the mass centre
+  double centre_radius = 0.0;  ///< of the mass center
 };
 
 RollingCone rolling_cone(const Json& in) {

@@ -123,7 +123,7 @@ std::string makers_name(std::string_view designation) {
                                                       : "";
 }
 
-/// "25x52x15" and more: millimetres between x.
+/// "25x52x15" and more: millimeters between x.
 std::optional<std::vector<double>> sizes_in(std::string_view text) {
   std::vector<double> out;
   std::string rest(text);

@@ -28,7 +28,7 @@ class Sets {
   void real(std::string_view name, double value) {
     list_.emplace_back(name, fmt::format("{}", value));
   }
-  /// A length, to a tenth of a micrometre.
+  /// A length, to a tenth of a micrometer.
   void length(std::string_view name, double value) { real(name, std::round(value * 1e7) / 1e7); }
   void whole(std::string_view name, long long value) {
     list_.emplace_back(name, fmt::format("{}", value));

@@ -85,7 +85,7 @@ double middle_clearance(BearingType type, std::string_view group, double bore, b
 
 double real(const std::string& text) {
   double value = 0.0;
-  demand(!parse_real(text, value), "what was proposed is a number");
+  demand(!parse_real(text, value), "a proposed value is a number");
   return value;
 }
 

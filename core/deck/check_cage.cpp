@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-/// Records 7 and 9.6: the cage and its neighbours. Lengths are compared in metres.
+/// Records 7 and 9.6: the cage and its neighbors. Lengths are compared in meters.
 namespace adore::deck {
 namespace {
 
@@ -27,7 +27,7 @@ void check_pocket_code(Checker& c) {
         "valid for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface pairs)");
 }
 
-/// Pockets: the element must fit in, and neighbours must leave a web.
+/// Pockets: the element must fit in, and neighbors must leave a web.
 void check_pockets(Checker& c) {
   const auto type = c.integer("kBrg");
   const auto pocket = c.integer("kPocType");

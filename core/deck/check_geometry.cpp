@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-/// Records 4 and 5: sizes that cannot go together. Lengths are compared in metres.
+/// Records 4 and 5: sizes that cannot go together. Lengths are compared in meters.
 namespace adore::deck {
 namespace {
 
@@ -17,7 +17,7 @@ constexpr double kRounding =
 
 bool above(double a, double b) { return a > b * (1.0 + kRounding) + 1e-15; }
 
-/// Chord between neighbouring element centres on a circle.
+/// Chord between neighboring element centers on a circle.
 double element_pitch(double circle_diameter, long long count) {
   return circle_diameter * std::sin(std::numbers::pi / static_cast<double>(count));
 }

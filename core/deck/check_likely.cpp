@@ -35,7 +35,7 @@ bool says_cryogenic(const Checker& c) {
   return false;
 }
 
-/// The temperatures below kColdest share one remark: a user who writes deg C writes it everywhere.
+/// The temperatures below kColdest share one remark: deg C is then used for all of them.
 void check_celsius(Checker& c) {
   std::string_view first;
   std::string others;

@@ -15,7 +15,7 @@
 namespace adore::deck {
 namespace {
 
-/// Exponents of metre, kilogram, second, kelvin and radian.
+/// Exponents of meter, kilogram, second, kelvin and radian.
 using Dimension = std::array<int, 5>;
 constexpr Dimension kPureNumber{};
 

@@ -69,8 +69,8 @@ RecordSpec loads() {
                               "estimate. Measured from {2} of the unmounted bearing at room "
                               "temperature and rest: fits, growth and speed act against it.",
                               number, static_cast<char>(axis - 'A' + 'a'),
-                              axis == 'X' ? "where all balls just touch at freeConAng by +x, or "
-                                            "cones just touch, or else mid planes coincide,"
+                              axis == 'X' ? "the position in which all balls (at freeConAng, by "
+                                            "+x) or cones just touch, or the mid planes coincide,"
                                           : "the coaxial position"))));
   return spec;
 }

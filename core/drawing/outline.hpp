@@ -36,7 +36,7 @@ enum class Part : unsigned char {
   Cage,
   OuterFlange,
   InnerFlange,
-  Construction,  ///< centre lines, pitch circle, contact line, tangents
+  Construction,  ///< center lines, pitch circle, contact line, tangents
   Curve
 };
 
@@ -71,7 +71,7 @@ struct Shape {
 struct Dimension {
   enum class Kind : unsigned char {
     Span,    ///< arrows at both ends of from - to
-    Radius,  ///< arrow from the centre `from` to the arc at `to`
+    Radius,  ///< arrow from the center `from` to the arc at `to`
     Leader,  ///< pointer from the label at `from` to the point `to`
     Angle    ///< arc about `centre` from the ray through `from` to the ray through `to`
   };

@@ -18,7 +18,7 @@ struct Raceway {
 };
 
 /// Groove of a ball bearing between the shoulders; a split ring has two arcs with their own
-/// centres.
+/// centers.
 Raceway ball_raceway(const OutlineModel& m, int race) {
   const auto j = static_cast<std::size_t>(race);
   const double sigma = race == 0 ? 1.0 : -1.0;

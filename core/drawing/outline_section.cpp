@@ -19,7 +19,7 @@ double reach_of(const OutlineModel& m) {
          std::max({m.ring_width[0], m.ring_width[1], m.length, m.cage ? m.cage->width : 0.0});
 }
 
-/// Direction from an element's centre to its contact with a race.
+/// Direction from an element's center to its contact with a race.
 Point contact_direction(const OutlineModel& m, int race) {
   const double sigma = race == 0 ? 1.0 : -1.0;
   return {sigma * std::sin(m.angle), sigma * std::cos(m.angle)};

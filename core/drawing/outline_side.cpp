@@ -126,7 +126,7 @@ class Actions {
   Actions(const Deck& deck, Pane& pane, Map map, double size)
       : deck_(deck), pane_(pane), map_(map), size_(size) {}
 
-  /// Straight arrow from the centre along an axis (0 x, 1 y, 2 z); its length is the value's share
+  /// Straight arrow from the center along an axis (0 x, 1 y, 2 z); its length is the value's share
   /// of `largest`.
   void force(const std::string& variable, int axis, double largest, Arrow::Kind kind, bool rules,
              Point foot = {}) {

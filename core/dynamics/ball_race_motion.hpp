@@ -15,7 +15,7 @@ struct RacePairMotion {
   contact::Triple<T> tilt;           ///< angular velocity of the race across its axis [rad/s]
   S race_speed = 0.0;                ///< Ω about its axis [rad/s]
   bool tilts = false;                ///< tilt is not 0
-  contact::Triple<T> ball_velocity;  ///< of its centre [m/s]
+  contact::Triple<T> ball_velocity;  ///< of its center [m/s]
   contact::Triple<T> ball_omega;     ///< [rad/s]
   T orbital_speed;                   ///< θ̇, read for the entrainment only [rad/s]
   S ball_radius = 0.0;               ///< likewise [m]
@@ -26,8 +26,8 @@ struct RacePairMotion {
 ///   entrainment = ½ (u_t - W_c h) - h (ω_ball - θ̇ e_x)·c,  h = r_ball: mean of both surfaces'
 ///   velocities at ξ = η = 0 along t in the frame that orbits with the ball;
 ///   curvature = 1/r_ball - n_e/(R + r_ball n_e): of both bodies along t, R the distance of the
-///   ball's centre from the race axis.
-/// @param d ball centre from P_j; k race axis; approach_rate dδ/dt in a race of revolution, w·n < 0
+///   ball's center from the race axis.
+/// @param d ball center from P_j; k race axis; approach_rate dδ/dt in a race of revolution, w·n < 0
 /// [m/s]
 template <class T, class S>
 [[gnu::always_inline]] inline tribology::EllipseMotion<T> ellipse_motion(

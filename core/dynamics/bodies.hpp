@@ -18,10 +18,10 @@ enum class Moves : unsigned char {
 struct BodyState {
   Moves moves = Moves::Prescribed;
   double mass = 0.0;                 ///< of integrated bodies [kg]
-  Mat3 inertia = Mat3::Zero();       ///< the same, about the mass centre, body axes [kg m²]
+  Mat3 inertia = Mat3::Zero();       ///< the same, about the mass center, body axes [kg m²]
   Vec3 mass_centre = Vec3::Zero();   ///< from `position`, body axes [m]
-  Vec3 position = Vec3::Zero();      ///< of its reference point: of a cage segment the mass centre,
-                                     ///< of a race the centre of the groove circle P_j [m]
+  Vec3 position = Vec3::Zero();      ///< of its reference point: of a cage segment the mass center,
+                                     ///< of a race the center of the groove circle P_j [m]
   Vec3 velocity = Vec3::Zero();      ///< of that point [m/s]
   Vec3 acceleration = Vec3::Zero();  ///< of that point, where it is prescribed; reports only
   Quat attitude{1, 0, 0, 0};         ///< body -> base

@@ -148,7 +148,7 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
 }
 
 /// Outer contact with approach 0 and no axial normal component: l(p) = s, n_x(p) = 0 by Newton. On
-/// an untilted race x is that of the groove's centre plane.
+/// an untilted race x is that of the groove's center plane.
 Vec2 ConstrainedBall::idle_place(const RacePose& race, double theta,
                                  const Vec2& guess) const noexcept {
   const Mat3 frame = azimuth_frame(theta);

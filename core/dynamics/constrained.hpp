@@ -18,7 +18,7 @@ struct WavyGroove;
 /// (contact/angle_law.hpp): it has a potential V.
 /// Balance at azimuth θ: G = (F_x - V_x, F_r - V_r + centrifugal(r)) = 0, and everything implicit
 /// follows from ∂G/∂(x, r).
-/// Limits: frictionless normal contacts plus given forces; ball centre off the race axis.
+/// Limits: frictionless normal contacts plus given forces; ball center off the race axis.
 namespace adore::dynamics {
 
 using Vec2 = Eigen::Vector2d;
@@ -88,7 +88,7 @@ class ConstrainedBall {
   }
   [[nodiscard]] const contact::GrooveGeometry& groove() const noexcept { return groove_; }
   [[nodiscard]] const std::array<double, 2>& hertz_constants() const noexcept { return K_; }
-  /// @param pose in the azimuth frame of the ball; place x and r of its centre
+  /// @param pose in the azimuth frame of the ball; place x and r of its center
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
   /// The same with a wavy race. @param per_turn change of the force on the ball, -Q n, with the

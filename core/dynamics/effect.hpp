@@ -62,7 +62,7 @@ class BorderBody {
  public:
   virtual ~BorderBody() = default;
   /// Adds to `row`, one value for each state component of this body, what a contact of element i
-  /// adds to the rates of this body; force and moment (about the element's centre) are those on the
+  /// adds to the rates of this body; force and moment (about the element's center) are those on the
   /// element [N, N m], base frame.
   virtual void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
                          double* row) const noexcept = 0;

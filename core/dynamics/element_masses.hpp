@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <vector>
 
-/// Mass and inertia of rolling elements: alike, given (record 6.1), or of balls of unequal diameter
-/// (bearing/element_inertia.hpp).
+/// Mass and inertia of rolling elements: identical, given (record 6.1), or of balls of unequal
+/// diameter (bearing/element_inertia.hpp).
 ///
-/// The nine quantities of an element are those of its reference point: the centre of a ball, of a
-/// roller the point of its axis beside the mass centre that contacts count from
-/// (Bearing::roller_mass_offset). Its mass centre is `arm` from there in body axes: zero but for
+/// The nine quantities of an element are those of its reference point: the center of a ball, of a
+/// roller the point of its axis at the mass center, from which contacts count
+/// (Bearing::roller_mass_offset). Its mass center is `arm` from there in body axes: zero but for
 /// unbalanced elements, and of rollers zero along the axis unless element 1 has its own inertia.
 namespace adore::dynamics {
 
@@ -19,7 +19,7 @@ using Mat3 = Eigen::Matrix3d;
 
 struct ElementMass {
   double mass = 0.0;            ///< [kg]
-  Mat3 inertia = Mat3::Zero();  ///< about the mass centre, body axes [kg m²]
+  Mat3 inertia = Mat3::Zero();  ///< about the mass center, body axes [kg m²]
   Mat3 inverse = Mat3::Zero();  ///< of it
   Vec3 arm = Vec3::Zero();      ///< [m]
   bool off_centre = false;      ///< the arm is not 0
@@ -34,7 +34,7 @@ class ElementMasses {
   }
   /// All have the same mass and inertia.
   [[nodiscard]] bool alike() const noexcept { return all_.size() == 1; }
-  /// Some mass centre is not at the reference point.
+  /// Some mass center is not at the reference point.
   [[nodiscard]] bool off_centre() const noexcept;
 
  private:

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// Rolling elements as structures of arrays: what is known of each element,
-/// where it stands in the state and what acts on it, every list stated once.
-/// Mass centre in cylindrical coordinates (x, r, θ) about the bearing axis;
+/// Rolling elements as structures of arrays: data of each element,
+/// its place in the state and its loads, every list defined once.
+/// Mass center in cylindrical coordinates (x, r, θ) about the bearing axis;
 /// azimuth unit vectors e_r = (0,-sin θ,cos θ), e_θ = (0,-cos θ, -sin θ); ω
 /// absolute on e_x, e_r, e_θ.
 namespace adore::dynamics {
@@ -17,7 +17,7 @@ namespace adore::dynamics {
 /// Views of n elements; each pointer addresses n values.
 struct ElementViews {
   std::size_t n = 0;
-  const double *x, *r, *sin_theta, *cos_theta;  ///< centre [m], azimuth
+  const double *x, *r, *sin_theta, *cos_theta;  ///< center [m], azimuth
   const double *x_dot, *r_dot, *theta_dot;      ///< [m/s, m/s, rad/s]
   const double *omega_x, *omega_r,
       *omega_theta;               ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
@@ -33,7 +33,7 @@ inline constexpr std::array kElementViews{
     &ElementViews::omega_theta, &ElementViews::theta};
 using ElementStorage = std::array<std::vector<double>, kElementViews.size()>;
 
-/// What the state holds of every element, in its order.
+/// State variables of every element, in its order.
 enum class Quantity : unsigned char {
   X,
   R,
@@ -63,7 +63,7 @@ inline constexpr std::array kQuantities{
     QuantityLine{"omega_r", "rad/s", ScaleKind::Rate, &ElementViews::omega_r},
     QuantityLine{"omega_theta", "rad/s", ScaleKind::Rate, &ElementViews::omega_theta}};
 
-/// Where each quantity stands in the state: one slice per quantity, all
+/// Place of each quantity in the state: one slice per quantity, all
 /// elements in it.
 class ElementSlices {
  public:
@@ -89,7 +89,7 @@ class ElementSlices {
 /// there.
 struct ElementForces {
   double *F_x, *F_r, *F_theta;  ///< on the element [N]
-  double *M_x, *M_r, *M_theta;  ///< about its centre [N m]
+  double *M_x, *M_r, *M_theta;  ///< about its center [N m]
   double* load;                 ///< Q of this race [N] (assigned)
   double* heat;                 ///< ∫ κ p u dA [W] (assigned)
   double* load_slip;            ///< ∫ p u dA [W] (assigned); not touched when null
@@ -105,7 +105,7 @@ using ElementActions = std::array<std::vector<double>, kElementActions.size()>;
 /// `cos` (n values each). False: an element is on the bearing axis.
 bool view_elements(const double* y, const ElementSlices& slices, double* sin, double* cos,
                    ElementViews& out) noexcept;
-/// Where the rates of each quantity are written, in their order.
+/// Targets of the rates of each quantity, in their order.
 [[nodiscard]] inline std::array<double*, kQuantities.size()> rates_in(
     double* dydt, const ElementSlices& slices) noexcept {
   std::array<double*, kQuantities.size()> out{};
@@ -117,7 +117,7 @@ bool view_elements(const double* y, const ElementSlices& slices, double* sin, do
 [[nodiscard]] ElementViews view_of(const ElementStorage& storage, std::size_t n) noexcept;
 /// Copies element i of `from` to place k.
 void gather(const ElementViews& from, std::size_t i, ElementStorage& to, std::size_t k) noexcept;
-/// Where contacts add and write; load_slip may be null.
+/// Targets of the contacts' sums and values; load_slip may be null.
 [[nodiscard]] ElementForces forces_in(ElementActions& actions, double* load, double* heat,
                                       double* load_slip) noexcept;
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-/// What one evaluation of the right-hand side works on: bodies, and the forces and moments that
+/// Working data of one evaluation of the right-hand side: bodies, and the forces and moments that
 /// effects (effect.hpp) add to them.
 namespace adore::dynamics {
 
@@ -24,11 +24,11 @@ struct Evaluation {
   ElementViews elements{};  ///< views into y, and into sin_theta, cos_theta
   std::vector<double> sin_theta, cos_theta;
   std::vector<Mat3> attitude;  ///< of elements, body -> base, where it is integrated; else empty
-  ElementActions actions;      ///< forces and moments on the elements, about their centres [N, N m]
+  ElementActions actions;      ///< forces and moments on the elements, about their centers [N, N m]
   std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and element
   std::vector<BodyState> segments;  ///< of the cage; a cage of one piece is one, none: no cage
   std::array<RaceBody, 2> race;
-  std::vector<BodyState> others;  ///< of effects that bring bodies of their own
+  std::vector<BodyState> others;  ///< of effects that add bodies
 
   RaceLoad balance;      ///< of an inner race in force balance
   double elastic = 0.0;  ///< of all contacts [J]

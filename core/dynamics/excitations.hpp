@@ -11,7 +11,7 @@
 /// disagree; at t = 0 the velocity is that of the law, not 0. Laws without amplitude are at rest.
 namespace adore::dynamics {
 
-/// A race centre and its time derivatives.
+/// A race center and its time derivatives.
 struct PrescribedMotion {
   Vec3 position, velocity, acceleration;  ///< [m, m/s, m/s²]
 };
@@ -23,11 +23,11 @@ struct PrescribedTurn {
 
 /// Load that turns (9.3A): of the static radial deflection, size δ at azimuth ψ, the share f of
 /// each race turns at its speed ω and the rest stays. At t = 0 every race has its static position.
-/// Inner centre: s_i + f_i δ [e_r(ψ + ω_i t) - e_r(ψ)]; outer: s_o - f_o δ [e_r(ψ + ω_o t) -
+/// Inner center: s_i + f_i δ [e_r(ψ + ω_i t) - e_r(ψ)]; outer: s_o - f_o δ [e_r(ψ + ω_o t) -
 /// e_r(ψ)]. Without radial deflection nothing moves.
 class RotatingLoad {
  public:
-  /// @param static_centre outer, inner race centre of the static solution [m]
+  /// @param static_centre outer, inner race center of the static solution [m]
   /// @param fraction, speed of outer and inner race [-, rad/s]
   RotatingLoad(const std::array<Vec3, 2>& static_centre, const std::array<double, 2>& fraction,
                const std::array<double, 2>& speed) noexcept;
@@ -45,7 +45,7 @@ class RotatingLoad {
                                          double frequency, double t) noexcept;
 
 /// Speed ramp (9.4A): Ω0 + a (clamp(t, begin, end) - begin), a acts on [begin, end). An empty
-/// window (end <= begin) is no ramp. Steppers must break their step at begin and end, where the
+/// window (end <= begin) has no ramp. Steppers must break their step at begin and end, where the
 /// acceleration jumps.
 struct SpeedRamp {
   double acceleration = 0.0;      ///< a [rad/s²]
@@ -55,11 +55,11 @@ struct SpeedRamp {
                                          double t) noexcept;
 
 /// Speed variation (9.4B): Ω0 + A sin ωt, angle Ω0 t + (A/ω)(1 - cos ωt), ω = 2π frequency;
-/// frequency 0 is no variation. amplitude A in rad/s, frequency in Hz.
+/// frequency 0: no variation. amplitude A in rad/s, frequency in Hz.
 [[nodiscard]] PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
                                           double t) noexcept;
 
-/// All laws of both races together, beside static place and constant spin.
+/// All laws of both races together, in addition to static position and constant spin.
 class RaceLaws {
  public:
   RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions);

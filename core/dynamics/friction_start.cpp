@@ -80,7 +80,8 @@ class Elements {
                                quaternion_about(Vec3::UnitY(), -u[kTilt])),
                       quaternion_about(Vec3::UnitZ(), u[kSkew])));
   }
-  /// In the order of u: tilt is a turn about -y (e_θ), skew one about z (e_r), spin one about a.
+  /// In the order of u: tilt is a rotation about -y (e_θ), skew one about z (e_r), spin one about
+  /// a.
   [[nodiscard]] Vec rates(const std::vector<double>& dydt, std::size_t i, const Vec& u,
                           const Scales& scales) const {
     const double T = scales.time, L = scales.length, c = std::cos(u[kTilt]), s = std::sin(u[kTilt]);
@@ -120,7 +121,7 @@ struct Roller {
   bool done = false;
 };
 
-/// Whether skew leaves the balance by itself: the others follow it at once.
+/// Does skew leave the balance if the others follow it at once?
 bool runs_away(const Roller& of) {
   static constexpr std::array kOthers{kX, kR, kTilt, kSpin};
   Eigen::Matrix4d among;

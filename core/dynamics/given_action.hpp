@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What reference cases add to the scene of a System, and what they see of it after an evaluation:
-/// the only way from outside of the dynamics to Evaluation. SI, base axes.
+/// Additional loads of reference cases on the scene of a System, and their access to it after an
+/// evaluation: the only way from outside of the dynamics to Evaluation. SI, base axes.
 namespace adore::dynamics {
 
 struct Evaluation;
@@ -38,7 +38,7 @@ struct SceneView {
   Evaluation* e = nullptr;
   const RaceModels* races = nullptr;
   PocketContact* pockets = nullptr;  ///< null: no pockets
-  /// Of element 0 in its pocket, of the evaluation made last [m]; round pockets that are all alike.
+  /// Of element 0 in its pocket, from the last evaluation [m]; identical round pockets.
   [[nodiscard]] double pocket_gap() const noexcept;
   /// Into the wall where it is nearest.
   [[nodiscard]] Vec3 pocket_normal() const noexcept;
@@ -49,7 +49,7 @@ struct SceneView {
 /// An element against a wall of a body (effects/pockets.hpp).
 struct WallContact {
   double N = 0.0, rate = 0.0, heat = 0.0;         ///< normal force, of approach [N, m/s, W]
-  Vec3 arm = Vec3::Zero(), point = Vec3::Zero();  ///< element centre -> contact; contact [m]
+  Vec3 arm = Vec3::Zero(), point = Vec3::Zero();  ///< element center -> contact; contact [m]
   Vec3 on_element = Vec3::Zero(), friction = Vec3::Zero();  ///< whole force, its friction part [N]
 };
 /// @param m unit vector into the wall; overlap along it [m]

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-/// Grooves of held balls (constrained.hpp). Left out: races that tilt in time.
+/// Grooves of held balls (constrained.hpp). Not included: races that tilt in time.
 namespace adore::dynamics {
 
 class HeldBalls final : public HeldContacts {
@@ -27,7 +27,7 @@ class HeldBalls final : public HeldContacts {
  private:
   static constexpr double kFreePath = 0.02;  ///< over (groove - ball radius)
 
-  /// Of one race, for balls that are all alike and a race of revolution.
+  /// Of one race, for identical balls and a race of revolution.
   void round_springs(const Evaluation& e, std::size_t j, std::span<const std::size_t> held,
                      std::span<HeldSprings> out) noexcept;
   /// For all others.

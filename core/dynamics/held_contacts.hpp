@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <span>
 
-/// What held elements (held_elements.hpp) touch: the part of the light-load balance that depends on
-/// the kind of element: normal forces of the races. Vectors in the basis (e_x, e_r, e_θ) of each
+/// Contacts of held elements (held_elements.hpp): the part of the light-load balance that depends
+/// on the kind of element: normal forces of the races. Vectors in the basis (e_x, e_r, e_θ) of each
 /// element; one call for all held elements, none per contact. SI.
 namespace adore::dynamics {
 
@@ -22,7 +22,7 @@ struct HeldSprings {
   Mat3 stiffness = Mat3::Zero();  ///< of all that it touches [N/m]
 };
 
-/// Where an element would stand in balance.
+/// Position of an element in balance.
 struct HeldPlace {
   double x = 0.0, r = 0.0;  ///< [m]
   double speed = 0.0;       ///< θ̇ there, m r² θ̇ kept [rad/s]

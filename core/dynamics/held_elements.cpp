@@ -25,7 +25,7 @@ Mat3 azimuth_frame(const Evaluation& e, std::size_t i) noexcept {
   return frame;
 }
 
-/// From the reference point to the mass centre, on (x, r, θ).
+/// From the reference point to the mass center, on (x, r, θ).
 Vec3 arm_of(const Evaluation& e, std::size_t i, const ElementMass& body) noexcept {
   return e.to_cylindrical(i, Vec3(e.attitude[i] * body.arm));
 }
@@ -131,7 +131,8 @@ void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexce
   }
 }
 
-/// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
+/// Adds (A + C)⁻¹ G(w) and the part of race friction in L̇. Impacts of the cage are left to the
+/// former.
 void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
@@ -231,7 +232,7 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
     residual_[i] = Vec2(scene_.axial ? m * ax : 0.0, m * ar);
     account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], m * r_dot_[i] * td);
-    // Of the mass centre, what it carries left out.
+    // Of the mass center, what it carries left out.
     const Vec3 velocity = e.to_base(i, left_out(i)[0], left_out(i)[1], 0.0);
     Vec3 carried = m * r * td * e_theta_at(e, i);
     if (!scene_.axial) carried[0] += m * x_dot_[i];
@@ -259,7 +260,7 @@ void HeldElements::align(Evaluation& e, std::size_t i) noexcept {
   account_.moment -= moment;
 }
 
-/// What holds the reference point holds the other rates, too: all are found anew.
+/// The reaction on the reference point changes the other rates, too: all are recomputed.
 void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
   using enum Quantity;
   const ElementMass& body = scene_.masses[i];

@@ -20,9 +20,9 @@
 ///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
 ///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
 /// B and C are those of the element by itself, whatever it touches standing or moving as it does
-/// (ElementSupport): neighbours of a bearing without cage act on G alone. The balance G = 0 does
+/// (ElementSupport): neighbors of a bearing without cage act on G alone. The balance G = 0 does
 /// not know A, B and C, so that it is met exactly; the way there stays a decay, because A + C,
-/// symmetric and positive, is no less than what it stands for: two neighbours press with a
+/// symmetric and positive, is no less than what it stands for: two neighbors press with a
 /// stiffness of [B -B; -B B] <= 2 diag(B, B), and rub with [C -C; -C C] <= 2 diag(C, C), of which
 /// 2C is taken. A departure from balance decays like that of a critically damped element without
 /// inertia, at half its natural frequency: not faster than the element itself would move, and
@@ -33,7 +33,7 @@
 /// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, all rollers but tapered ones) only r is
 /// in balance. Nothing balances a cylindrical roller along its axis: between its flanges it flies,
 /// and strikes them with its momentum, which is most of their heat where races carry nothing. A
-/// barrel turns about the centre of its groove: x and tilt are one motion, whose inertia is that of
+/// barrel turns about the center of its groove: x and tilt are one motion, whose inertia is that of
 /// x (m R² against the 80 times smaller moment of inertia of the NU22208's); left without it,
 /// friction would be as much stiffer. Tilt, skew and spin of rollers stay dynamic: held or not,
 /// they turn by Euler's equations, but with `aligned` (qFac, manual record 2.1: "no misalignment or
@@ -51,20 +51,20 @@
 /// The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ of held elements stand
 /// in the state as zero.
 ///
-/// An element whose mass centre is beside its reference point P (element_masses.hpp) is held at P
+/// An element whose mass center is beside its reference point P (element_masses.hpp) is held at P
 /// (constrained_element.hpp): G are the components along x and r of what holds it, with sign, so
 /// that its unbalance m ω × (ω × c) is a load of the balance. Its kinetic energy and momentum are
-/// those of the mass centre, whose velocity is r θ̇ e_θ + ω × c; the ledger takes F·u + m ṙ θ̇ (r θ̇
+/// those of the mass center, whose velocity is r θ̇ e_θ + ω × c; the ledger takes F·u + m ṙ θ̇ (r θ̇
 /// + (ω × c)_θ), u = (ẋ, ṙ) [derived], which is G·u without c.
 ///
 /// Modes 1 and 2 hold all elements. In mode 2 the inner race follows its own balance by the same
 /// kind of motion (balanced_race.hpp), and w holds what its velocity does to the elements.
 ///
 /// Limits: the way to balance sees of an unbalanced element ω × (ω × c), not ω̇ × c; w leaves out
-/// the cage, neighbours, gravity and races that tilt in time; a held element follows those, and
+/// the cage, neighbors, gravity and races that tilt in time; a held element follows those, and
 /// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
 /// to milliseconds across an outer groove at low speed. C leaves out friction of rollers on
-/// flanges, in pockets and on neighbours.
+/// flanges, in pockets and on neighbors.
 namespace adore::dynamics {
 
 inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
@@ -75,7 +75,7 @@ class HeldElements {
     ElementMasses masses;
     bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
     BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
-    ElementHold suppressed = {};   ///< what kDOF suppresses besides, of off-centre elements
+    ElementHold suppressed = {};   ///< additional constraints of kDOF, of off-center elements
     bool aligned = false;          ///< rollers are held in line with their nominal axis
     double axis_angle = 0.0;       ///< γ of that axis [rad]
   };
@@ -111,7 +111,7 @@ class HeldElements {
     return contacts_->normal_force(e, i);
   }
 
-  /// What the inertia that is left out takes at this evaluation; moment about the base origin.
+  /// Load of the excluded inertia at this evaluation; moment about the base origin.
   struct Account {
     double power = 0.0;                                ///< [W]
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
@@ -158,7 +158,7 @@ class HeldElements {
   std::unique_ptr<HeldContacts> contacts_;
   ForcePass pass_;
   std::vector<unsigned char> flags_;
-  std::vector<std::size_t> list_;      ///< held elements, rising
+  std::vector<std::size_t> list_;      ///< held elements, increasing
   std::vector<double> x_dot_, r_dot_;  ///< of all elements
   std::vector<Vec2> residual_;
   Account account_;

@@ -52,7 +52,7 @@ bool update_race(const Mode2Balls& set, const Vec5& q, Mode2Race& state, double 
   for (Mode2Ball& element : state.elements) {
     const double theta = set.theta[element.number];
     BallBalance& b = element.balance;
-    // First guess: half way between the two groove-centre circles' unloaded places.
+    // First guess: half way between the two groove-center circles' unloaded places.
     const Vec2 from =
         element.known
             ? b.place()

@@ -8,7 +8,7 @@
 
 /// Balls and the inner race in balance (mode 2): load + Σ (force of the balls on the inner race) =
 /// 0. The balls of constrained.hpp are an element set of statics/race_equilibrium.hpp, whose Newton
-/// solves for the centre of the race with its axis held; the race stiffness by the Schur complement
+/// solves for the center of the race with its axis held; the race stiffness by the Schur complement
 ///   K_c = Σ [S_i - S_i J B⁻¹ Jᵀ S_i],  S_i inner contact stiffness, B of the ball, J = (e_x, e_r).
 namespace adore::dynamics {
 
@@ -23,7 +23,7 @@ struct Mode2Solution {
 };
 /// A direction in which nothing holds the race stays at its guess, unless the load pushes along it:
 /// then the race walks until balls touch.
-/// @param races the inner centre is the first guess
+/// @param races the inner center is the first guess
 /// @param theta, orbit one per ball
 [[nodiscard]] Mode2Solution solve_mode2(const ConstrainedBall& ball,
                                         const std::array<RacePose, 2>& races,

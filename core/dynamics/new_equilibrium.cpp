@@ -112,7 +112,7 @@ class Instant {
 
  private:
   struct RacePlace {
-    Vec3 displacement = Vec3::Zero();  ///< of its centre from its free position [m]
+    Vec3 displacement = Vec3::Zero();  ///< of its center from its free position [m]
     Vec3 axis = Vec3::UnitX();
     double speed = 0.0;  ///< about its axis [rad/s]
   };
@@ -127,7 +127,7 @@ class Instant {
   MovingScene scene_;
   System& system_;
   double t_;
-  std::array<double, 2> free_x_{};  ///< of the race centres in the unloaded bearing [m]
+  std::array<double, 2> free_x_{};  ///< of the race centers in the unloaded bearing [m]
   std::array<RacePlace, 2> poses_;
   ElementSlices slices_;
   std::vector<Slice> attitude_;  ///< of rollers

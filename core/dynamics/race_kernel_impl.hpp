@@ -295,7 +295,7 @@ class Contacts {
   [[gnu::always_inline]] void add_to(const RaceKernelInput& in, const Lanes& at,
                                      const tribology::EllipseSums<V>& traction,
                                      Totals& totals) const;
-  /// Adds rolling resistance F along t: 2 F R'/r - F on the ball at its centre, with 1/R' the
+  /// Adds rolling resistance F along t: 2 F R'/r - F on the ball at its center, with 1/R' the
   /// curvature of both bodies, and F r about c; the opposite on the race (rolling_resistance.hpp).
   template <class Law>
   [[gnu::always_inline]] void roll(const Lanes& at, const Balls& balls, const Law& law,
@@ -325,7 +325,7 @@ class Contacts {
     totals.moment_y += s_ * about.y + c_ * about.z;
     totals.moment_z -= c_ * about.y - s_ * about.z;
   }
-  /// Ball centre from P_j.
+  /// Ball center from P_j.
   [[gnu::always_inline]] static Vec from_centre(const Lanes& at, V r, const Vec& centre) {
     return {get(at.x) - centre.x, r - centre.y, -centre.z};
   }

@@ -47,9 +47,9 @@ struct SpinRates {
 /// axes may be rotated.
 struct RigidBody {
   double mass = 0.0;            ///< [kg]
-  Mat3 inertia = Mat3::Zero();  ///< about the mass centre, geometric axes [kg m²]
+  Mat3 inertia = Mat3::Zero();  ///< about the mass center, geometric axes [kg m²]
   Vec3 to_geometric_centre =
-      Vec3::Zero();  ///< g, mass centre -> geometric centre, geometric axes [m]
+      Vec3::Zero();  ///< g, mass center -> geometric center, geometric axes [m]
 };
 
 /// I_geo = A diag(I) A^T, A = T(η, ξ, λ) turns principal into geometric components.
@@ -68,14 +68,14 @@ struct RigidBody {
           given.geometric_centre};
 }
 
-/// ω̇ = I⁻¹ (M - ω × Iω), body axes, M about the mass centre.
+/// ω̇ = I⁻¹ (M - ω × Iω), body axes, M about the mass center.
 [[nodiscard]] Vec3 euler_rate(const Mat3& inertia, const Vec3& omega, const Vec3& moment) noexcept;
 [[nodiscard]] inline Vec3 euler_rate(const Vec3& principal, const Vec3& omega,
                                      const Vec3& moment) noexcept {
   return (moment - omega.cross(Vec3(principal.cwiseProduct(omega)))).cwiseQuotient(principal);
 }
 
-/// Velocity and acceleration of the geometric centre: v_G + R(ω × g), a_G + R(ω̇ × g + ω × (ω × g)).
+/// Velocity and acceleration of the geometric center: v_G + R(ω × g), a_G + R(ω̇ × g + ω × (ω × g)).
 [[nodiscard]] inline Vec3 geometric_centre_velocity(const RigidBody& body, const Mat3& R,
                                                     const Vec3& v_mass_centre,
                                                     const Vec3& omega) noexcept {
@@ -107,7 +107,7 @@ struct RaceAccelerations {
 };
 /// Translation: a = F/m on free rows. Rotation: the free rows of I α + ω × Iω = M for the free α,
 /// with the prescribed ones given; the other rows give the holding moment. `inertia` about the mass
-/// centre in base axes; forces and moments without the holding ones.
+/// center in base axes; forces and moments without the holding ones.
 [[nodiscard]] RaceAccelerations race_accelerations(double mass, const Mat3& inertia,
                                                    const Vec3& omega, const Vec3& force,
                                                    const Vec3& moment,
@@ -116,8 +116,8 @@ struct RaceAccelerations {
 /// A body that is held at a point P, base axes.
 struct HeldAt {
   double mass = 0.0;
-  Mat3 inertia = Mat3::Zero();   ///< about the mass centre [kg m²]
-  Vec3 arm = Vec3::Zero();       ///< c, P -> mass centre [m]
+  Mat3 inertia = Mat3::Zero();   ///< about the mass center [kg m²]
+  Vec3 arm = Vec3::Zero();       ///< c, P -> mass center [m]
   Mat3 axes = Mat3::Identity();  ///< columns: what rotations are constrained about
 };
 /// The same with forces and constraints at P, moments about it, and translations of P:
@@ -136,7 +136,7 @@ struct CageStart {
   Vec3 omega_body;                             ///< [rad/s]
 };
 /// ω_c = speed_ratio × epicyclic (statics::epicyclic_speed) about X; whirl = whirl_ratio ω_c. Mass
-/// centre at locus + offset, moving with whirl e_x × offset. `angles` η, ξ, λ of the cage frame.
+/// center at locus + offset, moving with whirl e_x × offset. `angles` η, ξ, λ of the cage frame.
 [[nodiscard]] CageStart cage_start(double epicyclic, double speed_ratio, double whirl_ratio,
                                    const Vec3& locus, const Vec3& offset,
                                    const Vec3& angles) noexcept;

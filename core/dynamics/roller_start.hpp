@@ -19,7 +19,7 @@ struct RollerScene {
   statics::RollerSolution solution;
 };
 
-/// Mass centre, speeds and attitude of every roller: C from StaticRoller, G = C + s_G a; ω = ω_m
+/// Mass center, speeds and attitude of every roller: C from StaticRoller, G = C + s_G a; ω = ω_m
 /// e_x
 /// + ω_s a; body x along a, body z outwards.
 [[nodiscard]] std::vector<ElementPose> start_poses(const RollerScene& scene,

@@ -17,7 +17,7 @@ inline constexpr double kPeriodsPerStep = 0.2;
 /// Right-hand sides per step of that stepper (Fehlberg 5(6)).
 inline constexpr int kEvaluationsPerStep = 8;
 
-/// How the centre of one ball vibrates between its two contacts, in its axial plane: along the
+/// How the center of one ball vibrates between its two contacts, in its axial plane: along the
 /// stiffer principal direction (near the contact normals), and across it. 0: nothing pulls it back.
 struct BallVibration {
   double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
@@ -27,7 +27,7 @@ struct BallVibration {
 };
 
 /// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness
-/// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre to ball centre.
+/// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove center to ball center.
 [[nodiscard]] std::vector<BallVibration> ball_vibrations(const ScenePlan& plan,
                                                          const bearing::Bearing& bearing,
                                                          const SystemOptions& options,
@@ -43,8 +43,8 @@ void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
 /// contact of that ball. Without a loaded
 ///   contact: of a contact at 1e-3 of the force scale (the time scale of the run);
 /// expected_step = kPeriodsPerStep/f; steps per revolution of inner relative to outer race (0 for a
-/// bearing that stands); seconds_per_revolution from the least of a few timed right-hand sides at
-/// the start state. The system's cost ledger is left as it was.
+/// bearing at rest); seconds_per_revolution from the least of a few timed right-hand sides at
+/// the start state. The system's cost ledger is not changed.
 /// @throws SolverError when the start state is outside the model's validity.
 void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
               const statics::StaticSolution& statics, System& system);

@@ -5,7 +5,7 @@
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_laws.hpp"
 
-/// Slices of rollers in a lubricant (contact/roller_race_sum.hpp): each has the film of its own
+/// Slices of rollers in a lubricant (contact/roller_race_sum.hpp): each has the film of its
 /// load per length, speed and slip, the mean traction over its strip along rolling, and the rolling
 /// resistance of the same film (laws/rolling_resistance.hpp), which is formed once. Two vectors of
 /// slices are taken together, by floats where the law's film may be (laws/film_law_of.hpp, decision

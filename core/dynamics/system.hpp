@@ -81,7 +81,7 @@ class System {
   bool between_steps(double t, std::span<double> y);
   /// Renormalises quaternions; true when rates change.
   bool project(double t, double* y) const noexcept;
-  /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball
+  /// Throws SolverError with a message when an accepted state is physically meaningless (ball
   /// outside its pocket ...).
   void check_state(double t, const double* y) const;
 

@@ -283,7 +283,7 @@ class Study {
       }
       Trial row = trial(earlier_.screening, setting, study_.short_turns,
                         setting.own ? most : std::min(most, room));
-      // So does a method that is refused, and one whose steps its stability limits in any case.
+      // So does a rejected method, and one whose steps its stability limits in any case.
       const bool twin = has_twin(row.row);
       if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
       if (twin) {
@@ -412,7 +412,7 @@ class Study {
 
   /// Effect of a relative load change of 1e-6, in both directions: small for a regular motion.
   /// Measured with the most accurate setting of the second round and with a second method whose
-  /// errors are within the target: coarse steps scatter by themselves and would hide the
+  /// errors are within the target: coarse steps scatter anyway and would hide the
   /// irregularity.
   void measure_irregularity() {
     if (goes_on_ && earlier_.irregular.load >= 0.0) {
@@ -507,7 +507,7 @@ class Study {
   }
 
   /// Processor times of what is recommended, of the deck's own settings and of the front become the
-  /// median of three runs, as far as the budget goes: caches and neighbours make a tenth of one
+  /// median of three runs, as far as the budget goes: caches and neighbors make a tenth of one
   /// run.
   void repeat_those_that_count() {
     const auto repeat = [&](AccuracyRow& row) {

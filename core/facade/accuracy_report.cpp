@@ -159,7 +159,7 @@ std::string growth_text(const AccuracyStudy& study) {
       "residual from {:.1e} to {:.1e} of the exchanged energy{}.",
       row->setting.name, before->turns, turns_text(row->turns), percent(before->errors.largest()),
       percent(row->errors.largest()), before->energy_share, row->energy_share,
-      row->growth > 0.0 ? fmt::format(", {:.4g} times a turn", row->growth)
+      row->growth > 0.0 ? fmt::format(", {:.4g} times per revolution", row->growth)
                         : "; the spans differ by less than one revolution, too little for a rate");
 }
 

@@ -14,12 +14,12 @@
 /// State of the cage in a run, as a finding: centered, whirling or unstable.
 ///
 /// Law: results/cage_whirl.hpp, over the second half of the run (the first belongs to the start),
-/// as the cage map of a study judges it. "Centered" is its class resting: the orbit of the centre
+/// as the cage map of a study judges it. "Centered" is its class resting: the orbit of the center
 /// about its own mean place is below kRestingOrbit of the clearance. "Unstable" is its class
-/// irregular: a wide orbit without a steady whirl speed. The centre is divided by
+/// irregular: a wide orbit without a steady whirl speed. The center is divided by
 /// results::cage_scale. Whether the cage yields is a separate finding (motion_watch.hpp).
 ///
-/// Not judged: a cage of several segments (it has no single centre), and a run whose second half
+/// Not judged: a cage of several segments (it has no single center), and a run whose second half
 /// covers less than kLeastTurns of the cage.
 namespace adore::facade {
 

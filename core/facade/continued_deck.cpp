@@ -128,7 +128,7 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
   std::vector<Issue> out;
   if (!accepted.empty())
     out.push_back(note(file, fmt::format("the run {} under a changed deck: {}",
-                                         continues ? "goes on" : "starts", accepted)));
+                                         continues ? "continues" : "starts", accepted)));
   if (!idle.empty())
     out.push_back(
         note(file, fmt::format("has no effect, because the stored state is the start: {}", idle)));

@@ -118,7 +118,7 @@ struct ExperimentData {
 [[nodiscard]] std::vector<ExperimentData> read_experiments(std::string_view json,
                                                            std::string_view name);
 
-/// printed, seen, measured, digitised, inferred, recalled high, ...
+/// printed, seen, measured, digitized, inferred, recalled high, ...
 [[nodiscard]] const std::vector<std::string>& certainty_words();
 /// @throws InputError with `where` when the text does not begin with one of the words
 void check_certainty(const std::string& text, const std::string& where);

@@ -50,7 +50,7 @@ class MotionWatch {
   std::array<double, 2> heaviest_time_{};
   std::array<Worst, 2> shoulder_;
   Worst cage_, overlap_;
-  std::array<Worst, 2> through_;  ///< cage in a race that does not guide it, centre to axis [m]
+  std::array<Worst, 2> through_;  ///< cage in a race that does not guide it, center to axis [m]
   double cage_pressure_ = 0.0, cage_limit_ = 0.0;  ///< of the worst; of the material [Pa]
   double point_stress_ = 0.0, line_stress_ = 0.0;  ///< von Mises stress in the cage over pressure
   /// Of a ball in its pocket: patch over F^(2/3) [m²/N^(2/3)], and the force beyond which it no

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// The folder of a run's files: who writes there, and which files may be replaced (decision 160).
+/// The folder of a run's files: lock, and files that may be replaced (decision 160).
 namespace adore::facade {
 
 /// One process at a time writes into a folder. The lock ends with the process that holds it,

@@ -137,7 +137,7 @@ struct RunOutputs::Impl {
   long segment = 0;                 ///< step from which maxStps counts
   long restart_step = -1;           ///< of the last checkpoint
   long continued_at = 0;            ///< step at which this process took the run over
-  std::vector<int> cage_positions;  ///< first components of the mass centres of cage or segments
+  std::vector<int> cage_positions;  ///< first components of the mass centers of cage or segments
   const ThermalRun* thermal = nullptr;
   nlohmann::ordered_json network;  ///< of the last thermal step
   double turned_before = 0.0;      ///< rotation of the shaft beyond speed times time [rad]

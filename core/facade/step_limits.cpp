@@ -237,7 +237,7 @@ namespace {
 /// "per turn", or the number of periods over which growth is counted for a slow bearing.
 std::string counted_over(const StepRequest& request) {
   return request.turn <= counted_time(Judge::highest_frequency(request))
-             ? "per turn"
+             ? "per revolution"
              : fmt::format("in {:.0f} periods", kCountedPeriods);
 }
 
@@ -285,7 +285,7 @@ std::string step_limits_text(const StepRequest& request, const StepLimits& limit
       return fmt::format("{}; it runs with orders up to {} and {}, which allow {:.4g}", why,
                          limits.highest_order, now, limits.growth);
     default:
-      return fmt::format("{}; it would need {}, {:.2g} a turn", why, now,
+      return fmt::format("{}; it would need {}, {:.2g} per revolution", why, now,
                          request.turn / limits.maximum);
   }
 }

@@ -26,7 +26,7 @@ class ArrowShape {
     int rank = 0;  ///< position within the block or the border
   };
   /// @param block_of block number 0, 1, ... or kBorder of each row; empty: `size` rows of border.
-  /// @param ring neighbouring blocks meet
+  /// @param ring neighboring blocks meet
   /// @throws std::invalid_argument when the length is not `size`, or a number is below kBorder or
   /// not below `size`.
   ArrowShape(std::span<const int> block_of, int size, bool ring = false);

@@ -67,7 +67,7 @@ double amplification_pece(int k, Complex z) {
 }
 
 // Nordsieck array of order q: predicted by Pascal's triangle; one fixed-point iteration adds
-// l e, e = h f(y*) - z₁*, l normalised to l₁ = 1. l(x) = ∫ Π (1 + u/j) du / norm, from -1 to x.
+// l e, e = h f(y*) - z₁*, l normalized to l₁ = 1. l(x) = ∫ Π (1 + u/j) du / norm, from -1 to x.
 double amplification_cvode_adams(int q, Complex z) {
   std::vector<double> product{1.0};  // Π_{j=1}^{q-1} (1 + u/j)
   for (int j = 1; j < q; ++j) {

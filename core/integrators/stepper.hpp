@@ -52,7 +52,7 @@ class OdeSystem {
   /// after start().
   [[nodiscard]] virtual std::span<const int> blocks() const noexcept { return {}; }
   /// Do blocks form a ring, in which the rates of each also depend on the components of the one
-  /// before and the one after it (the last and the first are neighbours)? Constant after start().
+  /// before and the one after it (the last and the first are neighbors)? Constant after start().
   [[nodiscard]] virtual bool blocks_form_ring() const noexcept { return false; }
   /// The rates of `part`, and the contribution of each block to each rate of the border:
   ///   shares[block * border size + k] for the k-th border component, such that

@@ -9,7 +9,7 @@ namespace adore::life {
 /// exp(0.1 (Rc - 60)), Rc Rockwell C hardness at operating temperature (recalled).
 [[nodiscard]] double hardness_factor(double rockwell_c);
 
-/// STLE film factor over Λ = h_min/σ_rms: log-log interpolation of a table digitised from memory,
+/// STLE film factor over Λ = h_min/σ_rms: log-log interpolation of a table digitized from memory,
 /// take ±30 %; held outside 0.2..10.
 /// @throws InputError for Λ <= 0
 [[nodiscard]] double film_factor(double film_parameter);

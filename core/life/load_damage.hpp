@@ -66,7 +66,7 @@ class LoadDamage {
 };
 
 /// Scatter of the damage rate of a run: standard error of the mean of batches that are equally long
-/// in revolutions. Up to kBatches of them; when there are more, neighbours are joined, so that from
+/// in revolutions. Up to kBatches of them; when there are more, neighbors are joined, so that from
 /// kBatches/2 revolutions on each batch is one revolution or more.
 class DamageBatches {
  public:

@@ -65,7 +65,7 @@ void lands(Report& report, const Cage& cage) {
   }
 }
 
-/// Mass and, of a conical cage, where its mass centre lies; or why they are not known.
+/// Mass and, of a conical cage, where its mass center lies; or why they are not known.
 void mass(Report& report, const Bearing& bearing, bool given) {
   const Cage& cage = *bearing.cage;
   if (given) {

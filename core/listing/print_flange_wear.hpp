@@ -9,7 +9,7 @@
 ///
 /// The contact is found anew from the roller and its races (statics/roller_flanges.hpp) and has a
 /// Hertz ellipse, half of it up the face `a`. Load per length up the face q = 3 Q/(4 a) (1 - s²),
-/// s = y/a, slip u that of its centre. Archard (manual 4.1.4): depth per time K/H q u/(2π r),
+/// s = y/a, slip u that of its center. Archard (manual 4.1.4): depth per time K/H q u/(2π r),
 /// averaged over the circle that a place sweeps, r its distance from the bearing axis (flange) or
 /// from the roller axis (end). 2π r times the depth, integrated over y, is K/H Q u [derived].
 /// SI; depths are positive into the body. Limits: slip varies little over the ellipse; face and end

@@ -74,7 +74,7 @@ void summary(Report& report, const statics::RollerSolution& s) {
   report.text("Skew of the rollers is kept at zero. " + s.unloaded_rule);
 }
 
-/// Position of the largest pressure: the middle of the neighbouring slices that carry it (to 1e-9,
+/// Position of the largest pressure: the middle of the neighboring slices that carry it (to 1e-9,
 /// a land carries one pressure), and of two equal peaks the one towards +x.
 double peak_position(const statics::RollerRaceContact& c, const statics::RollerSolution& s) {
   if (c.slice_pressure.empty() || !(c.peak_pressure > 0.0)) return c.peak_position;

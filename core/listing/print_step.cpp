@@ -553,15 +553,14 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
 
   if (!run.stability.empty()) report.text("Stability: " + run.stability);
   if (run.load) {
-    report.heading(
-        "Load carried by the elements, mean over the stored instants, against the deck's");
+    report.heading("Mean load of the elements over the stored instants, compared with the deck");
     for (int k = 0; k < 3; ++k) {
       const char axis = "xyz"[k];
       if (run.load->given[static_cast<std::size_t>(k)])
-        report.item(fmt::format("{}: asked", axis), run.load->asked[k], unit::kForce);
-      report.item(fmt::format("{}: carried", axis), run.load->mean[k], unit::kForce);
+        report.item(fmt::format("{}: specified", axis), run.load->asked[k], unit::kForce);
+      report.item(fmt::format("{}: actual", axis), run.load->mean[k], unit::kForce);
     }
-    report.item("departure from the asked load", run.load->departure(), unit::kPure);
+    report.item("difference from the specified load", run.load->departure(), unit::kPure);
   }
 
   report.heading("Arithmetic: what decides the last digits");

@@ -66,12 +66,12 @@ void add_row(StaticTables& out, std::size_t element, double azimuth,
 // ---- balls
 
 /// One groove in the cut. An angle φ on it counts from its bottom towards +x; a split race has
-/// another centre on either side.
+/// another center on either side.
 struct Groove {
   double sigma = 1.0;       ///< +1 outer: the bottom is outside
   double radius = 0.0;      ///< of the arc [m]
   double centre_r = 0.0;    ///< [m]
-  double centre_low = 0.0;  ///< x of the centre of the part towards -x [m]
+  double centre_low = 0.0;  ///< x of the center of the part towards -x [m]
   double centre_high = 0.0;
   double end = 0.0;      ///< φ of the shoulders [rad]
   bool has_end = false;  ///< the deck gives a shoulder that the arc reaches
@@ -98,7 +98,7 @@ Groove groove_of(const statics::StaticBall& ball, const Bearing& bearing,
   const double behind = out.radius - geometry.ball_radius + ball.delta[j];
   const double x = ball.x - out.sigma * std::sin(angle) * behind;
   out.centre_r = ball.r - out.sigma * std::cos(angle) * behind;
-  // The half in use is that of the contact; the other one's centre lies a shim further that way.
+  // The half in use is that of the contact; the other one's center lies a shim further that way.
   const bool contact_high = out.sigma * angle >= 0.0;
   const double shim = bearing.balls().shim[j];
   out.centre_high = contact_high ? x : x - shim;
@@ -240,7 +240,7 @@ class RollerCut {
 
 /// A raceway as points over u, the distance from the middle contact along it towards +x.
 struct Raceway {
-  Point origin;                ///< straight: middle contact; groove: centre of the arc
+  Point origin;                ///< straight: middle contact; groove: center of the arc
   double angle = 0.0;          ///< straight: of the cone
   double groove_radius = 0.0;  ///< 0: straight
   double middle = 0.0;         ///< groove: φ of the middle contact
@@ -272,7 +272,7 @@ Raceway raceway_of(const RollerCut& roller, const Bearing& bearing, std::size_t 
     const contact::RollerProfile& p = roller.profile();
     out.groove_radius = 2.0 * g.groove_factor[j] * g.crown_radius;
     out.middle = out.sigma * g.race_angle[j];
-    // Centre of the roller's arc, then along the line of contact to that of the groove.
+    // Center of the roller's arc, then along the line of contact to that of the groove.
     const Point arc =
         roller.at(-p.crown_radius * std::sin(p.half_angle),
                   out.sigma * (0.5 * p.diameter - p.crown_radius * std::cos(p.half_angle)));

@@ -44,7 +44,7 @@ struct SurfaceTraction {
   tribology::EllipseTraction in_plane;
   double F_n = 0.0;  ///< [N]
 };
-/// @param u_n race minus ball velocity along n at the ball centre [m/s]
+/// @param u_n race minus ball velocity along n at the ball center [m/s]
 using TractionRule = std::function<SurfaceTraction(const tribology::TractionLaw&,
                                                    const dynamics::RaceContactState&, double u_n)>;
 /// The integral split at kinks and reversals of slip, `points` nodes per piece.

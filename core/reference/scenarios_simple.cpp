@@ -299,7 +299,7 @@ Json slide_to_rolling(const Json& in) {
 }
 
 /// FP: element rolling in a circular race under gravity: the same motion as that of an inner race
-/// that turns about its axis, with its mass centre as far off it as the element is.
+/// that turns about its axis, with its mass center as far off it as the element is.
 Json rolling_pendulum(const Json& in) {
   const double arm = get(in, "race_radius") - get(in, "element_radius"), g = get(in, "g"),
                kc = get(in, "inertia_coefficient"), theta0 = get(in, "theta0");

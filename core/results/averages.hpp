@@ -16,7 +16,7 @@ struct Averages {
   double time = 0.0;               ///< span of the average [s]
   double orbital_ratio = 0.0;      ///< mean orbital speed of the elements
   double cage_ratio = 0.0;         ///< cage speed about its own axis
-  double whirl_ratio = 0.0;        ///< speed of the cage's mass centre about the bearing axis
+  double whirl_ratio = 0.0;        ///< speed of the cage's mass center about the bearing axis
   double swept_whirl_ratio = 0.0;  ///< the same by the area that it sweeps, see RunAverages
   double power_loss = 0.0;         ///< [W]
   double largest_load = 0.0;  ///< mean over time of the largest contact load at each instant [N]
@@ -34,7 +34,7 @@ struct Averages {
 /// after each integration step), and its peak is that of the samples: sampled by steps, not
 /// integrated by the run. The reaction on the inner race is such a mean over the snapshots.
 ///
-/// Two whirls, with (y, z) the cage's mass centre, r its distance from the bearing axis, θ about +X
+/// Two whirls, with (y, z) the cage's mass center, r its distance from the bearing axis, θ about +X
 /// from Z and Ω the mean speed of the inner race relative to the outer:
 ///   whirl_ratio        (θ(end) - θ(start)) / ∫ dt / Ω, as the manual has it (4.1.12): windings. A
 ///                      path that passes the axis on its other side has one winding more or less,
@@ -49,7 +49,7 @@ struct Averages {
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);
-  /// Only the cage's mass centre, that of all segments together, for steps that make no snapshot
+  /// Only the cage's mass center, that of all segments together, for steps that make no snapshot
   /// [s, m].
   void add_cage_position(double time, const scene::Vec3& position);
   /// Only the contact loads, for steps that make no snapshot: of all elements at the outer and at
@@ -77,7 +77,7 @@ class RunAverages {
   bool started_ = false, whirl_started_ = false;
   Totals start_, now_;
   double whirl_start_ = 0.0,
-         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass centre [rad]
+         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass center [rad]
   double loss_ = 0.0;       ///< of the last snapshot [W]
   bool swept_started_ = false;
   double swept_time_ = 0.0, swept_y_ = 0.0, swept_z_ = 0.0;  ///< of the last look [s, m]
@@ -90,7 +90,7 @@ class RunAverages {
   double peak_ = 0.0;                             ///< [N]
   /// Of the stored steps: shaft, elements, cage [rad], heat in all, of the outer and of the inner
   /// race [J], impulse [N s]. Of every step: impulse of the largest load. Of looks at the cage:
-  /// area and square that its centre sweeps.
+  /// area and square that its center sweeps.
   BatchSums<9> stored_;
   BatchSums<1> stepped_;
   BatchSums<2> whirled_;

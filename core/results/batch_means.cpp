@@ -50,7 +50,7 @@ double by_initial_sequence(std::span<const double> e) {
 
 double sum_of(std::span<const double> x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 
-/// Neighbours joined until a batch is as long as `seconds`; false: not a multiple.
+/// Neighbors joined until a batch is as long as `seconds`; false: not a multiple.
 bool join(RatioSeries& series, double seconds) {
   const double ratio = seconds / series.seconds;
   const double whole = std::round(ratio);

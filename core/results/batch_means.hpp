@@ -17,7 +17,7 @@
 ///   s
 /// (ratio estimator). The error of the mean of e is the larger of two estimates, in size of the
 /// two-sided 95 % interval:
-///   batch means: neighbours are joined to m = floor(sqrt(n)) long batches (at least 4), which
+///   batch means: neighbors are joined to m = floor(sqrt(n)) long batches (at least 4), which
 ///   count as independent: t(m - 1) sqrt(Σ ē² / (m (m - 1))). Consistent with batches that grow
 ///   like sqrt(n) (J. M. Flegal, G. L. Jones: Batch means and spectral variance estimators in
 ///   Markov chain Monte Carlo, Ann. Statist. 38 (2010) 1034-1070; recalled, high). initial monotone
@@ -64,7 +64,7 @@ constexpr double kLeastFall = 0.25;
 /// Half of the 95 % interval of Σ a / Σ s, in its own unit. @param a, s of equal batches
 [[nodiscard]] double ratio_half_width(std::span<const double> a, std::span<const double> s);
 
-/// Sums of K quantities in at most kMost batches of equal duration. When there are more, neighbours
+/// Sums of K quantities in at most kMost batches of equal duration. When there are more, neighbors
 /// are joined. The first batch is the largest power of two [s] within the first interval, so that
 /// batches of different runs begin and end together.
 template <std::size_t K>

@@ -4,16 +4,16 @@
 #include <string_view>
 #include <vector>
 
-/// How the cage's centre goes round, over a window of a run.
+/// How the cage's center goes round, over a window of a run.
 ///
-/// With p = (y, z) the centre, v its velocity, r = |p|, v_t the velocity about +X (θ from Z) and
+/// With p = (y, z) the center, v its velocity, r = |p|, v_t the velocity about +X (θ from Z) and
 /// ω_c the cage's mean angular velocity about X:
 ///   ratio      W = Σ r v_t / Σ r² / ω_c: the whirl speed, weighted by r², over the cage's
 ///   deviation  √(Σ (v_t - r W ω_c)² / Σ r²) / |ω_c|: how far the instantaneous whirl speed
 ///              leaves it; 0 for a circle run through evenly
-///   orbit      √(mean |p - p̄|²) over the radial clearance of the guide lands: how far the centre
+///   orbit      √(mean |p - p̄|²) over the radial clearance of the guide lands: how far the center
 ///              moves about its own mean place
-/// Both ratios stay finite where the centre passes the axis. Sums are over stored instants, so the
+/// Both ratios stay finite where the center passes the axis. Sums are over stored instants, so the
 /// interval of storing must resolve the whirl (five or more a turn of the cage).
 ///
 /// Source of the classes: a steady whirl against an unsteady one by the scatter of the whirl speed,

@@ -23,7 +23,7 @@ struct Direction {
 [[nodiscard]] double theta_of(const Vec3& v);
 [[nodiscard]] double phi_of(const Vec3& v);
 
-/// Motion of a mass centre in the plane across the bearing axis, base frame, angle from +Z as
+/// Motion of a mass center in the plane across the bearing axis, base frame, angle from +Z as
 /// azimuths: y = -r sin θ, z = r cos θ. On the axis itself (r below 1 pm) θ is taken from the
 /// velocity, else from the acceleration, and the angular rates are 0.
 struct OrbitMotion {

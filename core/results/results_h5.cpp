@@ -196,7 +196,7 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
                                     {"cages", bearing.cage ? bearing.cage->segments.count : 0.0}};
   const std::array<double, 2> free_x =
       bearing.rollers() != nullptr ? add_rollers(bearing, out) : add_balls(bearing.balls(), out);
-  out["outer_race_free_x"] = free_x[0];  // the race's centre less its stored displacement
+  out["outer_race_free_x"] = free_x[0];  // the race's center less its stored displacement
   out["inner_race_free_x"] = free_x[1];
   const Sol8Geometry g = make_sol8_geometry(bearing);
   for (const Sol8GeometryField& field : kSol8Geometry) out[field.name] = g.*field.value;

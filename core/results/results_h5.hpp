@@ -20,7 +20,7 @@
 /// dimensions [step][element][race]; its attributes tell label, unit, frame, meaning and
 /// dimensions. /step, /time, /step_size and /shaft_rotation hold one value per stored step.
 /// /geometry has the sizes a picture needs as attributes [m], and outer_race_free_x,
-/// inner_race_free_x: where a race's centre stands when its stored displacement is zero. The file
+/// inner_race_free_x: where a race's center stands when its stored displacement is zero. The file
 /// is written in HDF5's single-writer mode: it can be read while it grows, and any HDF5 program
 /// opens it after the writer was killed or the disk was full; the last block may then be longer in
 /// some datasets than in /step, which is written last.

@@ -112,9 +112,9 @@ static_assert(sizeof(Sol8Geometry) == kSol8Geometry.size() * sizeof(double),
               "every field is named");
 
 struct Sol8Element {
-  double x = 0, r = 0, theta = 0;             ///< mass centre, theta [rad]
+  double x = 0, r = 0, theta = 0;             ///< mass center, theta [rad]
   std::array<double, 3> angles{};             ///< η, ξ, λ [rad]
-  std::array<double, 3> pocket_vector{};      ///< pocket centre -> element centre
+  std::array<double, 3> pocket_vector{};      ///< pocket center -> element center
   double pocket_force = 0, pocket_angle = 0;  ///< [rad]
 };
 

@@ -6,7 +6,7 @@
 namespace adore::scene {
 namespace {
 
-/// Time between two neighbouring readings of the clock: the least of a few hundred.
+/// Time between two neighboring readings of the clock: the least of a few hundred.
 CostLedger::Clock::duration clock_cost() {
   static const CostLedger::Clock::duration cost = [] {
     auto least = CostLedger::Clock::duration::max();

@@ -10,7 +10,7 @@ namespace adore::setup {
 [[nodiscard]] bearing::RollerGeometry build_rollers(const deck::Deck& deck);
 
 struct RollerMass {
-  bearing::Inertia inertia;  ///< x along the roller axis, about the mass centre
+  bearing::Inertia inertia;  ///< x along the roller axis, about the mass center
   double mass_offset = 0.0;  ///< s_G from mid length [m]
 };
 /// Of the nominal roller, crown, domes and corners included.

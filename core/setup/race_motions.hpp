@@ -51,7 +51,7 @@ void plan_race_motions(const deck::Deck& deck, const bearing::Bearing& bearing,
 [[nodiscard]] bearing::Inertia given_inertia(const deck::Deck& deck, std::string_view prefix,
                                              std::string_view suffix);
 
-/// Record 6.2.j (race 1 outer, 2 inner). What acts is entered in the deck's log: mass and centre
+/// Record 6.2.j (race 1 outer, 2 inner). What acts is entered in the deck's log: mass and center
 /// where the race moves or a turning frame carries its mass, moments and principal axes where it
 /// turns about any axis.
 [[nodiscard]] bearing::Inertia given_race_inertia(const deck::Deck& deck, int race);

@@ -48,7 +48,7 @@ std::string film_reason(const bearing::Bearing& bearing) {
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash temperature of each strip" : "");
 }
 
-/// Does a ball need no orientation to move: equal moments, mass centre in its middle?
+/// Does a ball need no orientation to move: equal moments, mass center in its middle?
 bool moves_as_sphere(const bearing::Bearing& bearing) {
   if (bearing.first_inertia) return false;
   const bearing::Inertia& one = bearing.element_inertia;

@@ -32,7 +32,7 @@ struct Answers {
 [[nodiscard]] double statistic(Statistic of, double percent, const std::vector<double>& times,
                                const std::vector<double>& values, std::size_t width);
 
-/// Value below which `percent` of the sorted values lie, linear between neighbours (the definition
+/// Value below which `percent` of the sorted values lie, linear between neighbors (the definition
 /// of NumPy and of MATLAB's "exact"). NaN without values.
 [[nodiscard]] double percentile_of_sorted(const std::vector<double>& sorted, double percent);
 

@@ -12,7 +12,7 @@ namespace {
 
 bool has_wall(const RingPart& part) { return part.outer > part.inner; }
 
-/// Hoop stress of largest size among bore and outside; a solid disc is largest in its centre.
+/// Hoop stress of largest size among bore and outside; a solid disc is largest in its center.
 double largest_hoop_stress(const RingPart& part, double pa, double pb) {
   if (!has_wall(part)) return 0.0;
   const auto stress = [&](double r) {

@@ -66,7 +66,7 @@ struct MountedState {
                                          double element_growth);
 
 /// Free contact angle of a ball bearing [rad]: cos α = 1 - Pd/(2A) with the distance A of the
-/// curvature centres; 0 when Pd <= 0 (and when Pd >= 4A, where no such angle exists).
+/// curvature centers; 0 when Pd <= 0 (and when Pd >= 4A, where no such angle exists).
 [[nodiscard]] double contact_angle(double clearance, double centre_distance);
 /// Free axial clearance 2 A sin α of the circular grooves [m].
 [[nodiscard]] double end_play(double centre_distance, double contact_angle);

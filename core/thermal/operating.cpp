@@ -90,7 +90,7 @@ OperatingFits ring_report(const Bearing& b, const MountedState& state,
   return out;
 }
 
-/// Adds the three states of a ball bearing's clearance and the circles of curvature centres. Shims
+/// Adds the three states of a ball bearing's clearance and the circles of curvature centers. Shims
 /// g of split races take their thickness from the play: 2 A sin α - g (assembly.hpp); below 0 no
 /// ball reaches that contact angle, since both halves touch it first.
 void add_ball_states(OperatingFits& out, const Bearing& b, const contact::GrooveGeometry& groove,
@@ -118,7 +118,7 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
 }
 
 /// Balls and grooves in operation; the report's pitch diameter.
-/// @param plane of the groove centres on the bench, which each race keeps [m]
+/// @param plane of the groove centers on the bench, which each race keeps [m]
 void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const MountedState& state,
                   const std::array<double, 2>& plane) {
   const std::array<double, 2> growth{state.rings.outer.growth, state.rings.inner.growth};

@@ -11,7 +11,7 @@
 ///
 /// The medium turns with the outer race [choice]: speeds are relative to it, and it passes the
 /// reactions of elements and cage to the outer race, so that its power is all heat.
-/// Element: F = ½ C_D ρ A V² against the velocity of its centre, of a sphere or a cylinder across
+/// Element: F = ½ C_D ρ A V² against the velocity of its center, of a sphere or a cylinder across
 /// the flow; of its projected area what the wall of the cage hides is left out. Spin: of a ball
 /// that of a sphere in the cavity; of a roller a cylinder in a wide annulus, gap R/2, which gives
 /// the exact 4π μ ω R² l of a cylinder in an endless medium, and both end faces as discs. The

@@ -14,7 +14,7 @@
 /// the race kernels.
 namespace adore::tribology {
 
-/// Slip at the ball centre without the W terms, and Ω_race - ω_ball on (c, t, n), as in
+/// Slip at the ball center without the W terms, and Ω_race - ω_ball on (c, t, n), as in
 /// ellipse_traction.hpp.
 template <class T>
 struct EllipseMotion {
@@ -24,7 +24,7 @@ struct EllipseMotion {
   T curvature{};          ///< likewise [1/m]
 };
 
-/// Height of the contact surface over the ball centre: h(ξ) = offset, or offset + √(ρ² - ξ²) when
+/// Height of the contact surface over the ball center: h(ξ) = offset, or offset + √(ρ² - ξ²) when
 /// ρ > 0.
 /// Radii are numbers, or of vectors one a lane: then S is T.
 template <class T, class S = double>
@@ -46,8 +46,8 @@ struct EllipseSurface {
 /// Position of the arc or plane by a surface convention (tribology::ContactSurface).
 enum class SurfacePlace : unsigned char {
   ThroughEdge,   ///< through the ends of the major axis on the undeformed ball
-  HalfApproach,  ///< half the approach below the undeformed ball at the centre
-  Undeformed     ///< touching the undeformed ball at the centre
+  HalfApproach,  ///< half the approach below the undeformed ball at the center
+  Undeformed     ///< touching the undeformed ball at the center
 };
 template <class T, class S>
 [[gnu::always_inline]] inline EllipseSurface<T, S> ellipse_surface(SurfacePlace place, const S& rho,

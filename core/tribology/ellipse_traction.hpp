@@ -12,7 +12,7 @@
 /// Traction, moment and heat of one Hertz contact ellipse at given kinematics.
 ///
 /// Local axes (c, t, n), right-handed c × t = n: t rolling direction, n from the ball into the
-/// race, c = t × n along the major axis. Point of the ellipse from the ball centre: p = ξ c + η t +
+/// race, c = t × n along the major axis. Point of the ellipse from the ball center: p = ξ c + η t +
 /// h(ξ) n. Slip u is race minus ball, the traction on the ball is along it
 /// (tests/reference/dynamics_README.md):
 ///
@@ -20,15 +20,15 @@
 ///   u_t = u0_t + W_n ξ - W_c h          dM = p × dF = (-h f_t, h f_c, ξ f_t - η f_c) in (c, t, n)
 ///
 /// At fixed ξ, u_t does not depend on η and u_c is linear in it. Tractions lie in the (c, t) plane
-/// of the contact centre also on curved surfaces. Limits: a < ρ; no micro-slip, no elastic creep.
+/// of the contact center also on curved surfaces. Limits: a < ρ; no micro-slip, no elastic creep.
 namespace adore::tribology {
 
-/// Height h(ξ) of the contact surface over the ball centre. CurvedEdge (Heathcote) is the run's
+/// Height h(ξ) of the contact surface over the ball center. CurvedEdge (Heathcote) is the run's
 /// default.
 enum class ContactSurface : unsigned char {
   CurvedEdge,  ///< arc of radius ρ through the two ends of the major axis on the undeformed ball
-  CurvedHalf,  ///< arc of radius ρ, half the approach below the ball's surface at the centre
-  CurvedUndeformed,  ///< arc of radius ρ touching the undeformed ball at the centre
+  CurvedHalf,  ///< arc of radius ρ, half the approach below the ball's surface at the center
+  CurvedUndeformed,  ///< arc of radius ρ touching the undeformed ball at the center
   FlatUndeformed,    ///< plane at the ball radius ("without Heathcote")
   FlatHalf,          ///< plane half the approach below it
   FlatEdge           ///< plane through the two ends of the major axis
@@ -84,7 +84,7 @@ void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, doub
 
 struct EllipseTraction {
   double F_c = 0.0, F_t = 0.0;             ///< on the ball [N]
-  double M_c = 0.0, M_t = 0.0, M_n = 0.0;  ///< on the ball about its centre [N m]
+  double M_c = 0.0, M_t = 0.0, M_n = 0.0;  ///< on the ball about its center [N m]
   double heat = 0.0;                       ///< ∫ κ p |u| dA [W]
   double load_slip = 0.0;                  ///< ∫ p |u| dA [W]
   double max_slip = 0.0;                   ///< largest |u|, at the edge of the ellipse [m/s]

@@ -11,7 +11,7 @@ double spline_place(const SplineAxis& axis, std::size_t k, double beyond) {
 
 void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n) {
   // (c[k-1] + 4 c[k] + c[k+1])/6 = v[k]. With such ends the equations of the first and last value
-  // become v[0] = (6 c1 - 2 ... )/6; the ends are found from their neighbours instead: unknown
+  // become v[0] = (6 c1 - 2 ... )/6; the ends are found from their neighbors instead: unknown
   // second differences d[k] = c[k-1] - 2 c[k] + c[k+1], c[k] = v[k] - d[k]/6, d[0] = 2 d[1] - d[2].
   std::vector<double> value(n), d(n, 0.0), upper(n, 0.0), right(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) value[k] = v[first + (k + 1) * stride];

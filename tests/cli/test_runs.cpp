@@ -401,7 +401,7 @@ TEST_CASE("actual mean load → reported next to the specified load", "[cli]") {
   const json load = json::parse(read(folder / "RUN.json")).at("load carried by the elements");
   CHECK(load.at("asked x [N]") == 1500.0);
   CHECK(load.at("mean x [N]").get<double>() == Approx(1450.0).epsilon(0.03));
-  CHECK(contains(read(folder / "PRINT.txt"), "departure from the asked load"));
+  CHECK(contains(read(folder / "PRINT.txt"), "difference from the specified load"));
   // A light load at high speed: carried by the bodies' inertia rather than by the contacts'
   // closing.
   const Result light = run_adore("run " + folder.path().string() +

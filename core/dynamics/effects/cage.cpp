@@ -14,7 +14,7 @@
 
 /// The cage as free rigid bodies, one for each segment: six degrees of freedom and its total
 /// rotation each. Pockets know which segment they are in (contact/cage_pieces.hpp). The reference
-/// point of a segment is on the axis of the cage, far from its mass centre; its attitude at the
+/// point of a segment is on the axis of the cage, far from its mass center; its attitude at the
 /// start is that of record 9.6.k, turned to its place in the cage. Segments do not touch each other
 /// (N106): how far apart their ends are is reported.
 namespace adore::dynamics {
@@ -98,7 +98,7 @@ class Cage final : public SceneEffect {
     double mean_x = 0.0;
     for (const statics::StaticBall& ball : scene.statics.balls)
       mean_x += ball.x / static_cast<double>(scene.statics.balls.size());
-    // Pockets sit at the middle of a roller, not at its mass centre.
+    // Pockets sit at the middle of a roller, not at its mass center.
     if (const bearing::RollerGeometry* rollers = scene.bearing.rollers())
       mean_x -= scene.bearing.roller_mass_offset * std::cos(rollers->axis_angle);
     mass_centre_ = -cage.inertia.geometric_centre;
@@ -118,7 +118,7 @@ class Cage final : public SceneEffect {
     if (plan.suppressed.of_cage()) suppress(scene);
   }
 
-  /// Record 9.6 places the geometric centre.
+  /// Record 9.6 places the geometric center.
   void start(std::span<double> y) const override {
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       const CageStart& start = start_[k];
@@ -194,7 +194,7 @@ class Cage final : public SceneEffect {
   Vec3 corners_ = Vec3::Zero();      ///< outer and inner radius, half width [m]
   std::vector<CageStart> start_;     ///< of each segment
   double slip_ = 0.0;                ///< Σ N u of all segments now [W]
-  Vec3 mass_centre_ = Vec3::Zero();  ///< from the geometric centre, axes of the cage [m]
+  Vec3 mass_centre_ = Vec3::Zero();  ///< from the geometric center, axes of the cage [m]
   int load_slip_ = -1;               ///< in the state
 };
 

@@ -16,7 +16,7 @@
 ///
 /// Guide land: the short journal bearing of tribology/journal_film.hpp, one film for each land at
 /// its middle plane; the cage is the journal on the outer race, the race on the inner. Force at the
-/// centres of both circles, e F_t of their couple is shared by both torques, so that no momentum is
+/// centers of both circles, e F_t of their couple is shared by both torques, so that no momentum is
 /// lost. The eccentricity of the film stops smoothly, over 5 % of the clearance, where the least
 /// gap is the critical film; from there on the metal contact of effects/lands.cpp grows.
 /// Attitude angle: from the line of the least gap to the film's load, tan φ = F_t/-F_r.

@@ -8,10 +8,10 @@
 #include <string>
 
 /// A rigid body whose motion is integrated, a cage segment or a race: six degrees of freedom and
-/// its total turn about its x axis. Mass centre from the base origin and its velocity in base axes,
-/// quaternion body -> base, ω in body axes, ∫ω_x dt. Newton for the mass centre, Euler in body
-/// axes: m v̇ = F, I ω̇ + ω × Iω = M about the mass centre. Body axes are the geometric ones; the
-/// mass centre may lie off the geometric centre and the principal axes may be turned.
+/// its total rotation about its x axis. Mass center from the base origin and its velocity in base
+/// axes, quaternion body -> base, ω in body axes, ∫ω_x dt. Newton for the mass center, Euler in
+/// body axes: m v̇ = F, I ω̇ + ω × Iω = M about the mass center. Body axes are the geometric ones;
+/// the mass center may be off the geometric center and the principal axes may be rotated.
 namespace adore::dynamics {
 
 class FreeBody final : public BorderBody {
@@ -19,7 +19,7 @@ class FreeBody final : public BorderBody {
   /// Names the states "<name>.position" ... and puts the body in the border of the arrow.
   void declare(SceneBuilder& scene, BodyId id, const std::string& name,
                const bearing::Inertia& inertia);
-  /// Accelerations of some directions are given instead: translations of its geometric centre in
+  /// Accelerations of some directions are given instead: translations of its geometric center in
   /// base axes, rotations about the columns of `axes`; `holding` is what that takes.
   void constrain(const RaceConstraints& constraints, const Mat3& axes) {
     constraints_ = constraints;

@@ -10,7 +10,7 @@
 #include <optional>
 
 /// Races that move under what acts on them and under their loads: Newton and Euler about the mass
-/// centre (free_body.hpp). A share of the radial load of a race that is free along y and z may turn
+/// center (free_body.hpp). A share of the radial load of a race that is free along y and z may turn
 /// about x (record 9.3A): F(t) = F + share (turn(ω t) - 1) F_radial; the rest is constant.
 /// Directions may be held: they keep the velocity of their start or follow the laws of records 9.3
 /// and 9.4 (excitations.hpp), whose accelerations are prescribed there (rigid_body.hpp,
@@ -39,7 +39,7 @@ constexpr LedgerTerm kAngularImpulse{
 struct Loaded {
   FreeBody body;
   int race = 0;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< now, at the race's centre [N, N m]
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< now, at the race's center [N, N m]
   Vec3 first_force = Vec3::Zero();                   ///< at t = 0 [N]
   double turning_share = 0.0, turning_speed = 0.0;   ///< of the radial load [-, rad/s]
   std::optional<RaceLaws> laws;                      ///< of the held directions

@@ -17,19 +17,19 @@
 /// A land is cut into slices, each taken at its mid plane as a circle of the cage about the cage
 /// axis inside (outer guidance) or around (inner guidance) a circle of the race about the race
 /// axis, whose radii differ by the radial clearance c. e = vector from the race axis to the slice
-/// centre, across the race axis; contact where |e| > c. Normal: F/L of contact/conformal.hpp on the
-/// cage along -e through the slice centre, the opposite on the race; it is minus the gradient of
-/// the slice energy. Friction at the cage point P = slice centre ± R_c e/|e| (+ outer, - inner
+/// center, across the race axis; contact where |e| > c. Normal: F/L of contact/conformal.hpp on the
+/// cage along -e through the slice center, the opposite on the race; it is minus the gradient of
+/// the slice energy. Friction at the cage point P = slice center ± R_c e/|e| (+ outer, - inner
 /// guidance): slip = race point - cage point velocity, its part along e removed; N κ(s)/s u on
 /// the cage, s the rounded slip (tribology/rounded_law.hpp), the opposite on the race at the same
 /// point. Heat = friction · u. Tilt enters through
-/// the slice centres; second order in tilt. With damping (contact_damping.hpp) N is the total
+/// the slice centers; second order in tilt. With damping (contact_damping.hpp) N is the total
 /// force.
 ///
 /// A segment has an arc of the circle only: s = e·d, d the unit vector of the arc (signed by its
 /// side) with the largest s, takes the place of |e|; inside the arc d = e/|e| and s = |e|. At an
 /// end of the arc d turns with the segment: the force -N d acts on it, and its opposite on the
-/// race, at the point of the race axis beside the slice, which is minus the gradient of the energy
+/// race, at the point of the race axis next to the slice, which is minus the gradient of the energy
 /// over all poses. Limit: the law is that of a full circle also near the ends of the arc.
 ///
 /// Lands with shape errors of the cage or the race have a separate block (uneven_lands.cpp).

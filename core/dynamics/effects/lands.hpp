@@ -40,7 +40,7 @@ struct LandModel {
 }
 
 struct SliceAt {
-  Vec3 centre;        ///< slice centre, base frame [m]
+  Vec3 centre;        ///< slice center, base frame [m]
   Vec3 eccentricity;  ///< across the race axis [m]
 };
 

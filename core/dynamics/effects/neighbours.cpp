@@ -16,7 +16,7 @@
 #include <vector>
 
 /// Balls that touch the ones before and after them in a bearing without cage (nCseg = 0, record
-/// 10.5.3). Centres q_i, q_j of neighbours, d = |q_j - q_i|, n = (q_j - q_i)/d, overlap δ = r_i +
+/// 10.5.3). Centers q_i, q_j of neighbors, d = |q_j - q_i|, n = (q_j - q_i)/d, overlap δ = r_i +
 /// r_j - d:
 ///   N = law(δ), Hertz of two spheres (Q = 4/3 E* √R δ^1.5, 1/R = 1/r_i + 1/r_j, E* = E/(2(1 -
 ///   ν²)), continued by contact/conformal.hpp where the patch grows beyond half a radius) along n,
@@ -26,10 +26,10 @@
 ///   opposite on j, s the rounded slip (tribology/rounded_law.hpp). One point for both, so that
 ///   angular momentum is conserved.
 /// Heat = friction · u >= 0. With damping (contact_damping.hpp) N is the total force. Without, N is
-/// minus the gradient of law.energy over both centres: without friction energy is conserved. Zero
-/// load and zero heat without overlap. Limits: an overlap of half the sum of the radii is no valid
-/// state. With two balls there is one contact. The spacing of the static solution decides who
-/// touches whom first. Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
+/// minus the gradient of law.energy over both centers: without friction energy is conserved. Zero
+/// load and zero heat without overlap. Limits: an overlap of half the sum of the radii is not a
+/// valid state. With two balls there is one contact. The spacing of the static solution determines
+/// the first contacts. Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
 namespace adore::dynamics {
 namespace {
 
@@ -39,7 +39,7 @@ using Pair = NeighbourPair;
 
 struct PairContact {
   Vec3 n = Vec3::Zero();  ///< from i to the other
-  double distance = 0.0;  ///< of the centres [m]
+  double distance = 0.0;  ///< of the centers [m]
 };
 PairContact pair_contact(const Evaluation& e, const Pair& pair) noexcept {
   const Vec3 between = e.element_centre(pair.other) - e.element_centre(pair.i);

@@ -29,7 +29,7 @@
 /// slip (tribology/rounded_law.hpp); opposite force on the cage at the same point of space. Heat =
 /// friction · u. The force is minus the gradient of law.energy with respect to ball and cage pose.
 /// With damping (contact_damping.hpp) N is the total force, and friction goes with it.
-/// Limit: the ball centre is inside the hole; otherwise the state is not valid.
+/// Limit: the ball center is inside the hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
 /// In the pockets of balls or rollers.
@@ -56,13 +56,13 @@ class PocketSet {
   [[nodiscard]] double ball_radius(std::size_t i) const noexcept {
     return shaped() ? 0.5 * shaped_[i].pocket.ball_diameter : ball_radius_;
   }
-  /// Centres of all balls, or of one, in their pocket frames, kept for the other calls.
+  /// Centers of all balls, or of one, in their pocket frames, kept for the other calls.
   void locate(const Evaluation& e) noexcept;
   void locate(const Evaluation& e, std::size_t i) noexcept;
   [[nodiscard]] Vec3 centre(std::size_t i) const noexcept { return {qx_[i], qy_[i], qz_[i]}; }
 
   // In general.
-  /// Is the ball centre inside the hole of the wall and within one radius of its height?
+  /// Is the ball center inside the hole of the wall and within one radius of its height?
   [[nodiscard]] bool is_inside(std::size_t i) const noexcept {
     return shaped() ? contact::is_inside(shaped_[i].pocket, centre(i)) : inside(i);
   }
@@ -142,7 +142,7 @@ struct PocketAction {
   double damping = 0.0;           ///< power that damping takes [W]
   double friction_per_slip = 0;   ///< friction force over slip speed [N s/m], 0 without traction
   double slip = 0.0, heat = 0.0;  ///< [m/s, W]
-  Vec3 m, arm, point;             ///< normal into the wall; ball centre -> contact; contact
+  Vec3 m, arm, point;             ///< normal into the wall; ball center -> contact; contact
   Vec3 on_ball, friction;         ///< whole force on the ball; its friction part [N]
 };
 
@@ -188,7 +188,7 @@ struct UserPocketTouch {
 };
 using UserPocketForces = UserForces<UserPocketTouch>;
 
-/// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's centre left
+/// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's center left
 /// the hole.
 class PocketContact final : public SceneEffect, public ElementSupport {
  public:

@@ -29,7 +29,7 @@ class RaceBalance final : public SceneEffect, public BorderBody {
   class UserLoad;
 
   std::optional<BalancedRace> race_;
-  Vec3 start_ = Vec3::Zero();  ///< static centre [m]
+  Vec3 start_ = Vec3::Zero();  ///< static center [m]
   Slice centre_;
 };
 

@@ -145,8 +145,8 @@ std::string RigidElements::why_invalid(const Evaluation& e) const {
           i + 1);
     if (rollers_ && lies_across(e.attitude[i]))
       return fmt::format(
-          "roller {} lies across the bearing: its axis makes more than 84 degrees with the "
-          "bearing's; check its cage pocket and flanges, the loads and the largest step",
+          "roller {} has turned across the bearing: its axis is inclined by more than 84 degrees "
+          "to the bearing axis; check its cage pocket and flanges, the loads and the largest step",
           i + 1);
   }
   return {};

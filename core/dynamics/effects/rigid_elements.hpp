@@ -5,7 +5,7 @@
 
 /// Rolling elements as rigid bodies with any inertia: rollers, and balls of unequal moments or
 /// eccentric mass (record 6.1). Reference point P in (x, r, θ) as for balls (balls.hpp), attitude
-/// as a quaternion body -> base, ω absolute on the azimuth axes. The mass centre G is at the arm c
+/// as a quaternion body -> base, ω absolute on the azimuth axes. The mass center G is at the arm c
 /// from P (element_masses.hpp). Euler about G with the tensor I of the body, B = body -> azimuth
 /// axes, F and M about P what acts on the element:
 ///   ω̇ = B I⁻¹ (Bᵀ M - c × Bᵀ F - ω_b × I ω_b),  ω_b = Bᵀ ω;   rates of the components on e_x, e_r,
@@ -47,9 +47,9 @@ class RigidElements final : public SceneEffect {
     Slice turn;  ///< ∫ ω·(body x axis) dt
   };
   [[nodiscard]] Vec3 carried_velocity(const Evaluation& e, std::size_t i) const noexcept;
-  /// About the mass centre.
+  /// About the mass center.
   [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
-  /// From the reference point to the mass centre, base axes.
+  /// From the reference point to the mass center, base axes.
   [[nodiscard]] Vec3 arm(const Evaluation& e, std::size_t i) const noexcept {
     return e.attitude[i] * masses_[i].arm;
   }

@@ -7,11 +7,11 @@
 
 /// Suppressed accelerations of elements (kDOF, reading N9): after the equations of motion they are
 /// set to zero, so that the velocity keeps the value of the start; components of ω are those of the
-/// azimuth frame. What holds an element follows from what its acceleration would have been,
+/// azimuth frame. The reaction of an element follows from its acceleration without the constraint,
 ///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ) of the suppressed components, I the tensor in the
 ///   axes now,
 /// acts from outside, and does the work H · velocity, which the ledgers book. Elements whose mass
-/// centre is beside their reference point: constrained_element.hpp. Of the cage: cage.cpp.
+/// center is off their reference point: constrained_element.hpp. Of the cage: cage.cpp.
 namespace adore::dynamics {
 namespace {
 
@@ -95,7 +95,7 @@ class SuppressedElements final : public SceneEffect {
     using enum Quantity;
     ElementHold hold{axial_, rest_, rest_, rest_, tilt_};
     const bool held = others_ != nullptr && others_->is_held(i);
-    if (held) {  // what a balance holds is its own (held_elements.hpp), with the same rates
+    if (held) {  // reactions of a balance belong to it (held_elements.hpp), with the same rates
       hold.r = true;
       hold.x = hold.x || others_->holds_x();
     }

@@ -7,8 +7,8 @@
 
 /// Base frame that turns about a fixed axis parallel to X (record 9.5): every position, velocity
 /// and ω of the scene is relative to it. Each body feels the transport force, which has the
-/// potential -½ m Ω² (distance of its mass centre from the fixed axis)², and the Coriolis force,
-/// which does no work (moving_frame.hpp). About its mass centre a body of inertia I feels what
+/// potential -½ m Ω² (distance of its mass center from the fixed axis)², and the Coriolis force,
+/// which does no work (moving_frame.hpp). About its mass center a body of inertia I feels what
 /// turns Euler's equations for ω + Ω into equations for ω, with Ω_b = Rᵀ Ω in body axes:
 ///   M = I(ω × Ω_b) - (ω + Ω_b) × I(ω + Ω_b) + ω × Iω,   power -ω·(Ω_b × I Ω_b), hence of the
 /// potential -½ Ω_b·I Ω_b; of a ball, I equal: M = -I Ω × ω.

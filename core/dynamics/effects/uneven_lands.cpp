@@ -11,15 +11,15 @@
 /// the race changes it by
 ///   dφ = g·dω,   g = a - c_a (c - c_a a)/(1 - c_a²),   a the race axis, c_a = c·a,   [derived]
 /// so that the moment T g on the segment and -T g on the race are minus the gradient of U, at any
-/// tilt. F acts at the slice centre, -F at the same point of the race: e × F is the moment of the
-/// race that a turn of e in its axes asks for. Friction: as of circular lands, for each stretch of
-/// a spot by itself, at the cage's radius in the direction of its force. Damping
+/// tilt. F acts at the slice center, -F at the same point of the race: e × F is the moment of the
+/// race for a rotation of e in its axes. Friction: as of circular lands, for each stretch of
+/// a spot separately, at the cage's radius in the direction of its force. Damping
 /// (contact_damping.hpp) multiplies all forces of a slice by one ratio, of the load L, the sum over
 /// its stretches: dU/dt = L δ̇, δ = 2U/L the mean overlap, k = L/δ [derived].
 namespace adore::dynamics {
 namespace {
 
-/// Where a slice of a segment lies in the axes of its race.
+/// Position of a slice of a segment in the axes of its race.
 struct PlacedSlice {
   SliceAt at;
   contact::UnevenLand::Place place;

@@ -7,19 +7,19 @@
 #include <utility>
 #include <vector>
 
-/// ADRX2 to ADRX4: what a routine of the user makes of the normal forces of one kind of contact.
+/// ADRX2 to ADRX4: normal forces of one kind of contact by a user routine.
 ///
-/// The built-in block acts as without a routine; a block behind it collects its contacts, asks for
-/// all of them in one call and adds the difference, times the ratio of the difference to the
-/// built-in elastic force N, so that friction goes with the force and a law that is restated
-/// changes nothing, not a bit. The routine is asked for the elastic force F; damping
+/// The built-in block acts as without a routine; a following block collects its contacts, calls the
+/// routine once for all of them and adds the difference, times the ratio of the difference to the
+/// built-in elastic force N, so that friction follows the force and a law equal to the built-in one
+/// changes no bit. The routine returns the elastic force F; damping
 /// (contact/damping_law.hpp) acts in addition to it: the contact has the total force
 ///   P(F) = max(0, F + (d F + c) δ̇)  in place of P(N), c of the built-in stiffness.
-/// Along the normal, F - N has the power (F - N) d(gap)/dt, without a potential that is known: it
+/// Along the normal, F - N has the power (F - N) d(gap)/dt, without a known potential: it
 /// is booked with the heat of the kind, where a damping law heats and an elastic one gives back
-/// what it took; what damping adds is booked with damping. d(gap)/dt must therefore be the power of
-/// the built-in normal force over N. Limit: a contact that the built-in law leaves open is not
-/// asked for.
+/// the energy; the part of damping is booked with damping. d(gap)/dt must therefore be the power of
+/// the built-in normal force over N. Limit: the routine is not called for a contact that the
+/// built-in law leaves open.
 namespace adore::dynamics {
 
 /// A contact as the built-in block damped it.
@@ -39,7 +39,7 @@ struct UserDifference {
   double ratio = 0.0;    ///< (P(F) - P(N))/N
   double force = 0.0;    ///< P(F) - P(N) [N]
   double heat = 0.0;     ///< (N - F) d(gap)/dt [W]
-  double damping = 0.0;  ///< what damping takes more [W]
+  double damping = 0.0;  ///< additional power of damping [W]
 };
 
 template <class Touch>

@@ -221,7 +221,7 @@ void UserMotion::declare(SceneBuilder& scene) {
     velocity_ = scene.state("inner race.driven_velocity", "m/s", 3, ScaleKind::Velocity, kBorder);
     spin_ = scene.state("inner race.driven_speed", "rad/s", 1, ScaleKind::Rate, kBorder);
     (void)scene.state("inner race.driven_turn", "rad", 1, ScaleKind::Angle, kBorder);
-    // No block has this partner: the elements act on the centre of the race (race_balance.hpp).
+    // No block has this partner: the elements act on the center of the race (race_balance.hpp).
     scene.border_body({BodyId::Kind::Race, 2}, no_share_, {place_.first, 8});
     scene.block<Driven>(Phase::Races, kMotionCost, {}, *this);
     scene.block<DrivenRates>(Phase::Motion, kMotionCost, {}, *this);

@@ -7,7 +7,7 @@
 /// Routine ADRX1 of the user: loads on races, accelerations of races that it drives, motion of the
 /// base frame. It is asked once an evaluation, when both races have their motion.
 ///
-/// Loads F, M act on a race, M about its centre. Along directions that are free they move it
+/// Loads F, M act on a race, M about its center. Along directions that are free they move it
 /// (free_races.cpp), in mode 2 they are part of the balance of the inner race (race_balance.hpp).
 /// A race that is held there carries its contacts' force C and F; its support gives the reaction
 ///   R = -(C + F),   power R·v + F·v,
@@ -16,7 +16,7 @@
 ///
 /// The base frame moves with acceleration A of its origin and turns at Ω, all in its own axes. A
 /// body of mass m at ρ with velocity v and angular velocity ω relative to the frame, tensor I about
-/// its mass centre (base axes), feels
+/// its mass center (base axes), feels
 ///   F = -m [A + Ω̇ × ρ + Ω × (Ω × ρ) + 2 Ω × v],
 ///   M = I(ω × Ω) - (ω + Ω) × I(ω + Ω) + ω × Iω - I Ω̇
 /// (Newton and Euler for ω + Ω, written for ω: d(ω + Ω)/dt = ω̇ + Ω̇ + Ω × ω) [derived]. Power F·v +

@@ -913,9 +913,9 @@ class DeckVariables:
     """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
     appDispX: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along x when kFS1 is 1; first guess
-    when kFS1 is 0, where 0 selects an estimate. Measured from where all balls just touch at freeConAng by +x, or
-    cones just touch, or else mid planes coincide, of the unmounted bearing at room temperature and rest: fits,
-    growth and speed act against it."""
+    when kFS1 is 0, where 0 selects an estimate. Measured from the position in which all balls (at freeConAng, by
+    +x) or cones just touch, or the mid planes coincide, of the unmounted bearing at room temperature and rest:
+    fits, growth and speed act against it."""
     appDispY: float
     """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along y when kFS2 is 1; first guess
     when kFS2 is 0, where 0 selects an estimate. Measured from the coaxial position of the unmounted bearing at

@@ -13,7 +13,7 @@
 /// Pressure rises where the oil enters, and its gradient shears both surfaces backwards alike:
 ///   F = ∫ h/2 dp/dx dx  on each, against the entrainment u,
 /// while the pressure on the convergent surfaces pushes body k along u by 2 F R/R_k through its
-/// centre of curvature; together they are in balance, 1/R = 1/R_1 + 1/R_2. They take 2 F u.
+/// center of curvature; together they are in balance, 1/R = 1/R_1 + 1/R_2. They take 2 F u.
 ///   point  F = F_i + (F_e - F_i)/(1 + 6.6/M),  M = 0.5549 r^-0.6029 W U^-3/4
 ///          F_e = 7.5826 E' R² r^0.4055 U^3/4 W^1/3   elastic
 ///          F_i = 2.9766 E' R² r^0.3316 U^2/3 W^1/3   rigid, light loads

@@ -32,7 +32,7 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::fre
 
 long adore::test::allocation_count() { return allocations.load(); }
 
-TEST_CASE("the allocation counter counts", "[unit][alloc]") {
+TEST_CASE("allocation counter: counts", "[unit][alloc]") {
   const long before = adore::test::allocation_count();
   // Calls, not expressions: they may not be optimized away.
   void* memory = ::operator new(8);

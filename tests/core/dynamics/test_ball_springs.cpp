@@ -28,7 +28,7 @@ std::vector<std::pair<const char*, BallSpringsKernel>> kernels() {
 
 }  // namespace
 
-TEST_CASE("springs of held balls are those of each ball by itself", "[unit][dynamics][held]") {
+TEST_CASE("springs of held balls: equal to those of each ball alone", "[unit][dynamics][held]") {
   bearing::BallGeometry balls;
   balls.diameter = 0.0127;
   balls.pitch_diameter = 0.0463;

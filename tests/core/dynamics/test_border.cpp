@@ -180,7 +180,7 @@ EffectMaker maker() {
 
 }  // namespace
 
-TEST_CASE("a scene with several bodies in the border has the Jacobian of a dense difference",
+TEST_CASE("Jacobian: several bodies in the border → dense difference",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(9, 0.07);
   b.cage->pocket_clearance_1 = b.cage->pocket_clearance_2 = 2e-5;
@@ -231,7 +231,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics][implicit]") {
+TEST_CASE("free races: in the border with the cage", "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(9, 0.07);
   b.gravity = {0.0, 0.0, -9.81};
   b.cage->pocket_clearance_1 = b.cage->pocket_clearance_2 = 2e-5;
@@ -252,7 +252,7 @@ TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics]
   compare_jacobians(both, disturbed(both, 1e-5));
 }
 
-TEST_CASE("implicit steps of a ring of touching elements end where explicit ones do",
+TEST_CASE("implicit steps: ring of touching elements → end of explicit ones",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(8, 0.07);
   b.cage.reset();

@@ -81,7 +81,7 @@ TEST_CASE("no speed, no film: a standing cage is neither carried nor braked",
   CHECK(std::abs(at.energy.rate("land_film_heat")) < 1e-9);
 }
 
-TEST_CASE("films of lands and pockets keep the ledger and cost nothing where they are off",
+TEST_CASE("cage films: lands and pockets close the ledger and cost nothing when off",
           "[physics][dynamics][energy]") {
   System plain = make_system(in_oil(false, false), full_plan());
   for (const auto& row : plain.cost().rows()) CHECK(row.name != "films of the cage");
@@ -107,7 +107,7 @@ TEST_CASE("films of lands and pockets keep the ledger and cost nothing where the
   }
 }
 
-TEST_CASE("a film is thickest in force at the critical film and stays finite in contact",
+TEST_CASE("cage film: largest force at the critical film, finite in contact",
           "[physics][dynamics]") {
   const bearing::Bearing b = in_oil(true, false);
   System system = make_system(b, oiled(true, false));

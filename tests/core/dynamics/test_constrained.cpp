@@ -54,7 +54,7 @@ bool positive(const Mat2& m) {
 
 }  // namespace
 
-TEST_CASE("The balance is the stationary point of its potential", "[physics][constrained]") {
+TEST_CASE("balance: stationary point of its potential", "[physics][constrained]") {
   const bool follows = GENERATE(false, true);
   const ConstrainedBall& ball = follows ? following_ball() : kBall;
   const Vec2 force(1.5, -4.0), place(9e-5, 0.035013);
@@ -87,7 +87,7 @@ TEST_CASE("The balance is the stationary point of its potential", "[physics][con
   }
 }
 
-TEST_CASE("A loaded ball has one balance, found from far away", "[physics][constrained]") {
+TEST_CASE("balance: loaded ball → unique, found from far away", "[physics][constrained]") {
   const Orbit orbit{Orbit::Kept::Momentum, kMass * 0.035 * 0.035 * 420.0};
   const BallBalance near = kBall.solve(kRaces, 2.6, orbit, Vec2::Zero(), kGuess);
   REQUIRE(near.solved);
@@ -101,7 +101,7 @@ TEST_CASE("A loaded ball has one balance, found from far away", "[physics][const
   }
 }
 
-TEST_CASE("An unloaded ball tends to the idle place as its orbit slows down",
+TEST_CASE("balance: unloaded ball → idle position as its orbit slows down",
           "[physics][constrained]") {
   std::array<RacePose, 2> races = kRaces;
   races[1].centre = {1.68e-4, 0.0, -6e-5};  // opens the inner contact
@@ -121,7 +121,7 @@ TEST_CASE("An unloaded ball tends to the idle place as its orbit slows down",
   }
 }
 
-TEST_CASE("A ball without orbit that is pressed inwards rests on the inner race",
+TEST_CASE("balance: ball without orbit pressed inwards → rests on the inner race",
           "[physics][constrained]") {
   std::array<RacePose, 2> races = kRaces;
   races[1].centre = {1e-5, 0.0, -6e-5};
@@ -133,7 +133,7 @@ TEST_CASE("A ball without orbit that is pressed inwards rests on the inner race"
   CHECK(b.contact[1].load == Approx(5.0).epsilon(1e-5));
 }
 
-TEST_CASE("Implicit rates are the time derivatives of the balance", "[physics][constrained]") {
+TEST_CASE("balance: implicit rates are its time derivatives", "[physics][constrained]") {
   const double theta = 0.7, speed = 420.0;
   const Orbit orbit{Orbit::Kept::Momentum, kMass * 0.035 * 0.035 * speed};
   const BallBalance b = kBall.solve(kRaces, theta, orbit, Vec2::Zero(), kGuess);
@@ -154,7 +154,7 @@ TEST_CASE("Implicit rates are the time derivatives of the balance", "[physics][c
   CHECK(relative_gain(1e-4) / relative_gain(5e-5) == Approx(4.0).epsilon(0.05));
 }
 
-TEST_CASE("Mode 2 keeps a direction without stiffness where it was", "[physics][constrained]") {
+TEST_CASE("mode 2: direction without stiffness → position kept", "[physics][constrained]") {
   const std::vector<double> theta{0.1, 2.2, 4.3};
   const std::vector<Orbit> orbit(3, Orbit{Orbit::Kept::Speed, 300.0});
   std::array<RacePose, 2> races = kRaces;
@@ -176,8 +176,7 @@ TEST_CASE("Mode 2 keeps a direction without stiffness where it was", "[physics][
   CHECK(closed.residual.norm() < 1e-6);
 }
 
-TEST_CASE("Mode 2 walks a race that nothing holds until balls carry its load",
-          "[physics][constrained]") {
+TEST_CASE("mode 2: unloaded race → moves until balls carry its load", "[physics][constrained]") {
   const std::vector<double> theta{0.1, 2.2, 4.3};
   const std::vector<Orbit> orbit(3, Orbit{Orbit::Kept::Speed, 300.0});
   auto loose = groove();
@@ -190,8 +189,7 @@ TEST_CASE("Mode 2 walks a race that nothing holds until balls carry its load",
   CHECK(s.inner_centre[0] > 1e-4);
 }
 
-TEST_CASE("Motion finds the loads of statics where statics put the balls",
-          "[physics][constrained]") {
+TEST_CASE("motion: loads of statics at the positions of statics", "[physics][constrained]") {
   auto bearing = ball_bearings::spindle(20000.0);
   ball_bearings::load(bearing, 300.0, 40.0, 100.0, 1.5, -0.5);
   const auto s = statics::solve_ball_statics(bearing);
@@ -213,7 +211,8 @@ TEST_CASE("Motion finds the loads of statics where statics put the balls",
   }
 }
 
-TEST_CASE("Light-load balance switches with hysteresis and kDOF by code", "[unit][constrained]") {
+TEST_CASE("light-load balance: hysteresis of the switches, and kDOF by code",
+          "[unit][constrained]") {
   CHECK(held_next(false, 10.0, 10.0));
   CHECK_FALSE(held_next(false, 10.5, 10.0));
   CHECK(held_next(true, 10.5, 10.0));
@@ -226,7 +225,7 @@ TEST_CASE("Light-load balance switches with hysteresis and kDOF by code", "[unit
   CHECK_THROWS_AS(suppress_accelerations(6, element, cage), InputError);
 }
 
-TEST_CASE("Prescribed motions are consistent in time", "[physics][excitations]") {
+TEST_CASE("prescribed motions: consistent in time", "[physics][excitations]") {
   const RotatingLoad load({Vec3(0, 1e-6, 0), Vec3(1.2e-5, 3e-6, -1.9e-5)}, {0.2, 0.7},
                           {-300.0, 600.0});
   const double h = 1e-6;
@@ -250,7 +249,7 @@ TEST_CASE("Prescribed motions are consistent in time", "[physics][excitations]")
   }
 }
 
-TEST_CASE("A body at rest in space turns backwards in the moving frame", "[physics][frames]") {
+TEST_CASE("moving frame: body at rest in space turns backwards", "[physics][frames]") {
   const MovingFrame frame{120.0, 0.085, 0.4};
   const Vec3 at(0.001, -0.012, 0.019);
   const Vec3 arm = frame.orbit_radius * radial_direction(frame.orbit_angle) + at;

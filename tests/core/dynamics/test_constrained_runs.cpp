@@ -44,7 +44,7 @@ double heat(const Snapshot& s, int race) { return s.energy.value("heat", race); 
 
 }  // namespace
 
-TEST_CASE("mode 2 without friction stands at the static loads and keeps the asked one",
+TEST_CASE("mode 2 without friction: static loads, specified load kept",
           "[physics][dynamics][constrained]") {
   const Vec3 asked(1500.0, 0.0, 500.0);
   SECTION("slow: centrifugal forces of 1e-7 of the element loads") {
@@ -94,7 +94,7 @@ TEST_CASE("mode 2 without friction stands at the static loads and keeps the aske
   }
 }
 
-TEST_CASE("mode 2 carries a load of which a share turns, and vibration along given directions",
+TEST_CASE("mode 2: rotating fraction of the load, and vibration along given directions",
           "[physics][dynamics][constrained][motions]") {
   const auto end_of = [](const bearing::Bearing& b, const ScenePlan& plan, double end) {
     System system = make_system(b, plan);
@@ -130,7 +130,7 @@ TEST_CASE("mode 2 carries a load of which a share turns, and vibration along giv
   }
 }
 
-TEST_CASE("mode 1 has the cage speed and the heat of mode 0, in fewer evaluations",
+TEST_CASE("mode 1: cage speed and heat of mode 0, with fewer evaluations",
           "[physics][dynamics][constrained][slow]") {
   bearing::Bearing b = angular_contact(12);
   b.gravity = {0.0, 0.0, -9.81};
@@ -157,7 +157,7 @@ TEST_CASE("mode 1 has the cage speed and the heat of mode 0, in fewer evaluation
   }
 }
 
-TEST_CASE("modes 1 and 2 close the energy ledger with the kinetic energy that they leave out",
+TEST_CASE("modes 1 and 2: energy ledger closes with the excluded kinetic energy",
           "[physics][dynamics][constrained][energy]") {
   bearing::Bearing b = angular_contact(9);
   b.gravity = {0.0, 0.0, -9.81};
@@ -180,7 +180,7 @@ TEST_CASE("modes 1 and 2 close the energy ledger with the kinetic energy that th
   }
 }
 
-TEST_CASE("suppressed motions keep their velocities, and what holds them is booked",
+TEST_CASE("suppressed motions: velocities kept, reactions booked",
           "[physics][dynamics][constrained][dof]") {
   bearing::Bearing b = angular_contact(9);
   b.gravity = {1.0, 0.0, -9.81};

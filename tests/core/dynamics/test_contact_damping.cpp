@@ -86,7 +86,7 @@ SystemOptions damped(double alpha) {
 
 }  // namespace
 
-TEST_CASE("a ball that meets a race comes back as Hunt and Crossley's law has it",
+TEST_CASE("contact damping: ball rebounds from a race by Hunt and Crossley's law",
           "[physics][dynamics][damping]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
@@ -115,7 +115,8 @@ TEST_CASE("a ball that meets a race comes back as Hunt and Crossley's law has it
   CHECK(before < 0.3);
 }
 
-TEST_CASE("a roller that meets a race comes back as a ball does", "[physics][rollers][damping]") {
+TEST_CASE("contact damping: roller rebounds from a race as a ball does",
+          "[physics][rollers][damping]") {
   bearing::Bearing b = roller_bearings::cylindrical(0.0, 4e-4);
   b.rollers()->count = 1;
   b.constraints.load = {};
@@ -265,7 +266,7 @@ TEST_CASE("a free race on its balls vibrates and decays as the linearized equati
   CHECK(std::exp(lambda.real() * 5.0 * period) < 0.95);
 }
 
-TEST_CASE("what damping takes is in the energy ledger, on perfect and on wavy races",
+TEST_CASE("contact damping: energy is in the ledger, on perfect and on wavy races",
           "[physics][dynamics][energy][damping]") {
   for (const bool whole : {false, true})
     for (const bool wavy : {false, true}) {
@@ -300,7 +301,7 @@ TEST_CASE("what damping takes is in the energy ledger, on perfect and on wavy ra
     }
 }
 
-TEST_CASE("rollers: what damping takes is in the energy ledger, on perfect and on wavy races",
+TEST_CASE("contact damping of rollers: energy is in the ledger, on perfect and on wavy races",
           "[physics][rollers][energy][damping]") {
   for (const bool wavy : {false, true})
     for (bearing::Bearing b :
@@ -332,7 +333,7 @@ TEST_CASE("rollers: what damping takes is in the energy ledger, on perfect and o
     }
 }
 
-TEST_CASE("damping allocates nothing and is not there when it is off",
+TEST_CASE("contact damping: no allocation, and absent when off",
           "[unit][dynamics][damping][allocation]") {
   const bearing::Bearing b = angular_contact();
   scene::ScenePlan plan = full_plan();
@@ -402,7 +403,7 @@ Impact into_pocket(const bearing::Bearing& b, const statics::StaticSolution& sol
 
 }  // namespace
 
-TEST_CASE("a ball that meets its pocket leaves it as Hunt and Crossley's law has it",
+TEST_CASE("contact damping: ball leaves its pocket by Hunt and Crossley's law",
           "[physics][dynamics][cage][damping]") {
   bearing::Bearing b = angular_contact(1);
   const statics::StaticSolution solution = at_rest(b);
@@ -427,7 +428,7 @@ TEST_CASE("a ball that meets its pocket leaves it as Hunt and Crossley's law has
   }
 }
 
-TEST_CASE("what damping takes in pockets, at lands and flanges is in the ledger",
+TEST_CASE("contact damping: energy in pockets, at lands and flanges is in the ledger",
           "[physics][dynamics][cage][rollers][energy][damping]") {
   const auto check = [](System& system, double end, const std::string& name) {
     std::vector<double> y = system.initial_state();

@@ -35,7 +35,7 @@ ScenePlan drag_plan() {
 
 }  // namespace
 
-TEST_CASE("drag in the medium is that of a sphere, less what the cage hides, and none at rest",
+TEST_CASE("drag: sphere without the part behind the cage; none at rest",
           "[physics][tribology][analytic]") {
   bearing::Bearing b = in_medium(800.0, 0.01);
   const BearingDrag with_cage(b);
@@ -71,7 +71,7 @@ TEST_CASE("drag in the medium is that of a sphere, less what the cage hides, and
   CHECK(tribology::drag_power(drag, b, 500.0, 0.0, 500.0).total() == 0.0);
 }
 
-TEST_CASE("every medium of the table drags, thin gases less than liquids", "[physics][tribology]") {
+TEST_CASE("drag: every medium of the table; thin gases less than liquids", "[physics][tribology]") {
   bearing::Bearing b = in_medium(1.0, 1.0);
   const double orbit = 0.04 * b.speed[1];
   const auto power = [&](int code, double T) {
@@ -98,7 +98,7 @@ TEST_CASE("every medium of the table drags, thin gases less than liquids", "[phy
   CHECK(half > 0.49 * whole);
 }
 
-TEST_CASE("drag slows balls and cage, and all of its work is in the ledger",
+TEST_CASE("drag: slows balls and cage, with all of its work in the ledger",
           "[physics][dynamics][energy]") {
   const bearing::Bearing b = in_medium(800.0, 0.01);
   const double end = 2e-4;
@@ -145,8 +145,7 @@ TEST_CASE("drag slows balls and cage, and all of its work is in the ledger",
   CHECK(plain.snapshot(end, free.y).power.churning_fraction == 0.0);
 }
 
-TEST_CASE("momentum that the medium takes leaves through the outer race",
-          "[physics][dynamics][energy]") {
+TEST_CASE("drag: momentum leaves through the outer race", "[physics][dynamics][energy]") {
   const bearing::Bearing b = in_medium(800.0, 0.01);
   ScenePlan plan = drag_plan();
   plan.effects.push_back({Effect::MomentumLedger, "", true, "test"});

@@ -61,7 +61,7 @@ System with_drag(const bearing::Bearing& b, const ScenePlan& plan, double coeffi
 
 }  // namespace
 
-TEST_CASE("an effect that no file knows acts, keeps the energy ledger and is shown by name",
+TEST_CASE("effect catalogue: added effect → acts, closes the energy ledger, is shown by name",
           "[physics][dynamics][energy]") {
   const bearing::Bearing b = angular_contact();
   const ScenePlan plan = full_plan();
@@ -107,7 +107,7 @@ TEST_CASE("an effect that no file knows acts, keeps the energy ledger and is sho
         plain.snapshot(end, free.y).elements[0].theta);
 }
 
-TEST_CASE("the catalogue names each effect and each item of the ledger once", "[unit][dynamics]") {
+TEST_CASE("effect catalogue: each effect and each item of the ledger once", "[unit][dynamics]") {
   std::set<std::string_view> names, ids;
   for (const CatalogueLine& line : effect_catalogue()) {
     CHECK(names.insert(line.name).second);
@@ -128,7 +128,7 @@ TEST_CASE("the catalogue names each effect and each item of the ledger once", "[
   CHECK(made == std::set<std::string_view>{"balls", "races"});
 }
 
-TEST_CASE("a ledger's residual is the signed sum of its items", "[unit][dynamics]") {
+TEST_CASE("ledger: residual is the signed sum of its items", "[unit][dynamics]") {
   using enum LedgerKind;
   constexpr LedgerTerm kIn{Work, "in", "", {"in"}, ""}, kOut{Heat, "out", "", {"out"}, ""},
       kStored{Stored, "stored", "", {"stored"}, ""}, kStart{Start, "start", "", {"start"}, ""},

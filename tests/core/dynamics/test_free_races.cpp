@@ -124,9 +124,8 @@ TEST_CASE(
   CHECK(now.momentum->angular.residual().norm() < 1e-8 * now.momentum->angular_size);
 }
 
-TEST_CASE(
-    "a free inner race answers a step of thrust at the eigenfrequency of the static stiffness",
-    "[physics][dynamics][races]") {
+TEST_CASE("free inner race: step of thrust → eigenfrequency of the static stiffness",
+          "[physics][dynamics][races]") {
   const double thrust = 1500.0, step = 15.0, mass = 20.0;  // 200 times the balls
   const auto place = [](double load) {
     const bearing::Bearing b = standing(load);
@@ -164,7 +163,7 @@ TEST_CASE(
   CHECK(previous < 1e-6);
 }
 
-TEST_CASE("a shaft-like race under its own unbalance keeps energy and momentum",
+TEST_CASE("shaft-like race under its unbalance: energy and momentum kept",
           "[physics][dynamics][races][energy]") {
   bearing::Bearing b = angular_contact(12);
   b.gravity = {0.0, 0.0, -9.81};
@@ -197,7 +196,7 @@ TEST_CASE("a shaft-like race under its own unbalance keeps energy and momentum",
   CHECK(angular < 1e-5);
 }
 
-TEST_CASE("races excited by laws of the time move as the laws say and keep the energy ledger",
+TEST_CASE("races excited by laws of time: follow the laws, energy ledger closes",
           "[physics][dynamics][excitations]") {
   bearing::Bearing b = angular_contact(9);
   ScenePlan plan = full_plan();
@@ -241,8 +240,7 @@ TEST_CASE("races excited by laws of the time move as the laws say and keep the e
   CHECK(residual < 1e-2 * first);
 }
 
-TEST_CASE("in a turning base frame bodies that nothing touches go straight in space",
-          "[physics][dynamics][frames]") {
+TEST_CASE("turning base frame: free bodies move straight in space", "[physics][dynamics][frames]") {
   bearing::Bearing b = angular_contact(6);
   b.cage->inertia = {0.05, {5e-5, 3e-5, 4e-5}};
   b.cage->start_angles = {0.0, 0.1, -0.05};

@@ -42,7 +42,7 @@ bearing::Bearing bearing_with_touching_cage(int balls = 12) {
 
 }  // namespace
 
-TEST_CASE("what the stiff part leaves of frictionless balls is the fictitious forces",
+TEST_CASE("stiff part: the rest of frictionless balls is the fictitious forces",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact();
   b.cage.reset();
@@ -73,7 +73,7 @@ TEST_CASE("what the stiff part leaves of frictionless balls is the fictitious fo
   CHECK(std::all_of(stiff.begin() + spin.first, stiff.end(), [](double v) { return v == 0.0; }));
 }
 
-TEST_CASE("without race contacts there is no stiff part", "[unit][dynamics][implicit]") {
+TEST_CASE("stiff part: none without race contacts", "[unit][dynamics][implicit]") {
   bearing::Bearing b = angular_contact();
   b.cage.reset();
   System system = make_system(b, plan_with({Effect::Gravity}));
@@ -82,7 +82,7 @@ TEST_CASE("without race contacts there is no stiff part", "[unit][dynamics][impl
   CHECK(system.rhs_stiff(0.0, y.data(), y.data()) == RhsStatus::Fail);
 }
 
-TEST_CASE("elements meet only through the cage, and their shares are all that they do to it",
+TEST_CASE("arrow: elements are coupled only through the cage, with complete shares",
           "[physics][dynamics][implicit]") {
   ScenePlan plan = full_plan();
   plan.effects.push_back({Effect::ElementOrientation, "", true, "test"});
@@ -123,7 +123,7 @@ TEST_CASE("elements meet only through the cage, and their shares are all that th
   CHECK(pushed > 20);  // the pockets did push
 }
 
-TEST_CASE("implicit-explicit steps converge to the explicit solution of a bearing",
+TEST_CASE("implicit-explicit steps: converge to the explicit solution of a bearing",
           "[physics][dynamics][implicit][slow]") {
   const bearing::Bearing b = bearing_with_touching_cage();
   System system = make_system(b, full_plan());
@@ -154,8 +154,7 @@ TEST_CASE("implicit-explicit steps converge to the explicit solution of a bearin
   CHECK(previous_residual < 1e-5);
 }
 
-TEST_CASE("the price of a Jacobian does not grow with the number of balls",
-          "[unit][dynamics][implicit]") {
+TEST_CASE("Jacobian: cost independent of the number of balls", "[unit][dynamics][implicit]") {
   long price[2] = {0, 0};
   int which = 0;
   for (const int balls : {8, 18}) {

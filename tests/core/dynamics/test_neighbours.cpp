@@ -51,7 +51,7 @@ std::vector<double> colliding(const System& system) {
 
 }  // namespace
 
-TEST_CASE("two balls press on each other as Hertz says", "[physics][dynamics]") {
+TEST_CASE("two balls: contact by Hertz", "[physics][dynamics]") {
   const bearing::Bearing b = crowded(2 + 8);
   System system = make_system(b, ring_plan(false));
   const std::vector<double> start = system.initial_state();
@@ -83,7 +83,7 @@ TEST_CASE("two balls press on each other as Hertz says", "[physics][dynamics]") 
   }
 }
 
-TEST_CASE("a bearing without cage conserves energy and momentum through its collisions",
+TEST_CASE("bearing without cage: energy and momentum conserved through collisions",
           "[physics][dynamics][energy]") {
   for (const bool friction : {false, true}) {
     double previous = 1e300;
@@ -112,7 +112,7 @@ TEST_CASE("a bearing without cage conserves energy and momentum through its coll
   }
 }
 
-TEST_CASE("balls that do not reach each other do not know that there is no cage",
+TEST_CASE("balls that do not reach each other: no effect of the missing cage",
           "[physics][dynamics]") {
   bearing::Bearing b = angular_contact(10);
   b.cage.reset();
@@ -128,8 +128,7 @@ TEST_CASE("balls that do not reach each other do not know that there is no cage"
     CHECK(one[static_cast<std::size_t>(k)] == other[static_cast<std::size_t>(k)]);
 }
 
-TEST_CASE("balls pressed into each other by a radius are no state of a bearing",
-          "[physics][dynamics]") {
+TEST_CASE("balls that overlap by a radius: invalid state", "[physics][dynamics]") {
   System system = make_system(crowded(), ring_plan(false));
   std::vector<double> y = system.initial_state();
   y[place(system, "element.theta", 1)] = y[place(system, "element.theta", 0)] + 0.1;
@@ -171,8 +170,7 @@ Snapshot run_held(System& system, std::vector<double> y, double end, double tole
 
 }  // namespace
 
-TEST_CASE("a ring of held balls that is squeezed stands where all forces balance",
-          "[physics][dynamics][held]") {
+TEST_CASE("squeezed ring of held balls: balance of all forces", "[physics][dynamics][held]") {
   constexpr int kBalls = 12;
   bearing::Bearing b = crowded(kBalls);
   b.balls().pitch_diameter = (0.0127 - 2e-5) / std::sin(std::numbers::pi / kBalls);
@@ -194,7 +192,7 @@ TEST_CASE("a ring of held balls that is squeezed stands where all forces balance
   }
 }
 
-TEST_CASE("held balls without cage close the ledgers through their collisions",
+TEST_CASE("held balls without cage: ledgers close through collisions",
           "[physics][dynamics][held][energy]") {
   for (const Effect balance : {Effect::ElementBalance, Effect::LightLoadBalance})
     for (const bool friction : {false, true}) {
@@ -223,7 +221,7 @@ TEST_CASE("held balls without cage close the ledgers through their collisions",
     }
 }
 
-TEST_CASE("mode 1 without cage turns and heats as mode 0 does", "[physics][dynamics][held][slow]") {
+TEST_CASE("mode 1 without cage: speed and heat of mode 0", "[physics][dynamics][held][slow]") {
   bearing::Bearing b = crowded();
   b.constraints.load = {1500.0, 0.0, 500.0, 0.0, 0.0};
   const double end = 3.0 * 2.0 * std::numbers::pi / b.speed[1];

@@ -215,7 +215,7 @@ TEST_CASE("zero cost: with traction off no ball gets a moment", "[physics][dynam
   }
 }
 
-TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit][dynamics]") {
+TEST_CASE("scales: radius, largest load and the stiffest contact", "[unit][dynamics]") {
   bearing::Bearing b = angular_contact();
   const auto solution = statics_of(b, b.balls().contact_angle);
   System system = make_system(b, full_plan(), solution);
@@ -240,7 +240,7 @@ TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit]
   CHECK(idle.scales().time > 0.0);
 }
 
-TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates",
+TEST_CASE("free ball under gravity: parabola in cylindrical coordinates",
           "[physics][dynamics][analytic]") {
   bearing::Bearing b = angular_contact(1);
   b.gravity = {0.3, 1.0, -9.81};
@@ -269,7 +269,7 @@ TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates
   CHECK(std::abs(system.snapshot(end, result.y).energy.residual()) < 1e-12);
 }
 
-TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physics][dynamics]") {
+TEST_CASE("single ball: orbits on the outer race and keeps its energy", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
   const contact::GrooveGeometry groove = contact::groove_geometry(b.balls());
@@ -298,9 +298,8 @@ TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physi
   CHECK(s.elements[0].race[1].load == 0.0);
 }
 
-TEST_CASE(
-    "without friction and gravity every ball keeps its angular momentum, the bearing its energy",
-    "[physics][dynamics][energy]") {
+TEST_CASE("no friction and gravity: every ball keeps its angular momentum, the bearing its energy",
+          "[physics][dynamics][energy]") {
   bearing::Bearing b = angular_contact(6);
   b.constraints.load = {1500.0, 0.0, 0.0, 0.0, 0.0};
   System system = make_system(b, plan_with({Effect::RaceContact}));
@@ -319,7 +318,7 @@ TEST_CASE(
           Approx(y[6 + i] * y[6 + i] * y[30 + i]).epsilon(1e-8));
 }
 
-TEST_CASE("action equals reaction over races, pockets and lands", "[physics][dynamics]") {
+TEST_CASE("action equals reaction: races, pockets and lands", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.constraints.outer_misalignment = {2e-4, -1e-4};
   b.cage->lands[1].guide = bearing::GuideLand::Guide::Inner;
@@ -342,8 +341,7 @@ TEST_CASE("action equals reaction over races, pockets and lands", "[physics][dyn
   CHECK(sum.angular.norm() < 1e-13 * sum.size);
 }
 
-TEST_CASE("a resting cage hangs in gravity with the weight of everything on the races",
-          "[physics][dynamics]") {
+TEST_CASE("resting cage: hangs in gravity, total weight on the races", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.gravity = {0.0, 0.0, -9.81};
   System system =
@@ -355,7 +353,7 @@ TEST_CASE("a resting cage hangs in gravity with the weight of everything on the 
   CHECK((sum.linear - weight).norm() < 1e-12 * sum.size);
 }
 
-TEST_CASE("the start state from statics is close to equilibrium", "[physics][dynamics]") {
+TEST_CASE("start state from statics: close to equilibrium", "[physics][dynamics]") {
   const bearing::Bearing b = angular_contact();
   // Without friction in dynamics the static solution must not share a gyroscopic moment either.
   const auto solution = statics_of(b, b.balls().contact_angle, statics::Control::None);
@@ -375,7 +373,7 @@ TEST_CASE("the start state from statics is close to equilibrium", "[physics][dyn
   CHECK(s.races[1].applied_force[2] == Approx(500.0).epsilon(1e-7));
 }
 
-TEST_CASE("the start state holds with misaligned races", "[physics][dynamics]") {
+TEST_CASE("start state: also with misaligned races", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.constraints.outer_misalignment = {1e-3, -5e-4};
   b.constraints.displacement = {0.0, 0.0, 0.0, 4e-4, 7e-4};
@@ -414,8 +412,7 @@ TEST_CASE("the cage starts on the locus of element centers with its ratios of sp
   CHECK((angles_from_quaternion(s.cages[0].orientation) - b.cage->start_angles).norm() < 1e-14);
 }
 
-TEST_CASE("a state judged by its energy is checked and reported as it was evaluated",
-          "[unit][dynamics]") {
+TEST_CASE("state judged by its energy: checked and reported as evaluated", "[unit][dynamics]") {
   const bearing::Bearing b = angular_contact();
   System system = make_system(b, full_plan()), fresh = make_system(b, full_plan());
   std::vector<double> y = system.initial_state(), d(y.size());
@@ -439,8 +436,7 @@ TEST_CASE("a state judged by its energy is checked and reported as it was evalua
   CHECK_THROWS_AS(system.check_state(1e-5, other.data()), SolverError);
 }
 
-TEST_CASE("a trial state outside the model asks for a smaller step, an accepted one says why",
-          "[unit][dynamics]") {
+TEST_CASE("state outside the model: trial → smaller step, accepted → reason", "[unit][dynamics]") {
   const bearing::Bearing b = angular_contact();
   System system = make_system(b, full_plan());
   std::vector<double> d(static_cast<std::size_t>(system.layout().size()));
@@ -524,7 +520,7 @@ TEST_CASE("plan estimates: the fastest contact and the expected step", "[unit][d
   CHECK(system.cost().calls() == 0);
 }
 
-TEST_CASE("constants that follow the contact angle keep the energy while the angle swings",
+TEST_CASE("constants that follow the contact angle: energy kept while the angle swings",
           "[physics][dynamics][energy][hertz]") {
   // The inner race is driven along the axis and back: contact angles swing by some twenty degrees.
   bearing::Bearing b = angular_contact(8);

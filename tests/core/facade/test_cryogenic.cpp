@@ -40,7 +40,7 @@ constexpr const char *kNitride = "150", *kSteel = "103";
 // Heat falls while thrust brings all balls to one speed, and rises with their spin under load
 // (decision 337). The thrust of the least heat goes with the radial load; at 7 kN that of steel
 // balls is hidden by spin, at 400 N that of nitride balls by the drag of the liquid.
-TEST_CASE("in liquid oxygen a hybrid bearing is cooler; heat falls, then rises with thrust",
+TEST_CASE("liquid oxygen: hybrid bearing cooler; heat falls, then rises with thrust",
           "[physics][film]") {
   const testing::TemporaryFolder folder;
   struct Case {

@@ -60,7 +60,7 @@ facade::RunOutcome run(const char* type, Sets sets, const std::string& until) {
 
 }  // namespace
 
-TEST_CASE("a race in balance is off by more than a tenth, at tiny steps, before a run ends",
+TEST_CASE("race watch: more than a tenth off at tiny steps → run ends, otherwise continues",
           "[unit][constrained]") {
   const auto constant = [](double load) {
     return [load](double) { return scene::Vec3(0.0, 0.0, load); };
@@ -142,10 +142,8 @@ TEST_CASE("mode 2: rollers that barely touch → the inner race stays in balance
   }
 }
 
-TEST_CASE(
-    "mode 2 goes on from rest, through zero, under a load that turns, shaken, pushed and lightly "
-    "loaded",
-    "[validation][constrained][slow]") {
+TEST_CASE("mode 2: rest, zero, rotating load, vibration, push, light load → run continues",
+          "[validation][constrained][slow]") {
   const std::pair<const char*, Sets> cases[] = {
       {"from rest", {{"kVarSpeed", "1"}, {"rpm2", "0"}, {"raceAngAcc2", "1e6"}, {"endTime2", "1"}}},
       {"through zero", {{"kVarSpeed", "2"}, {"raceSpeedAmp2", "20000"}, {"raceSpeedFreq2", "500"}}},

@@ -98,18 +98,16 @@ void compare(const std::string& type) {
 
 }  // namespace
 
-TEST_CASE("a rehearsal refuses what the run of a ball bearing refuses, in its words",
-          "[unit][rehearsal]") {
+TEST_CASE("rehearsal: errors of a ball bearing run → same messages", "[unit][rehearsal]") {
   compare("ball");
 }
 
-TEST_CASE("a rehearsal refuses what runs of rollers refuse, in their words",
-          "[unit][rehearsal][slow]") {
+TEST_CASE("rehearsal: errors of roller runs → same messages", "[unit][rehearsal][slow]") {
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
     compare(type);
 }
 
-TEST_CASE("a preparation that is to end does not begin an equilibrium", "[unit][rehearsal]") {
+TEST_CASE("rehearsal: stop requested → no equilibrium is started", "[unit][rehearsal]") {
   for (const char* type : {"ball", "tapered"}) {
     facade::LoadedDeck input;
     input.deck = deck::new_deck(type);
@@ -121,7 +119,7 @@ TEST_CASE("a preparation that is to end does not begin an equilibrium", "[unit][
   }
 }
 
-TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][rehearsal]") {
+TEST_CASE("rehearsal: deck without a name → from its equilibrium", "[unit][rehearsal]") {
   deck::Deck deck = deck::new_deck("ball");
   CHECK(rehearsed(deck, {}, {}).empty());
   deck.set("cageGcPos[2]", "1");
@@ -130,8 +128,7 @@ TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][reh
   CHECK(said[0].record == "9.6");
 }
 
-TEST_CASE("a folder that cannot be written into is told before the run, in the lock's words",
-          "[unit][rehearsal]") {
+TEST_CASE("rehearsal: folder without write permission → message of the lock", "[unit][rehearsal]") {
   // The superuser writes anywhere: then as somebody else.
   const bool super = ::geteuid() == 0;
   static constexpr uid_t kNobody = 65534;
@@ -172,7 +169,7 @@ TEST_CASE("a folder that cannot be written into is told before the run, in the l
   fs::remove(folder);
 }
 
-TEST_CASE("a run says what will end it: its most steps, or its time", "[unit][rehearsal]") {
+TEST_CASE("plan: end of the run, by steps or time", "[unit][rehearsal]") {
   const testing::TemporaryFolder folder;
   facade::RunRequest request;
   request.deck = folder / "DATA.txt";
@@ -193,7 +190,7 @@ TEST_CASE("a run says what will end it: its most steps, or its time", "[unit][re
   }
 }
 
-TEST_CASE("a method that cannot do what the deck asks is refused by its variable",
+TEST_CASE("rehearsal: method that does not support the deck → error with its variable",
           "[unit][rehearsal]") {
   deck::Deck deck = deck::new_deck("cylindrical");
   for (const char* method : {"33", "1"}) {
@@ -210,7 +207,8 @@ TEST_CASE("a method that cannot do what the deck asks is refused by its variable
   }
 }
 
-TEST_CASE("a run that is completed shows how much of the whole is done", "[unit][continuation]") {
+TEST_CASE("progress: completed part of a continued run → share of the whole",
+          "[unit][continuation]") {
   const testing::TemporaryFolder folder;
   facade::RunRequest request;
   request.deck = folder / "DATA.txt";

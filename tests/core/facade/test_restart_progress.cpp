@@ -23,7 +23,7 @@ scene::EnergyLedger instant(double stored, double work) {
 
 }  // namespace
 
-TEST_CASE("the ledger of a continued run goes on through rounding, and not through other loads",
+TEST_CASE("ledger of a continued run: continues despite rounding, not under other loads",
           "[unit][restart]") {
   const scene::EnergyLedger then = instant(50.0 + 1e-9, 1e-9);
   LedgerStart start;
@@ -46,7 +46,7 @@ TEST_CASE("the ledger of a continued run goes on through rounding, and not throu
   CHECK_FALSE(start.goes_on(instant(50.0, 1000.0 + 5e-6)));
 }
 
-TEST_CASE("steps and counters of MASTER that cannot be are refused by name", "[unit][restart]") {
+TEST_CASE("MASTER: impossible steps and counters → rejected by name", "[unit][restart]") {
   setup::RunControl control;
   control.substeps = 3;
   const auto restored = [&](const std::string& name, double value) {

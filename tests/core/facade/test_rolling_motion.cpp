@@ -49,8 +49,7 @@ statics::FrictionEstimate of_equilibrium(Deck deck) {
 
 }  // namespace
 
-TEST_CASE("oil resists rolling in the motion of all types as it does in their equilibrium",
-          "[validation][film]") {
+TEST_CASE("rolling resistance: same in motion and equilibrium, all types", "[validation][film]") {
   const testing::TemporaryFolder folder;
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     CAPTURE(type);
@@ -68,7 +67,7 @@ TEST_CASE("oil resists rolling in the motion of all types as it does in their eq
   }
 }
 
-TEST_CASE("rolling resistance is of scenes with oil, can be left out, and the plan says so",
+TEST_CASE("rolling resistance: only with oil, can be left out, listed in the plan",
           "[unit][film]") {
   const testing::TemporaryFolder folder;
   const auto entry_of = [](const Deck& deck, const char* off) {

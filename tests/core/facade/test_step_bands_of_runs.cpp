@@ -107,7 +107,7 @@ void check_rules(const results::H5Reader& file) {
 
 }  // namespace
 
-TEST_CASE("extremes between stored steps are those of a run that stores every step",
+TEST_CASE("step bands: extremes equal those of a run that stores every step",
           "[physics][step-band][slow]") {
   for (const Case& of : cases()) {
     INFO(of.name);
@@ -153,7 +153,7 @@ TEST_CASE("extremes between stored steps are those of a run that stores every st
   }
 }
 
-TEST_CASE("a pocket force has peaks between stored steps that only its band tells",
+TEST_CASE("step bands: peaks of a pocket force between stored steps are only in its band",
           "[physics][step-band]") {
   testing::TemporaryFolder folder;
   const Case ball{"ball", "ball", {}};
@@ -188,7 +188,7 @@ TEST_CASE("a pocket force has peaks between stored steps that only its band tell
   }
 }
 
-TEST_CASE("extremes between stored steps know both sides of a thermal step",
+TEST_CASE("step bands: extremes include both sides of a thermal step",
           "[physics][step-band][thermal]") {
   const Sets thermal{{"kTherm", "1"},       {"kCoolant", "14"}, {"kBaseTemp", "3"},
                      {"baseTemp", "330"},   {"kHTC", "0"},      {"cFlowRate", "1e-4"},
@@ -232,7 +232,7 @@ TEST_CASE("extremes between stored steps know both sides of a thermal step",
   }
 }
 
-TEST_CASE("bands with substeps between counted steps keep their rules", "[physics][step-band]") {
+TEST_CASE("step bands: substeps between counted steps → same rules", "[physics][step-band]") {
   for (const Case& of : cases()) {
     if (of.sets.size() > 1) continue;
     INFO(of.name);
@@ -242,7 +242,7 @@ TEST_CASE("bands with substeps between counted steps keep their rules", "[physic
   }
 }
 
-TEST_CASE("a continued run has the extremes of an unbroken one", "[physics][step-band]") {
+TEST_CASE("step bands: continued run → extremes as without a break", "[physics][step-band]") {
   for (const char* type : {"ball", "cylindrical"}) {
     INFO(type);
     const Case of{type, type, {}};

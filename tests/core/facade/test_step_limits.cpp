@@ -68,8 +68,7 @@ double growth_by_stepper(const std::string& method, const StepLimits& limits, do
 }  // namespace
 
 TEST_CASE(
-    "With the limits in force no method lets a vibration grow, and with the deck's those do "
-    "that are changed",
+    "Step limits: no method lets a vibration grow; limits of the deck are changed only if it would",
     "[physics][facade]") {
   for (const std::string_view name : integrators::stepper_names()) {
     const std::string method(name);
@@ -95,7 +94,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Damping that a method cannot follow shortens its steps", "[physics][facade][damping]") {
+TEST_CASE("Step limits: damping that a method cannot follow → shorter steps",
+          "[physics][facade][damping]") {
   // λ = (-ζ ± √(ζ² - 1)) ω for ζ = 2: the fast decay is 3.73 times as fast as ω.
   const auto limits_of = [](const char* method, double damping) {
     StepRequest request = request_of(method, 1e-3, 1.7);
@@ -121,7 +121,7 @@ TEST_CASE("Damping that a method cannot follow shortens its steps", "[physics][f
   CHECK(limits_of("rk4", 0.2).action == StepAction::Kept);
 }
 
-TEST_CASE("The methods that damp at the usual step keep it", "[unit][facade]") {
+TEST_CASE("Step limits: methods that damp at the usual step → unchanged", "[unit][facade]") {
   const auto action = [](const char* method) {
     return stable_steps(request_of(method, 1e-3, 0.7)).action;
   };
@@ -141,7 +141,7 @@ TEST_CASE("The methods that damp at the usual step keep it", "[unit][facade]") {
   CHECK(bdf.maximum == 0.7 / kOmega);
 }
 
-TEST_CASE("A constant step moves to the nearest good one, up into a band where there is one",
+TEST_CASE("Step limits: constant step → nearest stable one, also up into a stable band",
           "[unit][facade]") {
   // rkf4 damps from hω = 2.37 to 3.2 and, slow enough, below 0.3.
   StepRequest request = request_of("rkf4", 2.2, 2.2);
@@ -161,8 +161,7 @@ TEST_CASE("A constant step moves to the nearest good one, up into a band where t
   CHECK(down.maximum * kOmega > 0.2);
 }
 
-TEST_CASE("What was done to the steps is said in a sentence with frequency and factor",
-          "[unit][facade]") {
+TEST_CASE("Step limits: changes are reported with frequency and factor", "[unit][facade]") {
   const StepRequest request = request_of("rkf4", 1e-3, 0.7);
   const std::string text = step_limits_text(request, stable_steps(request), 1.0 / kOmega);
   INFO(text);
@@ -177,7 +176,7 @@ TEST_CASE("What was done to the steps is said in a sentence with frequency and f
   CHECK(stable_steps(idle).action == StepAction::Kept);
 }
 
-TEST_CASE("A method that cannot hold a constant step is never given one", "[unit][facade]") {
+TEST_CASE("Step limits: method without constant steps → never given one", "[unit][facade]") {
   // A least step that is longer than what lets no vibration grow left the two equal.
   for (const std::string_view name : integrators::stepper_names()) {
     const std::string method(name);

@@ -76,7 +76,7 @@ double worst_rate(const results::H5Reader& file, const std::string& value, const
 
 }  // namespace
 
-TEST_CASE("every stored velocity is the rate of the stored position", "[validation][outputs]") {
+TEST_CASE("stored velocities: each is the rate of the stored position", "[validation][outputs]") {
   const std::pair<const char*, Sets> scenes[] = {
       {"ball", {}},
       {"cylindrical", {}},

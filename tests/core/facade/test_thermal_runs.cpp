@@ -64,7 +64,7 @@ deck::Deck moving(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a quasi-static deck with kTherm prints temperatures, friction and their network",
+TEST_CASE("kTherm, quasi-static: temperatures, friction and their network are printed",
           "[physics][thermal]") {
   for (const char* name : {"ball", "cylindrical"}) {
     INFO(name);
@@ -85,7 +85,7 @@ TEST_CASE("a quasi-static deck with kTherm prints temperatures, friction and the
   }
 }
 
-TEST_CASE("a run with kTherm warms by steps, keeps its ledger and shows nine values more",
+TEST_CASE("kTherm, motion: warms by steps, closes its ledger and stores nine more values",
           "[physics][thermal]") {
   const fs::path where = folder("moving");
   const Ran ran = run_deck(moving("ball"), where);
@@ -105,7 +105,7 @@ TEST_CASE("a run with kTherm warms by steps, keeps its ledger and shows nine val
   CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
 }
 
-TEST_CASE("the network of a motion's last thermal step is in RUN.json, with the figures of SOL7",
+TEST_CASE("RUN.json: network of a motion's last thermal step, with the values of SOL7",
           "[physics][thermal]") {
   const fs::path where = folder("network");
   deck::Deck deck = moving("ball");
@@ -138,7 +138,7 @@ TEST_CASE("the network of a motion's last thermal step is in RUN.json, with the 
   CHECK(left == Approx(made).epsilon(1e-9));
 }
 
-TEST_CASE("RESULTS.h5 has the temperatures of rings, elements, cage, housing, shaft and films",
+TEST_CASE("RESULTS.h5: temperatures of rings, elements, cage, housing, shaft and films",
           "[physics][thermal]") {
   for (const bool ladder : {false, true}) {
     INFO("ladder " << ladder);
@@ -185,8 +185,7 @@ TEST_CASE("RESULTS.h5 has the temperatures of rings, elements, cage, housing, sh
   }
 }
 
-TEST_CASE("all heat of the ledger goes into the thermal network, whatever made it",
-          "[unit][thermal]") {
+TEST_CASE("thermal network: receives all heat of the ledger, from any source", "[unit][thermal]") {
   for (const char* type : {"ball", "cylindrical"}) {
     facade::LoadedDeck input;
     input.deck = moving(type);
@@ -293,8 +292,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a run with thermalTransient ends in the steady state of a run without",
-          "[physics][thermal]") {
+TEST_CASE("thermalTransient: ends in the steady state of a run without it", "[physics][thermal]") {
   deck::Deck deck = moving("ball");
   deck.set("kCoolant", "0");
   deck.set("kBaseTemp", "0");
@@ -314,7 +312,7 @@ TEST_CASE("a run with thermalTransient ends in the steady state of a run without
   CHECK(inner[1] == Approx(inner[0]).margin(1.5));
 }
 
-TEST_CASE("heat that grows for four thermal steps → judged divergent, and the run goes on",
+TEST_CASE("heat that grows for four thermal steps → judged divergent, and the run continues",
           "[unit][thermal]") {
   const facade::Prepared prepared = still_air("ball", {});
   facade::ThermalRun run(prepared);
@@ -324,7 +322,7 @@ TEST_CASE("heat that grows for four thermal steps → judged divergent, and the 
   CHECK(found.back() > found.front() + 4.0);
 }
 
-TEST_CASE("each variable of thermal steps acts", "[physics][thermal]") {
+TEST_CASE("thermal steps: each variable acts", "[physics][thermal]") {
   struct Seen {
     int steps = 0, changes = 0;
     double first_change = 0.0, work = 0.0;
@@ -371,7 +369,7 @@ TEST_CASE("each variable of thermal steps acts", "[physics][thermal]") {
   CHECK(plain.first_change < 3e-4);
 }
 
-TEST_CASE("thermal steps of every kind go on where a run was cut", "[physics][thermal]") {
+TEST_CASE("thermal steps of every kind: continued after a break", "[physics][thermal]") {
   int count = 0;
   for (const auto& [name, value] : {std::pair{"kGeoMod", "2"},
                                     {"kMatPropMod", "1"},
@@ -395,7 +393,7 @@ TEST_CASE("thermal steps of every kind go on where a run was cut", "[physics][th
   }
 }
 
-TEST_CASE("a run with thermal steps that was cut goes on in the steps of an unbroken one",
+TEST_CASE("thermal steps: run continued after a break → steps of an uninterrupted one",
           "[physics][thermal]") {
   // The longest step is of the time scale that the bearing had before it warmed up.
   for (const char* type : {"ball", "cylindrical", "tapered", "spherical", "spherical-tapered"}) {
@@ -434,7 +432,7 @@ TEST_CASE("a run with thermal steps that was cut goes on in the steps of an unbr
   }
 }
 
-TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]") {
+TEST_CASE("continued run: temperatures are continued", "[physics][thermal]") {
   deck::Deck whole = moving("ball");
   const fs::path one = folder("whole"), two = folder("parts");
   const Ran unbroken = run_deck(whole, one);
@@ -455,7 +453,7 @@ TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]")
   }
 }
 
-TEST_CASE("temperatures that run away end the run with their figures", "[physics][thermal]") {
+TEST_CASE("temperatures that run away → run ends with their values", "[physics][thermal]") {
   deck::Deck deck = moving("ball");
   deck.set("kCoolant", "13");  // a breath of air
   deck.set("cFlowRate", "1.0e-7");
@@ -475,7 +473,7 @@ TEST_CASE("temperatures that run away end the run with their figures", "[physics
                     Catch::Contains("thermal analysis: no steady state"));
 }
 
-TEST_CASE("the medium drags in decks of all types and modes, and its heat is in the account",
+TEST_CASE("medium: drag in decks of all types and modes, with its heat in the balance",
           "[physics][tribology]") {
   for (const auto& [name, mode, share] : {std::tuple{"ball", "0", "0.0"},
                                           {"ball", "0", "0.02"},
@@ -511,7 +509,7 @@ TEST_CASE("the medium drags in decks of all types and modes, and its heat is in 
   }
 }
 
-TEST_CASE("films of the cage act from decks: lands and pockets of any type, with elements held",
+TEST_CASE("cage films: lands and pockets of any type act, also with quasi-static elements",
           "[physics][tribology]") {
   struct Case {
     const char *name, *lands, *pockets, *variable, *value;

@@ -58,7 +58,7 @@ bool has_section(const std::string& print, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("every type writes its plot files, pages and averages", "[validation][outputs]") {
+TEST_CASE("every type: plot files, pages and averages are written", "[validation][outputs]") {
   for (const char* type : kTypes) {
     const testing::TemporaryFolder folder;
     const Ran ran = run_deck(deck_of(type), folder / "run");
@@ -104,7 +104,7 @@ TEST_CASE("every type writes its plot files, pages and averages", "[validation][
   }
 }
 
-TEST_CASE("every type stops at the end that comes first, steps or time", "[validation][outputs]") {
+TEST_CASE("every type: run ends by steps or time, whichever comes first", "[validation][outputs]") {
   for (const char* type : kTypes) {
     const testing::TemporaryFolder folder;
     const Ran whole = run_deck(deck_of(type), folder / "whole");
@@ -119,7 +119,8 @@ TEST_CASE("every type stops at the end that comes first, steps or time", "[valid
   }
 }
 
-TEST_CASE("every type goes on where it stopped, as itself only", "[validation][outputs]") {
+TEST_CASE("every type: continued where it stopped, only as the same type",
+          "[validation][outputs]") {
   for (const char* type : kTypes) {
     const testing::TemporaryFolder folder;
     INFO(type);
@@ -180,7 +181,7 @@ TEST_CASE("every type goes on where it stopped, as itself only", "[validation][o
   }
 }
 
-TEST_CASE("a row without the thrust that it needs is refused at its load, in every mode",
+TEST_CASE("row without the thrust that it needs → rejected with its load, in every mode",
           "[validation][rollers]") {
   for (const char* type : {"tapered", "spherical-tapered"})
     for (const char* mode : {"-1", "0", "1", "2"}) {
@@ -195,7 +196,7 @@ TEST_CASE("a row without the thrust that it needs is refused at its load, in eve
     }
 }
 
-TEST_CASE("a free race of every type holds the mean asked load",
+TEST_CASE("free race of every type: mean of the specified load",
           "[physics][facade][motions][slow]") {
   constexpr double kMass = 0.5;
   for (const char* type : kTypes) {
@@ -250,7 +251,7 @@ TEST_CASE("a free race of every type holds the mean asked load",
   }
 }
 
-TEST_CASE("decks with crowned raceways run, and their crown acts", "[validation][rollers]") {
+TEST_CASE("crowned raceways: decks run, and the crown acts", "[validation][rollers]") {
   for (const char* type : {"cylindrical", "tapered"}) {
     const testing::TemporaryFolder folder;
     INFO(type);
@@ -272,7 +273,7 @@ TEST_CASE("decks with crowned raceways run, and their crown acts", "[validation]
   }
 }
 
-TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[validation][cage]") {
+TEST_CASE("uneven guide lands: decks run, and the energy ledger closes", "[validation][cage]") {
   const Sets wild{{"avRatio", "1.3"},       {"wvRatio", "20"},        {"cageGcPos", "0,0,-5e-5"},
                   {"cageGsCls[1]", "2e-4"}, {"cageGsCls[2]", "2e-4"}, {"maxStps", "60"}};
   const Sets ellipse{
@@ -314,7 +315,7 @@ TEST_CASE("decks with uneven guide lands run and close the energy ledger", "[val
              Catch::Contains("inside other bodies") && Catch::Contains("guide land 1"));
 }
 
-TEST_CASE("no value of the cage's records makes a pocket that cannot be", "[validation][cage]") {
+TEST_CASE("cage records: no value gives an impossible pocket", "[validation][cage]") {
   // Each is refused by its own name at both ends of the range that a cage can have.
   for (const char* type : kTypes) {
     const Deck nominal = deck::new_deck(type);
@@ -356,7 +357,7 @@ TEST_CASE("no value of the cage's records makes a pocket that cannot be", "[vali
   }
 }
 
-TEST_CASE("a cage that is cut keeps the start that it had in one piece", "[unit][cage]") {
+TEST_CASE("cage cut into segments: keeps the start of the one-piece cage", "[unit][cage]") {
   Deck deck = deck_of("ball", {{"avRatio", "0.97"}, {"cageGcPos", "0,0,1e-5"}});
   deck.set_all(Sets{{"nRe", "12"},
                     {"nCseg", "3"},

@@ -76,7 +76,7 @@ void read_messages(const std::string& type, std::set<std::string>& faults, std::
 
 }  // namespace
 
-TEST_CASE("no message about an English deck holds SI units", "[validation][slow]") {
+TEST_CASE("messages on an English deck: no SI units", "[validation][slow]") {
   for (const std::string type :
        {"ball-english", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     std::set<std::string> faults;
