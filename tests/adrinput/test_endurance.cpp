@@ -55,7 +55,7 @@ TEST_CASE("a disk that is full is said; the old deck and what was typed stay",
   window.save();
   CHECK(take_message(window).toStdString() == "");
   CHECK(bytes_of(path) != old);
-  // Undo goes on over the save.
+  // Undo continues across the save.
   window.undo();
   CHECK(window.document().deck().real("brgBore") != 0.041);
   CHECK(window.document().modified());

@@ -76,7 +76,7 @@ TEST_CASE("the lubricant's dock is closed at first and draws what it is asked fo
   CHECK(panel->chart().chartScene().page().panels[0].curves.size() == 4);
   const std::string lubricant = panel->chart().chartScene().page().title;
   const auto whole = desktop::lubricant_pages(*calculators::lubricant_contact(in_oil("4")));
-  CHECK(whole.front().title.starts_with(lubricant + ": "));  // what is drawn stands in the list
+  CHECK(whole.front().title.starts_with(lubricant + ": "));  // the list has the drawn values
   panel->findChild<QComboBox*>("lubricant-page")->setCurrentIndex(2);
   CHECK(panel->chart().chartScene().page().panels.size() == 2);
   panel->setDeck(deck::new_deck("ball"));
@@ -170,7 +170,7 @@ TEST_CASE("adrinput: a window of 1000 pixels holds the lubricant's dock and the 
   CHECK(window.minimumSizeHint().width() <= 1000);
   CHECK(window.width() == 1000);
   CHECK(window.height() == 690);
-  // Where there is room all of it is seen.
+  // With enough space everything is visible.
   window.resize(1280, 800);
   dock->toggleViewAction()->trigger();
   dock->toggleViewAction()->trigger();

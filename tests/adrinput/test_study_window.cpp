@@ -334,7 +334,7 @@ TEST_CASE("a new study of any kind begins without a mistake, whatever the bearin
         const StudyDocument::Finding found = study.check();
         CHECK(found.problem == "");
         CHECK(found.runs > 1);
-        // Ranges hold what the deck has.
+        // Ranges contain the value of the deck.
         if (study.values()->contains("variables"))
           for (const StudyJson& row : study.values()->at("variables"))
             for (const char* law : {"grid", "list", "uniform"}) {
@@ -349,7 +349,7 @@ TEST_CASE("a new study of any kind begins without a mistake, whatever the bearin
               CHECK((last.get<double>() >= share || share < 0.0));
             }
       }
-      // What is varied is what this bearing carries, by numbers in its units.
+      // The varied variable is the load of this bearing, in its units.
       StudyDocument sweep;
       sweep.start_new(bench.path("s.json"), "sweep", bench.path("DATA.txt"));
       const StudyJson row = sweep.values()->at("variables").at(0);

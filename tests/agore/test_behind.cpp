@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-/// A run that was killed, or still goes on: RESULTS.h5 ends before SOL8.
+/// A run that was killed, or still runs: RESULTS.h5 ends before SOL8.
 using namespace adore;
 using namespace adore::agore;
 
@@ -139,6 +139,6 @@ TEST_CASE("a RESULTS.h5 that stands beside SOL8 and is not used is told with its
   }
   std::filesystem::remove(path);
   CHECK(told().empty());
-  test::write_run(folder, 8);  // next to nothing of what SOL8 has
+  test::write_run(folder, 8);  // almost nothing of SOL8
   CHECK_FALSE(told().empty());
 }

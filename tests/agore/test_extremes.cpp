@@ -63,7 +63,7 @@ TEST_CASE("curves beside the pictures have the extremes between stored steps",
     options.view = view;
     return picture.svg({1280, 800}, 1, options).contains("Pale: extremes between stored steps.");
   };
-  CHECK(told(View::Pocket));         // whose peaks stand out
+  CHECK(told(View::Pocket));         // with separate peaks
   CHECK_FALSE(told(View::Element));  // of speeds, which have none
 }
 

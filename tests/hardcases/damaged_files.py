@@ -113,7 +113,7 @@ def readers(programs, file, out):
         return
     yield [plot, file, "--render", out / "plots", *small]
     yield [adore, "plot", file, "--out", out / "plot"]
-    if name == "RUN.json":  # AGORE looks beside the file
+    if name == "RUN.json":  # AGORE reads other files of the folder
         yield [agore, file.parent / "SOL8", "--render", out / "motion", *small]
 
 
@@ -178,7 +178,7 @@ def main():
             faults += one_file(given, seed, environment, ends)
             files += 1
     except KeyboardInterrupt:
-        pass  # what was found so far
+        pass  # results up to this point
     for (what, code), count in sorted(ends.items(), key=str):
         print(f"{what}: exit {code}: {count}")
     print(f"{files} files, {faults} faults")

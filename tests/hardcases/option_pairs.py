@@ -176,7 +176,7 @@ FACTORS = {
     "statics": [("loads", {}), ("displaced", {"kFS3": 1, "appDispZ": 1e-5})],
 }
 
-# What no record lets a deck say, what contradicts itself, or what reading N10 refuses (a race that accelerates in modes 1
+# Combinations that no record permits, that contradict each other, or that reading N10 rejects (a race that accelerates in modes 1
 # and 2): never in a row.
 IMPOSSIBLE = [
     lambda r: r.get("mode", "0") != "0" and r.get("races", "held") != "held",
