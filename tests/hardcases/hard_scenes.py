@@ -3,20 +3,19 @@
 
     hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--methods A,B] [--report FILE] [--keep FOLDER] [--minutes M] [--seconds S]
 
-PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
-Without --full each scene runs with the deck's own integrator, an explicit and an implicit one and with two slightly other
-loads (a millionth), whose spread tells how far two right runs may differ (a few minutes); with it, with all 21 integrators and
-six such loads (1e-8 to a thousandth), ten times as long (an hour or two); where that of 1e-8 changes a mean by a thousandth, the motion is
-said to be irregular. With --keep every run leaves its result in FOLDER, and one that stands there
-is not run again: a long matrix goes on where it was ended, in the midst of a scene, too. With --minutes no further scene is begun after so long; the table
-then says how many are left (exit code 4), and the same command goes on.
+PROGRAM is `adore`. Each scene below starts from an example deck; its entry has the difficulty and known results.
+Without --full each scene runs with the integrator of the deck, an explicit and an implicit one and with two changed loads (1e-6),
+which give the spread of correct runs (a few minutes). With --full it runs with all 21 integrators and six changed loads (1e-8 to
+1e-3), ten times as long (an hour or two); if a load changed by 1e-8 changes a mean by 0.1 %, the motion is reported as irregular.
+With --keep each run leaves its result in FOLDER and is not repeated: the same command continues an interrupted matrix. With --minutes
+no scene starts after this time; the table then has the number of remaining scenes (exit code 4).
 
 A run is
-- solved: exit 0, every figure finite;
-- warned of: means outside the spread of the others, and the energy without account says so;
-- refused (exit 2) or given up (exit 3) with a sentence;
-- interrupted: somebody's signal ended it (exit 130), which says nothing of it: its scene is not kept and counts as left;
-- FAILED: a crash, a hang, exit 1, a figure that is not a number, or solved with means (speeds, largest loads, heat) outside the
+- solved: exit 0, all results finite;
+- warned: means outside the spread of the others, and an energy residual that warns;
+- rejected (exit 2) or ended (exit 3) with a message;
+- interrupted: a signal from outside ended it (exit 130); its scene is not kept and counts as remaining;
+- FAILED: a crash, a hang, exit 1, a result that is not finite, or solved with means (speeds, largest loads, heat) outside the
   spread of the others.
 A scene passes when its own integrator, one explicit and one implicit method solve it and nothing failed. Writes the table as
 Markdown; exit code 1 when a scene does not pass.

@@ -7,7 +7,7 @@ PROGRAM is `adore`, SHIM the library of kill_at_file_call.c. Ten decks take turn
 time, the rest at (before or behind) a random call that changes a file, where the windows for damage are. After each kill
 - every SOL file consists of whole lines without NUL bytes, and RUN.json and MASTER are whole,
 - RESULTS.h5 opens with plain h5py and every dataset of it can be read, and h5dump (hdf5-tools) prints all of it,
-- `adore run --continue` completes the run (or says that there is nothing to go on with),
+- `adore run --continue` completes the run (or reports that there is nothing to continue),
 - the completed files equal those of a run that was never killed: to the byte where the method keeps its past, else within
   the stated bound on the cage's centre,
 - no hidden file stays behind.
@@ -178,7 +178,7 @@ class Deck:
         os.makedirs(out, exist_ok=True)
         self.check_left(out)
         more = self.run(out, ["--continue"])
-        if more.returncode == 2 and "no run to go on with" in more.stdout:
+        if more.returncode == 2 and "no run to continue" in more.stdout:
             self.count["anew"] += 1
             more = self.run(out, ["--overwrite"])
         else:
